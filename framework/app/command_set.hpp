@@ -11,7 +11,7 @@ struct CommandOption {
   std::vector<std::string> names;    // "-o", "--output"; empty: positional
   std::string word;                  // placeholder of the positional argument: "file"
   std::string about;
-  // placeholder of the value: "FOLDER", "TEXT", ...; "" for a flag
+  // Placeholder of the value: "FOLDER", "TEXT", ...; "" for a flag.
   std::string value;
   std::vector<std::string> choices;  // allowed values; empty: any value
   bool required = false, repeatable = false;

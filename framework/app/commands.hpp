@@ -143,7 +143,7 @@ struct ListOptions {
   std::string kind, name;                         // empty: all
   // Files to write instead of the list.
   std::string reference, schema, compare_schema, batch_schema, calibrate_schema, plot_schema;
-  // components of these are listed too
+  // Components of these are listed too.
   std::vector<std::string> plugins;
 
   bool writes_files() const {

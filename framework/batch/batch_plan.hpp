@@ -17,7 +17,7 @@ struct BatchCase {
   std::string base;                           // name of the experiment
   std::map<std::string, std::string> values;  // by column; numbers with a unit in SI
   std::string scene;                          // resolved, as YAML
-  // checksum of the scene, the files that it reads and the program
+  // Checksum of the scene, the files that it reads and the program.
   std::string digest;
   double duration = 0;                        // s, simulated
 };

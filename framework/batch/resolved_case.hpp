@@ -14,7 +14,7 @@ struct ResolvedCase {
   LoadedExperiment loaded;
   Value resolved;      // with units as comments
   std::string scene;   // the scene as YAML
-  // checksum of the scene, the files that it reads, the program and its libraries
+  // Checksum of the scene, the files that it reads, the program and its libraries.
   std::string digest;
 };
 

@@ -20,7 +20,7 @@ constexpr int polish_steps = 5;
 // Tolerance of all chains but the final one, as a multiple of the search's; early_by_runs if runs
 // give derivatives.
 constexpr double early = 10, early_by_runs = 30;
-constexpr double final_step = 3;  // of those ends
+constexpr double final_step = 3;  // initial step of the final chain, in units of those tolerances
 // In differences: radius within which points are compared with the derivatives.
 constexpr double reach = 3;
 constexpr double most_missed = 0.5;

@@ -14,7 +14,7 @@ struct SolverEntry {
   Value solver;   // overrides of the scene's solver block, as written
   Value stepper;  // overrides of its time.stepper
   Value time;     // overrides of the rest of its time
-  std::optional<double> own_step() const;  // s: that time says
+  std::optional<double> own_step() const;  // s: the step of `time`
   void fields(Fields& f);
 };
 

@@ -21,7 +21,7 @@ double median(std::vector<double> values) {
   return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-// A combination under way.
+// A combination that is being measured.
 struct Entry {
   const CompareCase* what;
   const SolverEntry* solver;
@@ -101,7 +101,8 @@ std::string line_of(const CompareRow& r) {
                      r.noise() ? fmt::format(" (noise, below {:.1e} m)", r.floor) : "", r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : r.branch == "inaccurate" ? ", not accurate" : "");
 }
 
-// How each solver with its smallest tolerance converges where most iterations are needed.
+// Records the convergence of each solver with its smallest tolerance, in the problem with most
+// iterations.
 void record_histories(const CompareConfig& config, std::vector<Entry>& entries, Comparison& result) {
   const double tightest = *std::min_element(config.tolerances.begin(), config.tolerances.end());
   const Entry* hardest = nullptr;

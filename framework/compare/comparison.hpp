@@ -40,7 +40,7 @@ struct CompareRow {
   double penetration = 0, crossing_pairs = 0;  // TrialResult
   bool single_step = false;
   bool noise() const { return error_rms <= floor; }
-  double known_error() const { return noise() ? floor : error_rms; }  // at most
+  double known_error() const { return noise() ? floor : error_rms; }  // upper bound
   bool solved() const { return converged && (single_step || branch != "another"); }
 };
 
@@ -72,7 +72,7 @@ struct IterationHistory {
 struct Comparison {
   std::vector<ReferenceRow> references;
   std::vector<CompareRow> rows;
-  std::string history_of;  // the problem
+  std::string history_of;  // name of the problem
   std::vector<IterationHistory> histories;
 };
 

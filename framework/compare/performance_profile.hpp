@@ -11,7 +11,7 @@ namespace tack {
 
 struct PerformanceProfile {
   std::string solver;
-  std::vector<double> ratios;  // to the fastest, ascending; infinity where it failed
+  std::vector<double> ratios;  // to the fastest time, ascending; infinity for failures
 };
 
 // Returns the profiles in the order in which the solvers first occur. Tasks that no solver solves

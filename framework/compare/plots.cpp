@@ -17,7 +17,7 @@ namespace {
 
 // Smaller errors are below the round-off of positions.
 constexpr double smallest_error = 1e-17;
-constexpr double far_from_points = 1e3;  // where a line would leave them no room
+constexpr double far_from_points = 1e3;  // a line further away would squeeze the points
 
 Curve& curve_of(Plot& plot, const std::string& title) {
   for (Curve& c : plot.curves)
@@ -48,7 +48,7 @@ std::vector<LevelLine> floors(const std::vector<CompareRow>& rows, bool by_step)
   std::map<double, std::map<std::string, double>> of_step;
   for (const CompareRow& r : rows)
     if (r.floor > 0 && r.size > 0) of_step[by_step ? r.time_step : 0][r.problem] = r.floor / r.size;
-  std::map<double, std::string> lines;  // alike where there is one reference for all steps
+  std::map<double, std::string> lines;  // one line if all steps share a reference
   for (const auto& [step, of_problem] : of_step) {
     double sum = 0;
     for (const auto& [problem, floor] : of_problem) sum += std::log(floor);
@@ -81,7 +81,8 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   for (const CompareRow& r : rows) steps.insert(r.time_step);
   const bool by_step = problems == 1 && steps.size() > 1;
   struct Sum {
-    double seconds = 0, least = 0, most = 0, log_error = 0;  // least, most: of the sum of times, if they vary together
+    // least, most: of the sum of times, if they vary together.
+    double seconds = 0, least = 0, most = 0, log_error = 0;
     size_t count = 0, noise = 0;
   };
   std::vector<std::pair<std::string, std::vector<std::pair<double, Sum>>>> sums;  // title, tolerance
@@ -175,7 +176,7 @@ Plot convergence_plot(const Comparison& comparison) {
   double tolerance = 0;
   for (const IterationHistory& h : comparison.histories) {
     Curve& curve = curve_of(plot, h.solver);
-    // Where a method did not ask, the residual is the last one that it knows: no point of its own.
+    // Methods that did not evaluate the residual repeat the last known one, which is no new point.
     for (const Iteration& i : h.iterations)
       if (&i == &h.iterations.back() || curve.points.empty() || curve.points.back().second != i.residual * h.tolerance)
         curve.points.emplace_back(i.number, i.residual * h.tolerance);

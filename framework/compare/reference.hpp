@@ -17,7 +17,7 @@ struct Reference {
   // Error (RMS [m]) of the second reference, measured like that of a compared solver; smaller
   // errors are noise. NaN if the second reference failed.
   double floor = 0;
-  bool other_branch = false;  // they are two different solutions
+  bool other_branch = false;  // the two are different solutions
 
   bool found() const { return tolerance > 0; }
 };
@@ -26,7 +26,7 @@ struct Reference {
 // convergence.
 Reference make_reference(const CompareCase& what, double step_size, double tolerance, double largest);
 
-// The solution that x belongs to.
+// The solution that x belongs to, relative to the reference.
 struct Branch {
   enum class Kind {
     same,     // the reference's
@@ -35,7 +35,7 @@ struct Branch {
     another,  // another minimum
   };
   Kind kind = Kind::same;
-  VecX x;  // it, as accurate as the reference (3n)
+  VecX x;  // the solution, as accurate as the reference (3n)
 };
 // Classifies the end x of a solve. For a single step, refines x as far as the reference. For a run,
 // judges by the distance from the end of the reference.

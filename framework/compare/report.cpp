@@ -8,7 +8,8 @@
 namespace tack {
 namespace {
 
-// A bar would end the cell of a table, a line's end the table, and < begin a tag.
+// Escapes a text for a Markdown table: a bar ends the cell, a line break the table, and < begins a
+// tag.
 std::string cell(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -115,7 +116,7 @@ std::string joint_table(const Comparison& c) {
   return out;
 }
 
-// Why nothing is ranked by its error on a problem; "" if something is.
+// Returns the reason why errors do not rank the solvers of a problem; "" if they do.
 std::string unranked(const Comparison& c, const ReferenceRow& of) {
   if (of.tolerance == 0) return "there is no reference, so errors are not known";
   size_t solved = 0, noise = 0;

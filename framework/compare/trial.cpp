@@ -20,7 +20,7 @@
 namespace tack {
 namespace {
 
-// Wall time and the time of all threads of this process.
+// Wall time and CPU time of all threads of this process.
 class Stopwatch {
  public:
   explicit Stopwatch(TrialResult& result) : result_(result) {}
@@ -56,7 +56,7 @@ template <class Kind>
 Value laid_over(const Kind* component, const Value& written) {
   Value value = to_value(component);
   if (!written.is_null()) merge(value, written);
-  if (value.is_scalar()) {  // a bare name
+  if (value.is_scalar()) {  // only a name
     const Value type = value;
     value = Value::map();
     value.set("type", type);
@@ -64,7 +64,7 @@ Value laid_over(const Kind* component, const Value& written) {
   return value;
 }
 
-// A run up to a time [s].
+// Applies the settings to an experiment that runs up to a time [s].
 LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings, double until) {
   Experiment& experiment = loaded.experiment;
   Value solver = laid_over(experiment.solver.get(), settings.solver);
@@ -74,7 +74,7 @@ LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings, do
   experiment.time.step = settings.step_size;
   if (!settings.time.is_null()) bind(settings.time, experiment.time, "time");
   if (experiment.time.adaptive) experiment.time.duration = until;
-  experiment.time.max_halvings = 0;  // a solve that fails is to be seen, not mended
+  experiment.time.max_halvings = 0;  // failed solves are counted, not repeated with substeps
   return loaded;
 }
 

@@ -36,21 +36,21 @@ CompareCase experiment_case(const std::string& path, const std::vector<std::stri
 CompareCase problem_case(const std::string& path);
 
 struct TrialSettings {
-  Value solver;           // laid over the scene's
+  Value solver;           // overrides of the scene's solver
   double tolerance = 0;   // m/s
   double step_size = 0;   // s
-  Value stepper = {};     // laid over the scene's
+  Value stepper = {};     // overrides of the scene's stepper
   Value time = {};        // overrides of the rest of the scene's time
 };
 
 struct TrialResult {
   std::string status;  // "converged", or the error
   bool converged = false;
-  bool complete = false;  // the end was reached, so that x is that of the end
+  bool complete = false;  // the end was reached: x is the final state
   double wall_seconds = 0, cpu_seconds = 0;
   int steps = 0;
   long iterations = 0, evaluations = 0, linear_solves = 0;
-  int intersections = 0;  // and inverted tets, in the last state
+  int intersections = 0;  // includes inverted tets; of the last state
   // Maxima over the steps, for steppers that let surfaces pass through each other; penetration in
   // m.
   double penetration = 0, crossing_pairs = 0;

@@ -20,9 +20,9 @@ class BuiltExperiment {
   BuiltExperiment(const BuiltExperiment&) = delete;
   BuiltExperiment& operator=(const BuiltExperiment&) = delete;
 
-  // with all tolerances of its solver
+  // With all tolerances of its solver.
   const Experiment& experiment() const { return loaded_.experiment; }
-  // as parsed, for places in messages
+  // As parsed, for places in messages.
   const Value& root() const { return loaded_.root; }
   World& world() { return *world_; }
   const World& world() const { return *world_; }

@@ -17,7 +17,7 @@ void refuse_former_keys(const Value& root) {
     throw InputError(springs->mark.text() + ": springs are interactions: write `interactions: [{type: spring, ...}]`, with the same keys");
 }
 
-// A formula of probes would take one for the other.
+// Equal names would be ambiguous in a formula of probes.
 void refuse_names_of_probes(const Value& root) {
   const Value *parameters = root.find("parameters"), *probes = root.find("probes");
   if (!parameters || !probes) return;

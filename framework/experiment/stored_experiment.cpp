@@ -7,7 +7,7 @@
 namespace tack {
 namespace {
 
-// An object's mesh that was read from a file when the state was stored.
+// The mesh of an object, which was read from a file when the state was stored.
 class StoredMesh : public ShapeSource {
  public:
   explicit StoredMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
@@ -23,7 +23,8 @@ StateFile state_file_of(StateFile::Kind kind, const Experiment& experiment) {
   StateFile file;
   file.kind = kind;
   file.scene = to_yaml(fields_of(experiment));
-  if (kind == StateFile::Kind::checkpoint) return file;  // resumed with the scene's own files
+  // A checkpoint is resumed with the scene's own files.
+  if (kind == StateFile::Kind::checkpoint) return file;
   for (const ObjectConfig& object : experiment.objects)
     if (object.shape->reads_files()) file.meshes[object.name] = made(*object.shape)->mesh;
   return file;

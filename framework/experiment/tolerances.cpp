@@ -12,9 +12,10 @@ namespace tack {
 namespace {
 
 constexpr double usual = 0.01;           // m/s: 1 cm/s
-constexpr double of_distance = 0.1;      // of the contact distance, that a step may be off
+constexpr double of_distance = 0.1;      // of the contact distance: admissible error of a step
 constexpr double of_size = 1e-3;         // of the smallest moving object
-constexpr double of_number = 1e-2;       // of an unknown that is a number, in its unit: so much of a radian
+// Of a scalar dof, in its unit: for example a fraction of a radian.
+constexpr double of_number = 1e-2;
 // m/s: sticking speeds below are not resolved unless a tolerance asks for it.
 constexpr double finest_sticking = 1e-4;
 
@@ -22,7 +23,7 @@ bool has_inertia(const Experiment& experiment, const World& world) {
   return experiment.time.integrator->predict(world.start, experiment.time.step).inertia;
 }
 
-// The diagonal of the smallest object that moves [m]; a particle alone has its diameter.
+// Returns the diagonal of the smallest moving object [m]; the diameter of a single particle.
 double smallest_size(const World& world) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Body& body : world.bodies)
@@ -39,7 +40,7 @@ double smallest_number(const World& world) {
   return smallest;
 }
 
-// The speeds below which something sticks, with the key that says so.
+// Returns the sticking speeds with their keys.
 std::vector<std::pair<std::string, double>> sticking_speeds(const ContactConfig& contact) {
   std::vector<std::pair<std::string, double>> speeds;
   if (contact.friction) speeds.emplace_back("contact.friction.eps_v", contact.friction->eps_v);

@@ -8,7 +8,7 @@ namespace tack {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double slack = 1e-9;  // of the run's range: sums of steps end a little off
+constexpr double slack = 1e-9;  // of the run's range: accumulated steps end slightly off
 
 class Run {
  public:

@@ -12,7 +12,7 @@ namespace tack {
 
 struct MeasuredData {
   std::string file;                // absolute
-  std::string x_column, y_column;  // empty: called as the run's own
+  std::string x_column, y_column;  // empty: the run's own column names
   std::optional<Quantity> from, to;
   DeviationScale scale = DeviationScale::point;
 

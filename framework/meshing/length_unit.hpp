@@ -11,7 +11,7 @@ struct LengthUnits {
   std::string from = "m", to = "m";
 
   std::string problem() const;  // "" or the error in one of them
-  double factor() const;        // from numbers in the one to numbers in the other
+  double factor() const;        // from numbers in one unit to numbers in the other
   bool trivial() const { return from == to; }
 };
 

@@ -15,11 +15,11 @@ namespace {
 
 using End = ProcessResult::End;
 
-constexpr std::uint64_t memory = std::uint64_t(8) << 30;  // for some ten million tets
+constexpr std::uint64_t memory = std::uint64_t(8) << 30;  // bytes, for about ten million tets
 
 ProcessResult run(const MeshOperation& operation, const Mesh& mesh, const std::string& name) {
   const double seconds = operation.time_limit();
-  // Notes, a line each, an empty line, the mesh.
+  // Writes the result of the child process: notes, a line each, an empty line, the mesh.
   return run_isolated({memory, 2 * seconds, seconds}, [&] {
     Notes notes;
     const Mesh result = operation.apply(mesh, name, notes);
@@ -29,7 +29,7 @@ ProcessResult run(const MeshOperation& operation, const Mesh& mesh, const std::s
   });
 }
 
-// Moves the lines before the first empty one.
+// Moves the lines before the first empty one into `notes`; returns false if no line is empty.
 bool take_notes(std::string_view& text, Notes& notes) {
   for (;;) {
     const std::size_t end = text.find('\n');

@@ -28,7 +28,8 @@ class ProcessedShape : public ShapeSource {
     make();
     return notes_;
   }
-  bool reads_files() const override { return true; }  // the mesh hangs on the version of CGAL too
+  // The mesh also depends on the version of CGAL.
+  bool reads_files() const override { return true; }
 
  private:
   void work() const {

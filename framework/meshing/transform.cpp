@@ -5,7 +5,8 @@
 namespace tack {
 namespace {
 
-// The plane through the origin with that normal. Triangles keep their sides, tets their volumes.
+// Mirrors at the plane through the origin with this normal. Triangles keep their sides, tets their
+// volumes.
 void mirror(Mesh& mesh, const Vec3& normal) {
   scale(mesh, Vec3::Constant(-1));
   for (Vec3& x : mesh.vertices) x = 2 * normal.dot(x) / normal.squaredNorm() * normal - x;

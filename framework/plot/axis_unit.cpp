@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 9> prefixes = {"p", "n", "µ", "m", "", "
 
 constexpr std::array<std::string_view, 10> superscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
-// "m/s²" of "m/s^2".
+// Returns "m/s²" for "m/s^2".
 std::string pretty(std::string_view unit) {
   std::string out;
   bool raised = false;

@@ -22,16 +22,21 @@ constexpr std::array<const char*, 4> dashes = {"1", "(8,4)", "(2,3)", "(9,3,2,3)
 constexpr std::array<int, 6> marks = {7, 5, 9, 11, 13, 6};
 constexpr size_t most_labels = 12;       // at the ends of curves
 constexpr double label_distance = 0.05;  // of the picture's height
-constexpr double near_right = 0.85;      // where a curve that is named at its end has to end
+// Least end of a curve with a label, of the picture's width.
+constexpr double near_right = 0.85;
 constexpr size_t longest_label = 34;     // characters
-constexpr double most_without_decades = 80;  // largest over smallest number of a logarithmic axis, with its margins
+// Largest ratio of the range of a logarithmic axis, margins included, without decades as ticks.
+constexpr double most_without_decades = 80;
 constexpr size_t most_beside = 16;                                            // names of a legend
-constexpr size_t longest_beside = 34, longest_of_two = 46, longest_of_three = 16;  // characters: beside the picture, and in rows below it
-constexpr double plain_width = 720, wide_width = 900, plain_height = 480, plain_font = 13;  // pixels, of which an inch has 96
-constexpr double row_height = 20, axis_height = 64;                           // of a line of text; of ticks and label; with that font
+// Characters: beside the picture, and in rows below it.
+constexpr size_t longest_beside = 34, longest_of_two = 46, longest_of_three = 16;
+// Pixels, 96 per inch.
+constexpr double plain_width = 720, wide_width = 900, plain_height = 480, plain_font = 13;
+// Of a line of text; of ticks and label; for plain_font.
+constexpr double row_height = 20, axis_height = 64;
 constexpr double dots_per_inch = 96, dots_of_papers = 600, points_per_inch = 72;
 
-// Control characters have no place in a picture.
+// Replaces control characters, which a picture cannot show.
 std::string printable(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
@@ -94,12 +99,12 @@ std::string colour_of(size_t i, const PlotLook& look) {
   return look.colours.empty() ? colours[i % colours.size()] : look.colours[i % look.colours.size()];
 }
 
-// Lines are in points, of which gnuplot has 0.75 for one of width 1 in SVG.
+// Line widths are in points; gnuplot draws a width of 1 with 0.75 points in SVG.
 std::string style_of(size_t i, const PlotLook& look) {
   return fmt::format("lc rgb '{}' dt {} lw {}", colour_of(i, look), dashes[i % dashes.size()], look.line_width ? *look.line_width / 0.75 : 2);
 }
 
-// The sheet that a picture is laid out on, in pixels.
+// Layout of a picture, in pixels.
 struct Sheet {
   double width, height, font;
   double row() const { return row_height * font / plain_font; }
@@ -158,7 +163,7 @@ struct Scene {
   AxisRange x, y;
 };
 
-// Names at the right ends of the curves, or nothing.
+// Returns heights of the names at the right ends of the curves; nothing if they do not fit.
 std::optional<std::vector<double>> label_heights(const Scene& s, const Plot& plot) {
   if (s.curves.size() > most_labels) return std::nullopt;
   std::vector<double> wanted;
@@ -246,7 +251,8 @@ std::string script_of(const Plot& given, const std::string& name, const PlotLook
     const bool scattered = s.curves[i].scattered;
     const char* with = scattered ? "points" : plot.style == Plot::Style::points ? "linespoints" : plot.style == Plot::Style::lines ? "lines" : "steps";
     const std::string mark = scattered || plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
-    if (!s.curves[i].spread.empty())  // marks too small to be seen: a size of zero makes SVG that not every renderer reads
+    // Marks of size zero would make SVG that some renderers cannot read: these are just invisible.
+    if (!s.curves[i].spread.empty())
       commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colour_of(i, look)));
     commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i, look), mark, in_quotes(s.curves[i].title)));
   }

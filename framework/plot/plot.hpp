@@ -41,7 +41,7 @@ struct Plot {
 struct StackedBars {
   std::string title, y_label;
   std::vector<std::string> names;                      // of the bars
-  std::vector<std::string> parts;                      // from the foot up
+  std::vector<std::string> parts;                      // from the bottom up
   std::vector<std::vector<double>> heights;            // heights[bar][part]
   std::optional<double> top;                           // end of the axis, if prescribed
   // SI unit of the heights; drawn with a suitable prefix.

@@ -68,7 +68,7 @@ std::map<std::pair<std::string, std::string>, Curve> measured_curves(const std::
   return curves;
 }
 
-// Traction over gap of each pair.
+// Plots traction over gap of each pair.
 std::optional<Plot> law_curves(const CsvTexts& laws) {
   Plot plot{.title = "laws of adhesion", .x_label = "gap", .y_label = "traction", .x_unit = "m", .y_unit = "Pa", .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
   const auto at = [&](const char* name) {

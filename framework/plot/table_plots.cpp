@@ -15,7 +15,7 @@ namespace {
 
 double number_of(const std::string& text) { return csv_number(text).value_or(std::nan("")); }
 
-// Throws InputError with the nearest name.
+// Returns the index of a column. Throws InputError with the nearest name.
 size_t column_of(const CsvTexts& table, const std::string& name) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), name);
   if (found == table.columns.end())
@@ -23,7 +23,7 @@ size_t column_of(const CsvTexts& table, const std::string& name) {
   return static_cast<size_t>(found - table.columns.begin());
 }
 
-// The last part of a key: "young" of "objects.cube.energies.0.young".
+// Returns the last part of a key: "young" of "objects.cube.energies.0.young".
 std::string short_name(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
 std::set<double> numbers_in(const CsvTexts& table, const std::string& column) {
@@ -42,7 +42,7 @@ std::string unit_of(const std::string& column, const std::map<std::string, std::
   return found == units.end() ? "" : found->second;
 }
 
-// "0.3", "5 kPa"; texts as they are.
+// Formats a cell for a legend: "0.3", "5 kPa"; other texts are unchanged.
 std::string cell(const std::string& text, const std::string& unit) {
   const double number = unit.empty() ? std::nan("") : number_of(text);
   return std::isfinite(number) ? with_axis_unit(number, unit) : text;

@@ -35,7 +35,7 @@ void check_interface(const std::string& path) {
                                  "that built it", path, what));
 }
 
-// "undefined symbol: tack::Fields::all() const" rather than its mangled name.
+// Demangles a message: "undefined symbol: tack::Fields::all() const".
 std::string readable(std::string message) {
   const size_t begin = message.find("_Z");
   if (begin == std::string::npos) return message;
@@ -46,12 +46,13 @@ std::string readable(std::string message) {
   return name ? message.replace(begin, end - begin, name.get()) : message;
 }
 
-// It calls something of tack that this program has not, or not yet.
+// Returns true if the library calls a function of tack that this program lacks, or has not loaded
+// yet.
 struct Undefined : InputError {
   using InputError::InputError;
 };
 
-// Closes the library unless it is kept.
+// Owns a library; closes it unless it is kept.
 class Library {
  public:
   explicit Library(const std::string& path) {

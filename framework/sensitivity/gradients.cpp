@@ -47,7 +47,7 @@ void Gradients::start() {
   for (const auto& n : neighbours_) n->start();
 }
 
-// The potential of a step that is solved is where it ended, as a rule.
+// The potential of a solved step is usually still at the end of the step.
 void Gradients::solved(const SolvedStep& step) {
   if (step.potential.configuration() != step.attempt.x) {
     VecX q;

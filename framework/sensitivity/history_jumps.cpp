@@ -6,12 +6,12 @@
 namespace tack {
 namespace {
 
-constexpr double jump = 1e-3;       // relative; scenes differ by a millionth
+constexpr double jump = 1e-3;       // relative; the scenes differ by 1e-6
 constexpr double rounding = 1e-12;  // relative
 
 bool whole(double a) { return a == std::floor(a); }
 
-// Numbers that count or choose are whole.
+// Returns true for a jump. Counts and choices are integers: any change is a jump.
 bool jumps(double a, double b, double scale) {
   if (a == b) return false;
   return (whole(a) && whole(b)) || !(std::abs(a - b) <= jump * std::max({std::abs(a), std::abs(b), scale}));

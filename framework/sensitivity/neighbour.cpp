@@ -16,9 +16,9 @@ namespace tack {
 namespace {
 
 constexpr double relative_step = 1e-6;
-constexpr double accuracy = 1e-6;     // of the way from the run's end to this one's
+constexpr double accuracy = 1e-6;     // relative to the displacement from the run's end
 constexpr double round_off = 1e-15;   // of positions, relative
-// relative: smaller residual corrections are not reported
+// Relative: smaller residual corrections are not reported.
 constexpr double rounding_of_solves = 1e-13;
 // Relative to the change of the gradient by the number:
 // - rounding_of_forces: rounding errors, which would make unconstrained bodies drift forever
@@ -27,9 +27,9 @@ constexpr double rounding_of_solves = 1e-13;
 constexpr double rounding_of_forces = 1e-6, unstable_rest = 1e-4;
 constexpr int most_corrections = 12;
 constexpr double usual_rate = 0.1;
-constexpr double slow = 0.05;         // a rate at which a new Hessian pays
+constexpr double slow = 0.05;         // a slower convergence rate makes a new Hessian worthwhile
 
-// In stored states.
+// Names in stored states.
 const std::string prefix = "gradients/", remembered_as = "history/";
 constexpr std::pair<const char*, VecX State::*> vectors[] = {
     {"x", &State::x}, {"v", &State::v}, {"a", &State::a}, {"anchor", &State::anchor}, {"x_before", &State::x_before},
@@ -49,7 +49,7 @@ Neighbour::Neighbour(const BuiltExperiment& run, const GradientConfig& config) :
   difference_ = config.step.value_or(relative_step * std::abs(value));
   try {
     built_ = built_with(run, config.key, value + difference_);
-  } catch (const InputError&) {  // the largest that it may be
+  } catch (const InputError&) {  // at an upper bound of the number
     difference_ = -difference_;
     built_ = built_with(run, config.key, value + difference_);
   }
@@ -114,7 +114,7 @@ void Neighbour::guess(Eigen::Index unknowns, bool loose) {
   else way_ = last_;
 }
 
-// False if it was not found.
+// Corrects the displacement; returns false if it did not converge.
 bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSystem& system) {
   VecX end, d;
   built_->world().dofs.gather(run.x, end);

@@ -24,7 +24,7 @@ class Neighbour {
   // that cannot be changed: it does not exist, or another value changes meshes or unknowns.
   Neighbour(const BuiltExperiment& run, const GradientConfig& config);
 
-  double difference() const { return difference_; }  // in the number [SI]
+  double difference() const { return difference_; }  // of the number [SI]
   // Returns the derivatives of the probes. of_run: probe values of the run at the same state.
   std::vector<double> derivatives(const std::vector<double>& of_run);
 
@@ -61,7 +61,7 @@ class Neighbour {
   // Displacement from the end of the run's step to the end of this one, in the unknowns: of the
   // present step and of the last three accepted ones.
   VecX way_, last_, before_, older_;
-  VecX end_;           // 3n: where the present step ends here
+  VecX end_;           // 3n: end of the present step
   double rate_ = 1;    // convergence rate of the corrections with the present Hessian
   double h_ = 0, h_last_ = 0;
   int unknowns_ = -1, unknowns_last_ = -1;

@@ -23,7 +23,7 @@ bool same_meshes(const World& a, const World& b) {
   return true;
 }
 
-// As the resolved scene has it.
+// Returns the text of the number in the resolved scene.
 WrittenNumber number_at(const BuiltExperiment& run, const std::string& key) {
   const Value resolved = to_value(fields_of(run.experiment()));
   const Value* value = value_at(resolved, key);
@@ -45,7 +45,7 @@ double scene_number(const BuiltExperiment& run, const std::string& key) {
 }
 
 LoadedExperiment scene_with(const BuiltExperiment& run, const std::string& key, double value) {
-  // With its unit, which expressions of a parameter follow.
+  // The value keeps its unit, on which expressions of a parameter depend.
   Value root = run.root(), number = Value::scalar(number_at(run, key).text_of(value)), none = Value::sequence();
   none.mark.file = std::make_shared<const std::string>("output.gradients: " + key);
   number.mark.file = std::make_shared<const std::string>("output.gradients: " + key);

@@ -97,7 +97,8 @@ bool TangentSystem::correct(const VecX& r, VecX& d) {
 
 void TangentSystem::solve(const VecX& r, VecX& d) {
   if (positive_) definite_->solve(r, d, clock_);
-  if (positive_ && !d.allFinite()) take_as_it_is();  // iterations found that it is not
+  // The iterative solver found negative curvature.
+  if (positive_ && !d.allFinite()) take_as_it_is();
   while (positive_ && is_shifted_ && !correct(r, d) && shift_ + 1 < std::size(shifts) && factorize(shifts[++shift_])) definite_->solve(r, d, clock_);
   if (positive_) return;
   if (ldlt_.info() == Eigen::Success) {

@@ -27,7 +27,7 @@ class TangentSystem {
   void begin_solve() { fresh_ = false; }
   // Evaluates and factorises the Hessian at the present state of a potential.
   void refresh(StepPotential& potential);
-  bool present() const { return fresh_; }  // that of the present solve
+  bool present() const { return fresh_; }  // the Hessian is of the present solve
   bool known() const { return factored_; }
   // Returns true if some displacement is nearly unconstrained: its size is then only rounding.
   bool loose() const { return is_shifted_ && shift_ > 0; }
