@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Writes one page if the path ends in .md, else a folder with a page per format and kind. Other files
-// of the folder stay.
+// Writes one page if the path ends in .md, else a folder with a page per format and kind. Other
+// files of the folder stay.
 void write_reference(const fs::path& path) {
   const Fields scene = prototype<Experiment>(), comparison = prototype<CompareConfig>(),
                batch = prototype<BatchConfig>(), calibration = prototype<CalibrateConfig>();

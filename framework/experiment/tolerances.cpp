@@ -14,7 +14,7 @@ namespace {
 constexpr double usual = 0.01;           // m/s: 1 cm/s
 constexpr double of_distance = 0.1;      // of the contact distance: admissible error of a step
 constexpr double of_size = 1e-3;         // of the smallest moving object
-// Of a scalar dof, in its unit: for example a fraction of a radian.
+// Fraction of the unit of a scalar dof, for example of a radian.
 constexpr double of_number = 1e-2;
 // m/s: sticking speeds below are not resolved unless a tolerance asks for it.
 constexpr double finest_sticking = 1e-4;

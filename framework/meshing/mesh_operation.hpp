@@ -16,8 +16,8 @@ class MeshOperation : public Component {
 
   void fields(Fields& f) final;
 
-  // Prepares for apply(), for example by making another mesh. Called before it, in the program's own
-  // process.
+  // Prepares for apply(), for example by making another mesh. Called before it, in the program's
+  // own process.
   virtual void prepare() {}
   // Applies the operation. Runs in a child process, since external libraries may crash, loop or
   // exhaust the memory: no parallel loops, and changes of members are lost. `name`: of the mesh,

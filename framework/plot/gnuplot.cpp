@@ -32,7 +32,7 @@ constexpr size_t most_beside = 16;                                            //
 constexpr size_t longest_beside = 34, longest_of_two = 46, longest_of_three = 16;
 // Pixels, 96 per inch.
 constexpr double plain_width = 720, wide_width = 900, plain_height = 480, plain_font = 13;
-// Of a line of text; of ticks and label; for plain_font.
+// Heights of a line of text, and of ticks and label, for plain_font.
 constexpr double row_height = 20, axis_height = 64;
 constexpr double dots_per_inch = 96, dots_of_papers = 600, points_per_inch = 72;
 
