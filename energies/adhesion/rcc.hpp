@@ -1,6 +1,7 @@
-// Base of both forms of Raous-Cangemi-Cocou adhesion (the paper, eq. 5 and 6): a bond stores k beta^2 / 2 with its pull
-// k = C_N d^2 + C_T |u|^2 [J/m^2] and its intensity beta, which it remembers. As long as beta < 0.01 and does not grow a bond is none,
-// so that its place bonds anew, unstressed, when it is pressed again.
+// Base of both forms of Raous-Cangemi-Cocou adhesion (the paper, eq. 5 and 6): a bond stores k
+// beta^2 / 2 with its pull k = C_N d^2 + C_T |u|^2 [J/m^2] and its intensity beta, which it
+// remembers. As long as beta < 0.01 and does not grow a bond is none, so that its place bonds anew,
+// unstressed, when it is pressed again.
 #pragma once
 
 #include <cmath>
@@ -21,15 +22,29 @@ class RccLawOf : public BondLawOf<Law> {
   using Memory = RccIntensity;
 
   void fields(Fields& f) override {
-    f.number("normal_stiffness", normal_, units::traction_stiffness, "C_N: normal traction per opening").required().positive();
-    f.number("tangential_stiffness", across_, units::traction_stiffness, "C_T: tangential traction per slip; 0: none").nonnegative();
+    f.number("normal_stiffness", normal_, units::traction_stiffness,
+             "C_N: normal traction per opening")
+        .required()
+        .positive();
+    f.number("tangential_stiffness", across_, units::traction_stiffness,
+             "C_T: tangential traction per slip; 0: none")
+        .nonnegative();
     f.number("work_of_adhesion", work_, units::work_of_adhesion,
-             "W: energy to separate unit area slowly; the traction peaks at sqrt(W C_N), when the opening is sqrt(W / C_N)").required().nonnegative();
-    f.number("healing", healing_, units::fluidity, "r: healing rate per contact pressure; 0: no healing").nonnegative();
-    f.number("saturation", saturation_, units::pressure, "p_0: contact pressure that heals bonds fully; a lower pressure p heals to p / p_0. 0: any "
-                                                         "pressure heals fully").nonnegative();
-    f.optional_number("intensity", intensity_, units::none,
-                      "intensity of new bonds; unless given 1, and 0 for healing bonds that form during a run").range(0, 1);
+             "W: energy to separate unit area slowly; the traction peaks at sqrt(W C_N), when the "
+             "opening is sqrt(W / C_N)")
+        .required()
+        .nonnegative();
+    f.number("healing", healing_, units::fluidity,
+             "r: healing rate per contact pressure; 0: no healing")
+        .nonnegative();
+    f.number("saturation", saturation_, units::pressure,
+             "p_0: contact pressure that heals bonds fully; a lower pressure p heals to p / p_0. "
+             "0: any pressure heals fully")
+        .nonnegative();
+    f.optional_number(
+         "intensity", intensity_, units::none,
+         "intensity of new bonds; unless given 1, and 0 for healing bonds that form during a run")
+        .range(0, 1);
   }
   void prepare(const PairMaterials&) override {}
   double peak_traction() const override { return std::sqrt(work_ * normal_); }
@@ -37,7 +52,9 @@ class RccLawOf : public BondLawOf<Law> {
   bool bonds_on_contact() const override { return healing_ > 0; }
   bool resists_pressing() const override { return !(healing_ > 0); }
 
-  Memory begin(bool on_contact) const { return {intensity_.value_or(on_contact && healing_ > 0 ? 0 : 1)}; }
+  Memory begin(bool on_contact) const {
+    return {intensity_.value_or(on_contact && healing_ > 0 ? 0 : 1)};
+  }
   double intensity(const Memory& m) const { return m.beta; }
 
  protected:

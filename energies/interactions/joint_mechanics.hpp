@@ -53,7 +53,9 @@ struct FrictionKeys {
   double most = 0, soft = U.soft_rate;
   void fields(Fields& f) {
     f.number(U.effort_key, most, U.effort, "magnitude of the dry friction").required().positive();
-    f.number("eps", soft, U.rate, "rate below which friction is regularised: a joint at rest creeps").positive();
+    f.number("eps", soft, U.rate,
+             "rate below which friction is regularised: a joint at rest creeps")
+        .positive();
   }
 };
 
@@ -64,10 +66,17 @@ struct LimitKeys {
   void fields(Fields& f) {
     f.optional_number("low", low, U.value, "lower limit");
     f.optional_number("high", high, U.value, "upper limit");
-    f.number("margin", margin, U.value, "distance to a limit at which resistance begins").positive();
-    f.optional_number(U.effort_key, effort, U.effort, "magnitude at half of the margin; it diverges at the limit; unless given, derived from the "
-                                                      "stiffness of the bodies").positive();
-    f.check("low", [this] { return low && high && *low >= *high ? std::string("is not below `high`; exchange them") : std::string(); });
+    f.number("margin", margin, U.value, "distance to a limit at which resistance begins")
+        .positive();
+    f.optional_number(U.effort_key, effort, U.effort,
+                      "magnitude at half of the margin; it diverges at the limit; unless given, "
+                      "derived from the "
+                      "stiffness of the bodies")
+        .positive();
+    f.check("low", [this] {
+      return low && high && *low >= *high ? std::string("is not below `high`; exchange them")
+                                          : std::string();
+    });
   }
 };
 
@@ -89,21 +98,30 @@ struct MechanicsKeys {
   }
 
   // effort: what limits exert at half of their margin unless told.
-  void build(InteractionBuilder& builder, const std::array<int, Coordinate::arity>& vertices, double effort) const {
-    const auto coordinate = std::make_shared<JointCoordinate<Coordinate>>(vertices, start, builder.remembers(U.what, 1, 1));
+  void build(InteractionBuilder& builder, const std::array<int, Coordinate::arity>& vertices,
+             double effort) const {
+    const auto coordinate = std::make_shared<JointCoordinate<Coordinate>>(
+        vertices, start, builder.remembers(U.what, 1, 1));
     auto limit = std::make_unique<JointLimitTerm<Coordinate>>(coordinate);
     if (limits) {
-      constexpr double infinite = std::numeric_limits<double>::infinity(), at_half = 1.1931471805599453;  // 1/2 + ln 2
+      // 1/2 + ln 2.
+      constexpr double infinite = std::numeric_limits<double>::infinity(),
+                       at_half = 1.1931471805599453;
       const double low = limits->low.value_or(-infinite), high = limits->high.value_or(infinite);
       if (!(low < start && start < high))
-        throw InputError(fmt::format("joint '{}' starts at {:.6g} {}, not between its limits, {:.6g} and {:.6g}; change these, or `start`", builder.name(), start,
-                                     U.value.si, low, high));
-      limit->limit(low, high, limits->margin, limits->effort.value_or(effort) / (limits->margin * at_half));
+        throw InputError(
+            fmt::format("joint '{}' starts at {:.6g} {}, not between its limits, {:.6g} and "
+                        "{:.6g}; change these, or `start`",
+                        builder.name(), start, U.value.si, low, high));
+      limit->limit(low, high, limits->margin,
+                   limits->effort.value_or(effort) / (limits->margin * at_half));
     }
     builder.add(std::move(limit));
     if (!friction && damping == 0 && !motor && !servo) return;
     auto drive = std::make_unique<JointDriveTerm<Coordinate>>(coordinate);
-    if (friction || damping > 0) drive->drive(DriveKind::friction, friction ? friction->most : 0, friction ? friction->soft : 1, damping, 0.0);
+    if (friction || damping > 0)
+      drive->drive(DriveKind::friction, friction ? friction->most : 0,
+                   friction ? friction->soft : 1, damping, 0.0);
     if (motor) drive->drive(DriveKind::motor, motor->most, motor->soft, 0, motor->target);
     if (servo) drive->drive(DriveKind::servo, servo->most, servo->soft, 0, servo->target);
     builder.add(std::move(drive));
@@ -115,7 +133,9 @@ template <class Coordinate, const JointUnits& U>
 class CoordinateProbe : public OfInteraction<JointLimitTerm<Coordinate>, Probe> {
  public:
   Unit unit() const override { return U.value; }
-  std::vector<double> sample(const World&, const State& state) override { return {this->term().coordinate().at(state.x)}; }
+  std::vector<double> sample(const World&, const State& state) override {
+    return {this->term().coordinate().at(state.x)};
+  }
 };
 
 template <class Coordinate, const JointUnits& U>
@@ -123,7 +143,8 @@ class DriveProbe : public OfInteraction<JointDriveTerm<Coordinate>, Probe> {
  public:
   Unit unit() const override { return U.effort; }
   std::vector<double> sample(const World&, const State& state) override {
-    return {this->term().exerted(DriveKind::motor, state.x) + this->term().exerted(DriveKind::servo, state.x)};
+    return {this->term().exerted(DriveKind::motor, state.x) +
+            this->term().exerted(DriveKind::servo, state.x)};
   }
 };
 

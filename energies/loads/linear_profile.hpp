@@ -7,7 +7,8 @@
 
 namespace tack {
 
-// factor(X, t) = ramp(t) (constant + slope s), s = axis . (X - centre) at rest, or |s| if symmetric.
+// factor(X, t) = ramp(t) (constant + slope s), s = axis . (X - centre) at rest, or |s| if
+// symmetric.
 struct LoadProfile {
   Schedule ramp = 1.0;
   double constant = 1;
@@ -22,7 +23,8 @@ struct LoadProfile {
     f.number("slope", slope, units::curvature, "slope of the linear term along the axis");
     f.vector("axis", axis, units::none, "direction of the linear term");
     f.vector("centre", centre, units::length, "point at which the linear term is zero");
-    f.flag("symmetric", symmetric, "the linear term grows with the distance from the centre on both sides");
+    f.flag("symmetric", symmetric,
+           "the linear term grows with the distance from the centre on both sides");
     f.check("axis", [this]() -> std::string { return axis.norm() > 0 ? "" : "must not be zero"; });
   }
 

@@ -147,7 +147,8 @@ struct ListOptions {
   std::vector<std::string> plugins;
 
   bool writes_files() const {
-    return !(reference.empty() && schema.empty() && compare_schema.empty() && batch_schema.empty() && calibrate_schema.empty() && plot_schema.empty());
+    return !(reference.empty() && schema.empty() && compare_schema.empty() &&
+             batch_schema.empty() && calibrate_schema.empty() && plot_schema.empty());
   }
 };
 // Lists the components that a scene file can name; calls describe_command if files are to be
@@ -181,9 +182,11 @@ struct MeshOptions {
 int mesh_command(const MeshOptions& options);
 // Writes a mesh in another format. `settings`: the output file, units, and the parts of the mesh to
 // write.
-int mesh_convert(const std::string& path, const std::vector<std::string>& settings, const MeshOptions& options);
+int mesh_convert(const std::string& path, const std::vector<std::string>& settings,
+                 const MeshOptions& options);
 // Writes the surface of a level set as a mesh. `settings`: the output file and overrides of its
 // keys.
-int mesh_sdf(const std::string& path, const std::vector<std::string>& settings, const MeshOptions& options);
+int mesh_sdf(const std::string& path, const std::vector<std::string>& settings,
+             const MeshOptions& options);
 
 }  // namespace tack

@@ -15,7 +15,8 @@ struct BatchEstimate {
 
 // Estimates the duration. For each base without a finished case, one case runs for at most `trial`
 // seconds; its results are discarded.
-BatchEstimate estimate_of(const std::string& program, const BatchFolder& folder, const BatchPlan& plan, const BatchLimits& limits,
+BatchEstimate estimate_of(const std::string& program, const BatchFolder& folder,
+                          const BatchPlan& plan, const BatchLimits& limits,
                           const std::vector<const BatchCase*>& open, double trial);
 
 }  // namespace tack

@@ -17,10 +17,16 @@ struct BatchFolder {
 
   std::filesystem::path description() const { return root / "batch.json"; }
   std::filesystem::path table() const { return root / "results.csv"; }
-  std::filesystem::path scene(const std::string& name) const { return root / "scenes" / (name + ".yaml"); }
+  std::filesystem::path scene(const std::string& name) const {
+    return root / "scenes" / (name + ".yaml");
+  }
   std::filesystem::path run(const std::string& name) const { return root / "cases" / name; }
-  std::filesystem::path state(const std::string& name) const { return root / "state" / (name + ".json"); }
-  std::filesystem::path output(const std::string& name) const { return root / "output" / (name + ".txt"); }
+  std::filesystem::path state(const std::string& name) const {
+    return root / "state" / (name + ".json");
+  }
+  std::filesystem::path output(const std::string& name) const {
+    return root / "output" / (name + ".txt");
+  }
   std::filesystem::path job_script() const { return root / "slurm.sh"; }
 
   // Opens an existing batch, to read it or to run one of its cases. Throws InputError if the folder

@@ -37,7 +37,8 @@ using PlanProgress = std::function<void(size_t done, size_t all)>;
 
 // Plans the cases of a batch. `program`: digest of the program (program_digest()). Throws one
 // InputError with the errors of all cases.
-BatchPlan plan_of(const BatchConfig& config, const std::string& program, const PlanProgress& progress = {});
+BatchPlan plan_of(const BatchConfig& config, const std::string& program,
+                  const PlanProgress& progress = {});
 
 // Builds the world of a case, as a run does first: meshes, pairs, probes, initial state. Throws
 // InputError.

@@ -41,7 +41,8 @@ std::string unknown_base(const BatchPlot& plot, const std::vector<std::string>& 
 
 // Returns the curves of a plot. `runs`: by case name. Throws InputError, with the nearest name, for
 // a column that no run of the base has. Bases without a finished run are named in a note.
-Plot curves_of(const BatchPlot& plot, const BatchPlan& plan, const std::map<std::string, PlottedRun>& runs);
+Plot curves_of(const BatchPlot& plot, const BatchPlan& plan,
+               const std::map<std::string, PlottedRun>& runs);
 
 // Returns the bars of a plot. Throws InputError, with the nearest name, for a column that the table
 // lacks, and if no case has a number.

@@ -29,12 +29,13 @@ void run_cases(const std::string& program, const BatchFolder& folder, const Batc
 // Runs cases that become known during the run. `more` is called several times a second: it appends
 // new cases in the order in which they are to start, and returns false when no more will follow.
 using MoreCases = std::function<bool(std::list<const BatchCase*>& waiting)>;
-void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits, const MoreCases& more,
-               const BatchObserver& observer);
+void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits,
+               const MoreCases& more, const BatchObserver& observer);
 
 // Returns the cases that are still to run: cases without a finished run of the same digest, and
 // with `again` the failed cases.
-std::vector<const BatchCase*> open_cases(const BatchFolder& folder, const BatchPlan& plan, bool again);
+std::vector<const BatchCase*> open_cases(const BatchFolder& folder, const BatchPlan& plan,
+                                         bool again);
 
 // Returns the number of cases with `threads` threads and `memory` GB that fit side by side.
 int jobs_that_fit(int wanted, int threads, std::optional<double> memory);

@@ -11,7 +11,8 @@ class CaseRun {
   // Starts `program run` on the scene of the case. An interrupted run with a checkpoint is resumed
   // from its newest one; other results of the same case are removed, and results of another case
   // with the same name are moved aside. Throws InputError if files cannot be written.
-  CaseRun(const std::string& program, const BatchFolder& folder, const BatchCase& one, const BatchLimits& limits);
+  CaseRun(const std::string& program, const BatchFolder& folder, const BatchCase& one,
+          const BatchLimits& limits);
 
   // Returns true once the process has ended and its state is written. Also enforces the time limit.
   bool ended();

@@ -13,7 +13,8 @@ namespace tack {
 // Returns the SI units by column; plain numbers are left out. Columns: varied keys, statistics (if
 // there are none, those that every probe has), values of expectations, and times. `resolved`: the
 // experiment's values with their units as comments (to_value).
-std::map<std::string, std::string> column_units(const Experiment& experiment, const Value& resolved, const Variant& variant,
+std::map<std::string, std::string> column_units(const Experiment& experiment, const Value& resolved,
+                                                const Variant& variant,
                                                 const std::vector<BatchStatistic>& statistics);
 
 }  // namespace tack

@@ -7,7 +7,8 @@ namespace tack {
 
 // Returns the script for sbatch, which runs the tasks `tasks` (indices of cases in the plan) with
 // `program`.
-std::string job_script(const std::string& program, const BatchFolder& folder, const BatchConfig& config, const BatchLimits& limits,
+std::string job_script(const std::string& program, const BatchFolder& folder,
+                       const BatchConfig& config, const BatchLimits& limits,
                        const std::vector<size_t>& tasks);
 
 struct SlurmJob {

@@ -22,13 +22,15 @@ struct BondStep {
 };
 
 // Returns the states of a new bond at the ends of the steps; the path ends where the bond is gone.
-std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondStep>& way, bool on_contact = false);
+std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondStep>& way,
+                                   bool on_contact = false);
 
 // Pulls a new bond straight to each of the turning points, in about `points` equal steps. turns:
 // distances from where it was made [m]; angle: 0 along the normal, pi/2 tangential [rad]; speed:
 // [m/s], 0 for so slow that viscosity hardly resists. Laws that are integrated get substeps as
 // needed.
-std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& turns, double angle, int points, double speed = 0);
+std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& turns, double angle,
+                                 int points, double speed = 0);
 
 // Separates a bond slowly in that direction until hardly any traction is left. Empty if it never
 // fails.

@@ -81,8 +81,10 @@ class BondLaw : public AdhesionLaw {
   virtual void fresh(bool on_contact, double* memory) const = 0;
   // Adds phi and its derivatives for n bonds; `memory` holds their history variables one after the
   // other.
-  virtual void add_samples(int n, const double* d, const double* s, const double* memory, double h, BondSample* out) const = 0;
-  virtual void add_values(int n, const double* d, const double* s, const double* memory, double h, double* out) const = 0;
+  virtual void add_samples(int n, const double* d, const double* s, const double* memory, double h,
+                           BondSample* out) const = 0;
+  virtual void add_values(int n, const double* d, const double* s, const double* memory, double h,
+                          double* out) const = 0;
   // Returns 1 for an intact bond, 0 for one without strength.
   virtual double intensity_of(const double* memory) const = 0;
   // Advances the history variables by a step, then heals. A bond that fails dissipates its stored
@@ -106,7 +108,9 @@ template <class Law>
 class BondLawOf : public BondLaw {
  public:
   std::unique_ptr<BondLaw> clone() const override { return std::make_unique<Law>(law()); }
-  AdhesionTraits traits() const override { return {.reversible = false, .remembers = width() > 0, .normal = true, .tangential = true}; }
+  AdhesionTraits traits() const override {
+    return {.reversible = false, .remembers = width() > 0, .normal = true, .tangential = true};
+  }
   int width() const override {
     using Memory = typename Law::Memory;
     return std::is_empty_v<Memory> ? 0 : sizeof(Memory) / sizeof(double);
@@ -117,7 +121,8 @@ class BondLawOf : public BondLaw {
     else
       store(typename Law::Memory{}, memory);
   }
-  void add_samples(int n, const double* d, const double* s, const double* memory, double h, BondSample* out) const override {
+  void add_samples(int n, const double* d, const double* s, const double* memory, double h,
+                   BondSample* out) const override {
     const bool resists = resists_pressing();
     for (int i = 0; i < n; ++i) {
       const auto m = load(memory + i * width());
@@ -143,7 +148,8 @@ class BondLawOf : public BondLaw {
       }
     }
   }
-  void add_values(int n, const double* d, const double* s, const double* memory, double h, double* out) const override {
+  void add_values(int n, const double* d, const double* s, const double* memory, double h,
+                  double* out) const override {
     for (int i = 0; i < n; ++i) {
       const auto m = load(memory + i * width());
       out[i] += law().energy(std::max(d[i], 0.0), s[i], m, h) + pressed(d[i], s[i], m);
@@ -200,7 +206,8 @@ class BondLawOf : public BondLaw {
   }
   static auto load(const double* memory) {
     using Memory = typename Law::Memory;
-    static_assert(std::is_trivially_copyable_v<Memory> && (std::is_empty_v<Memory> || sizeof(Memory) % sizeof(double) == 0));
+    static_assert(std::is_trivially_copyable_v<Memory> &&
+                  (std::is_empty_v<Memory> || sizeof(Memory) % sizeof(double) == 0));
     Memory m;
     if constexpr (!std::is_empty_v<Memory>) std::memcpy(static_cast<void*>(&m), memory, sizeof m);
     return m;

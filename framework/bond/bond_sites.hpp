@@ -27,10 +27,12 @@ struct BondSite {
 
 // Returns the sites of all pairs that bond. The system must have begun the step at x, and be there.
 // barriers: the barrier of each law of its pairs.
-std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table, const std::vector<PairLaw>& barriers, const VecX& x);
+std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table,
+                                 const std::vector<PairLaw>& barriers, const VecX& x);
 
 // Returns the bond made at a site at x; none if the surfaces are farther apart than the bonding
 // distance.
-std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system, const BondTable& table, const VecX& x);
+std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
+                              const BondTable& table, const VecX& x);
 
 }  // namespace tack

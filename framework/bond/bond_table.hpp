@@ -34,7 +34,9 @@ class BondTable {
     rules_.push_back(std::move(rule));
     return static_cast<int>(rules_.size()) - 1;
   }
-  void set(int a, int b, int rule) { rule_[classes_.index(a, b)] = rule_[classes_.index(b, a)] = rule; }
+  void set(int a, int b, int rule) {
+    rule_[classes_.index(a, b)] = rule_[classes_.index(b, a)] = rule;
+  }
   // Sets the rules of the regions of two objects (PairTable::part), in their order.
   void set_parts(int a, int b, const std::vector<int>& rules) {
     of_parts_.resize(classes_.entries());
@@ -42,7 +44,9 @@ class BondTable {
   }
   // Returns the rule of a region of two objects, -1: they do not bond there. part: -1 for no
   // region.
-  int between(int a, int b, int part) const { return part < 0 ? rule_[classes_.index(a, b)] : of_parts_[classes_.index(a, b)][part]; }
+  int between(int a, int b, int part) const {
+    return part < 0 ? rule_[classes_.index(a, b)] : of_parts_[classes_.index(a, b)][part];
+  }
   // Returns whether the two objects bond in any region.
   bool bonds(int a, int b) const {
     if (rule_[classes_.index(a, b)] >= 0) return true;
@@ -63,10 +67,13 @@ class BondTable {
 };
 
 // Returns the rule of a bond, given its objects, triangle or first vertex, and anchor; -1: none.
-inline int rule_of(const Bond& bond, const BondTable& table, const PairTable& pairs, const CollisionMesh& mesh) {
+inline int rule_of(const Bond& bond, const BondTable& table, const PairTable& pairs,
+                   const CollisionMesh& mesh) {
   const Triangle& anchor = mesh.triangles[bond.anchor];
-  return table.between(bond.a, bond.b, bond.triangle < 0 ? pairs.part(bond.a, bond.b, std::array{bond.vertices[0]}, anchor)
-                                                         : pairs.part(bond.a, bond.b, mesh.triangles[bond.triangle], anchor));
+  return table.between(bond.a, bond.b,
+                       bond.triangle < 0
+                           ? pairs.part(bond.a, bond.b, std::array{bond.vertices[0]}, anchor)
+                           : pairs.part(bond.a, bond.b, mesh.triangles[bond.triangle], anchor));
 }
 
 }  // namespace tack

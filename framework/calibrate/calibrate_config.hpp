@@ -70,6 +70,7 @@ struct CalibrateConfig {
 
 // Reads a calibration file; every experiment gets a name. Throws InputError with file, line and
 // remedy.
-CalibrateConfig load_calibration(const std::string& path, const std::vector<std::string>& overrides);
+CalibrateConfig load_calibration(const std::string& path,
+                                 const std::vector<std::string>& overrides);
 
 }  // namespace tack

@@ -13,7 +13,8 @@ struct Calibration {
   std::vector<std::string> warnings;     // of the confidence and of the search
 };
 
-Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell);
+Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator,
+                      const SearchProgress& tell);
 
 // Returns the fitted values with their intervals, warnings and residuals, for the console.
 std::string summary_text(const Calibration& found, const FittedScenes& scenes);

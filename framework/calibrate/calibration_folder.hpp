@@ -23,9 +23,15 @@ struct CalibrationFolder {
   std::filesystem::path description() const { return root / "calibration.json"; }
   std::filesystem::path numbers() const { return root / "calibration.csv"; }
   std::filesystem::path table() const { return root / "evaluations.csv"; }
-  std::filesystem::path fit(const std::string& experiment) const { return root / "fits" / (experiment + ".csv"); }
-  std::filesystem::path run(const std::string& experiment) const { return root / "fits" / (experiment + "_run.csv"); }
-  std::filesystem::path scene(const std::string& run) const { return root / "scenes" / (run + ".yaml"); }
+  std::filesystem::path fit(const std::string& experiment) const {
+    return root / "fits" / (experiment + ".csv");
+  }
+  std::filesystem::path run(const std::string& experiment) const {
+    return root / "fits" / (experiment + "_run.csv");
+  }
+  std::filesystem::path scene(const std::string& run) const {
+    return root / "scenes" / (run + ".yaml");
+  }
   std::filesystem::path plots() const { return root / "plots"; }
 
   // Opens or creates the folder, for one writer at a time. Continues a calibration of that name and

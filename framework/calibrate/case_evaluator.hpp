@@ -42,7 +42,8 @@ class CaseEvaluator : public Evaluator {
 
   const BatchCase* case_of(int run, const Point& values, bool derivatives);
   bool to_run(const BatchCase& one);
-  void begin(PointQueue& queue, PointQueue::Request& request, std::vector<const BatchCase*>& wanted);
+  void begin(PointQueue& queue, PointQueue::Request& request,
+             std::vector<const BatchCase*>& wanted);
   void settle(PointQueue& queue);
   PointEvaluation outcome(const Pending& pending) const;
   void serve_here(PointQueue& queue);

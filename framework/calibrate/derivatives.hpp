@@ -31,13 +31,14 @@ using EvaluateAll = std::function<std::vector<PointEvaluation>(const std::vector
 // Computes the derivatives at the point u, whose evaluation is `middle`. Numbers without
 // derivatives in `middle` get central differences of width `step`; one-sided at a bound, and where
 // one of the two runs failed.
-Derivatives derivatives_at(const std::vector<FittedNumber>& numbers, const std::vector<double>& u, double step, const PointEvaluation& middle,
-                           const EvaluateAll& evaluate);
+Derivatives derivatives_at(const std::vector<FittedNumber>& numbers, const std::vector<double>& u,
+                           double step, const PointEvaluation& middle, const EvaluateAll& evaluate);
 
 // Compares the derivatives with the evaluations whose numbers are all within `reach` (in u), and
 // fills in `missed`. Curves with sudden breaks have steps, which the runs' own derivatives do not
 // see.
-void compare_with(const std::vector<const PointEvaluation*>& others, const std::vector<FittedNumber>& numbers, const PointEvaluation& middle, double reach,
-                  Derivatives& d);
+void compare_with(const std::vector<const PointEvaluation*>& others,
+                  const std::vector<FittedNumber>& numbers, const PointEvaluation& middle,
+                  double reach, Derivatives& d);
 
 }  // namespace tack

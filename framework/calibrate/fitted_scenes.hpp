@@ -44,7 +44,8 @@ class FittedScenes {
 
   // Evaluates a point from the folders of its runs, in their order. The evaluation is bad, with the
   // reason, if samples are unreadable or pass no measured point.
-  PointEvaluation evaluation(const Point& values, bool derivatives, const std::vector<std::filesystem::path>& run_folders) const;
+  PointEvaluation evaluation(const Point& values, bool derivatives,
+                             const std::vector<std::filesystem::path>& run_folders) const;
   Point start() const;
 
  private:
@@ -60,7 +61,9 @@ class FittedScenes {
   ResolvedCase resolved(int run, const Point& values, const std::vector<Variant::Setting>& more);
   const std::vector<std::string>& keys_of(const FittedNumber& number, int run) const;
   GradientConfig gradient_of(const FittedNumber& number, const std::string& key) const;
-  std::vector<double> derivatives(size_t number, double value, const std::vector<ProbeSeries>& series, const std::vector<ProbeSeries>& gradients) const;
+  std::vector<double> derivatives(size_t number, double value,
+                                  const std::vector<ProbeSeries>& series,
+                                  const std::vector<ProbeSeries>& gradients) const;
 
   std::vector<FittedNumber> numbers_;
   std::vector<MeasuredPoints> measured_;

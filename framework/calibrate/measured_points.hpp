@@ -26,7 +26,8 @@ struct MeasuredPoints {
   // Returns d residuals / d number. dx, dy: derivatives of the run's x and y at its samples.
   // - at a measured x: dy - (slope of the curve) dx
   // - where the run does not pass the point: dy of the nearest sample
-  std::vector<double> derivatives(const ProbeSeries& run, const std::vector<double>& dx, const std::vector<double>& dy) const;
+  std::vector<double> derivatives(const ProbeSeries& run, const std::vector<double>& dx,
+                                  const std::vector<double>& dy) const;
 };
 
 // Reads the measured points. Throws InputError, with the name of the experiment, for unknown probes

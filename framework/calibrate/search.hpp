@@ -36,11 +36,12 @@ struct SearchResult {
 };
 
 // Called with the phase that begins, its number of points (0: unknown), and the best point so far.
-using SearchProgress = std::function<void(const std::string& phase, int points, const PointEvaluation* best)>;
+using SearchProgress =
+    std::function<void(const std::string& phase, int points, const PointEvaluation* best)>;
 
 // Searches for the best point. `noise_known`: residuals are in units of the noise. Throws
 // SimulationError if no point of the design could be evaluated, and Interrupted.
-SearchResult search_for(const std::vector<FittedNumber>& numbers, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell,
-                        bool noise_known = true);
+SearchResult search_for(const std::vector<FittedNumber>& numbers, const SearchConfig& config,
+                        Evaluator& evaluator, const SearchProgress& tell, bool noise_known = true);
 
 }  // namespace tack

@@ -38,7 +38,8 @@ class AdhesionResolution {
     double gap_change = 0, size = 0;  // m
   };
   Element element_at(int vertex, const Vec3& n, const VecX& x) const;
-  static Element element_around(const Triangle& triangle, const Vec3& n, double own_area, const VecX& x);
+  static Element element_around(const Triangle& triangle, const Vec3& n, double own_area,
+                                const VecX& x);
   void add(int law, double impulse, const Element& element, int object, int other);
 
   const SceneConfig& scene_;

@@ -27,6 +27,7 @@ struct DifferenceStudy {
 
 // errors[k]: quotient less derivative, per component, at step k; scales: per component, the sum of
 // absolute values of the parts of the derivative before they cancel; tolerance: relative.
-DifferenceStudy study_differences(const std::vector<VecX>& errors, const VecX& scales, double tolerance);
+DifferenceStudy study_differences(const std::vector<VecX>& errors, const VecX& scales,
+                                  double tolerance);
 
 }  // namespace tack

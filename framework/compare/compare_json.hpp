@@ -12,7 +12,7 @@
 
 namespace tack {
 
-std::string compare_json(const CompareConfig& config, const Comparison& comparison, const Provenance& provenance,
-                         double wall_seconds);
+std::string compare_json(const CompareConfig& config, const Comparison& comparison,
+                         const Provenance& provenance, double wall_seconds);
 
 }  // namespace tack

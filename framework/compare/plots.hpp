@@ -17,6 +17,7 @@ Plot profile_plot(const std::vector<CompareRow>& rows);
 Plot convergence_plot(const Comparison& comparison);
 
 // Draws all plots into folder/plots. Returns the error messages.
-std::vector<std::string> draw_plots(const Comparison& comparison, const std::filesystem::path& folder);
+std::vector<std::string> draw_plots(const Comparison& comparison,
+                                    const std::filesystem::path& folder);
 
 }  // namespace tack

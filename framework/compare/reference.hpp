@@ -24,7 +24,8 @@ struct Reference {
 
 // Tries `tolerance`, then tenfold tolerances up to `largest`, since round-off may prevent
 // convergence.
-Reference make_reference(const CompareCase& what, double step_size, double tolerance, double largest);
+Reference make_reference(const CompareCase& what, double step_size, double tolerance,
+                         double largest);
 
 // The solution that x belongs to, relative to the reference.
 struct Branch {
@@ -39,7 +40,8 @@ struct Branch {
 };
 // Classifies the end x of a solve. For a single step, refines x as far as the reference. For a run,
 // judges by the distance from the end of the reference.
-Branch branch_of(const CompareCase& what, const Reference& reference, double step_size, const VecX& x);
+Branch branch_of(const CompareCase& what, const Reference& reference, double step_size,
+                 const VecX& x);
 
 // Returns the distance of the moving vertices [m].
 double largest_distance(const World& world, const VecX& a, const VecX& b);

@@ -8,7 +8,7 @@
 namespace tack {
 
 // Writes the report as Markdown. wall_seconds: of the whole comparison.
-std::string compare_report(const CompareConfig& config, const Comparison& comparison, const Provenance& provenance,
-                           double wall_seconds);
+std::string compare_report(const CompareConfig& config, const Comparison& comparison,
+                           const Provenance& provenance, double wall_seconds);
 
 }  // namespace tack

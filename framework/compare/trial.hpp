@@ -32,7 +32,8 @@ struct CompareCase {
   LoadedExperiment load() const;
 };
 
-CompareCase experiment_case(const std::string& path, const std::vector<std::string>& overrides, int steps);
+CompareCase experiment_case(const std::string& path, const std::vector<std::string>& overrides,
+                            int steps);
 CompareCase problem_case(const std::string& path);
 
 struct TrialSettings {

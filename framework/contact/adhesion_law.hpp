@@ -1,5 +1,6 @@
-// Adhesion of two surfaces, of either sort: a law of the gap between them (NormalAdhesion, normal_law.hpp), or one of bonds between
-// places on them that remember (BondLaw, framework/bond/bond_law.hpp).
+// Adhesion of two surfaces, of either sort: a law of the gap between them (NormalAdhesion,
+// normal_law.hpp), or one of bonds between places on them that remember (BondLaw,
+// framework/bond/bond_law.hpp).
 #pragma once
 
 #include <string>
@@ -12,9 +13,11 @@ namespace tack {
 // Properties of a pair of objects that a law may depend on.
 struct PairMaterials {
   double contact_distance = 0;  // dhat_b of the paper [m]
-  double softer_young = 0;      // the smaller Young's modulus of the two sides [Pa]; 0 if neither has one
+  // The smaller Young's modulus of the two sides [Pa]; 0 if neither has one.
+  double softer_young = 0;
   double adhesion_peak = 0;     // peak traction of the pair's adhesion [Pa]; 0 without adhesion
-  double softer_stiffness = 0;  // as softer_young, an affine body having a hundredth of its stiffness [Pa]; 0: as that
+  // As softer_young, an affine body having a hundredth of its stiffness [Pa]; 0: as that.
+  double softer_stiffness = 0;
 };
 
 // Traits of an adhesion law, for lists of laws.
@@ -27,8 +30,10 @@ struct AdhesionTraits {
 class AdhesionLaw : public Component {
  public:
   static constexpr const char* kind_name = "adhesion";
-  static constexpr const char* kind_doc = "Adhesion of two surfaces: a reversible traction-separation law of the gap, or cohesive bonds with history "
-                                          "variables.";
+  static constexpr const char* kind_doc =
+      "Adhesion of two surfaces: a reversible traction-separation law of the gap, or cohesive "
+      "bonds with history "
+      "variables.";
 
   // Called once, before use: fills what is left to defaults. Throws InputError for a parameter that
   // does not go with the pair.
@@ -42,8 +47,11 @@ class AdhesionLaw : public Component {
   virtual std::vector<std::string> doubts() const { return {}; }
   std::string traits_text() const override {
     const AdhesionTraits t = traits();
-    const char* mode = t.normal && t.tangential ? "mixed-mode (normal and tangential)" : t.normal ? "normal only" : "tangential only";
-    return std::string(t.reversible ? "Reversible" : "Irreversible") + (t.remembers ? ", history-dependent, " : ", history-independent, ") + mode;
+    const char* mode = t.normal && t.tangential ? "mixed-mode (normal and tangential)"
+                       : t.normal               ? "normal only"
+                                                : "tangential only";
+    return std::string(t.reversible ? "Reversible" : "Irreversible") +
+           (t.remembers ? ", history-dependent, " : ", history-independent, ") + mode;
   }
 };
 

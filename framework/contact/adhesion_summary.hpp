@@ -19,8 +19,11 @@ struct AdhesionSummary {
 
   // "'tape' - 'desk' and 3 more pairs"
   std::string names() const {
-    const std::string first = "'" + between[0] + "' - '" + between[1] + "'" + (part < 0 ? "" : " (parts)");
-    return pairs < 2 ? first : first + " and " + std::to_string(static_cast<long>(pairs) - 1) + " more pair" + (pairs > 2 ? "s" : "");
+    const std::string first =
+        "'" + between[0] + "' - '" + between[1] + "'" + (part < 0 ? "" : " (parts)");
+    return pairs < 2 ? first
+                     : first + " and " + std::to_string(static_cast<long>(pairs) - 1) +
+                           " more pair" + (pairs > 2 ? "s" : "");
   }
   // The share of the work that the barrier takes; a warning is due above tolerated_loss.
   double loss() const { return 1 - effective / work_of_adhesion; }

@@ -1,5 +1,6 @@
-// Records of stencils in one list for each arity, the number of their vertices: loops over a list know it when they are compiled. Nothing
-// else names the arities of contact, from point-point to sample-triangle.
+// Records of stencils in one list for each arity, the number of their vertices: loops over a list
+// know it when they are compiled. Nothing else names the arities of contact, from point-point to
+// sample-triangle.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +11,9 @@
 namespace tack {
 
 inline constexpr int smallest_contact_arity = 2, largest_contact_arity = 6;
-using ContactArities = std::make_integer_sequence<int, largest_contact_arity - smallest_contact_arity + 1>;  // less the smallest
+// Less the smallest.
+using ContactArities =
+    std::make_integer_sequence<int, largest_contact_arity - smallest_contact_arity + 1>;
 inline constexpr int contact_arity_count = static_cast<int>(ContactArities::size());
 
 template <template <int> class Record>
@@ -27,14 +30,19 @@ class ByArity {
 
  private:
   template <int... I>
-  static std::tuple<std::vector<Record<I + smallest_contact_arity>>...> lists(std::integer_sequence<int, I...>);
+  static std::tuple<std::vector<Record<I + smallest_contact_arity>>...> lists(
+      std::integer_sequence<int, I...>);
   decltype(lists(ContactArities{})) lists_;
 };
 
-// Calls body(list) for each arity, ascending: the order of batches. As [&]<int K>(std::vector<Record<K>>& list), it knows K.
+// Calls body(list) for each arity, ascending: the order of batches. As [&]<int
+// K>(std::vector<Record<K>>& list), it knows K.
 template <class Lists, class Body>
 void for_each_arity(Lists&& lists, const Body& body) {
-  [&]<int... I>(std::integer_sequence<int, I...>) { (body(lists.template of<I + smallest_contact_arity>()), ...); }(ContactArities{});
+  [&]<int... I>(std::integer_sequence<int, I...>) {
+    (body(lists.template of<I + smallest_contact_arity>()), ...);
+  }
+  (ContactArities{});
 }
 
 // Calls body(record) for each record of all lists.
@@ -49,7 +57,9 @@ void for_each_record(Lists&& lists, const Body& body) {
 template <class Body>
 void with_arity(int arity, const Body& body) {
   const bool known = [&]<int... I>(std::integer_sequence<int, I...>) {
-    return ((arity == I + smallest_contact_arity && (body.template operator()<I + smallest_contact_arity>(), true)) || ...);
+    return ((arity == I + smallest_contact_arity &&
+             (body.template operator()<I + smallest_contact_arity>(), true)) ||
+            ...);
   }(ContactArities{});
   if (!known) throw std::logic_error("contact has no stencils of that arity");
 }

@@ -1,5 +1,5 @@
-// Contact as least squares. A stencil of energy w m phi(d) = constant + w (m (phi + W) + (1 - m) W),
-// W the depth of the law's well, has the residuals
+// Contact as least squares. A stencil of energy w m phi(d) = constant + w (m (phi + W) + (1 - m)
+// W), W the depth of the law's well, has the residuals
 //     points:  sqrt(w) rho(d)
 //     edges:   sqrt(w m) rho(d),  sqrt(2 w W (1 - m))
 // with rho of law_root.hpp; 1 - m = (1 - c/eps)^2 is a square itself. Stencils of negative weight
@@ -26,7 +26,8 @@ class ContactResiduals : public ResidualView {
   void find_roots() const;
 
   const ContactSystem& system_;
-  mutable std::vector<LawRoot> roots_;  // per law of the pair table; found when they are first needed, which few solvers do
+  // Per law of the pair table; found when they are first needed, which few solvers do.
+  mutable std::vector<LawRoot> roots_;
   mutable std::array<std::vector<int>, stencil_kind_count> batch_vertices_;
 };
 

@@ -1,6 +1,6 @@
 // The active contact stencils of one configuration, as homogeneous arrays by kind. Point stencils
-// are already reduced to features: (p, v), (p, e0, e1), (p, t0, t1, t2), with unclamped distances. The point
-// of a sample is a fixed one inside a triangle (surface_overlap.hpp).
+// are already reduced to features: (p, v), (p, e0, e1), (p, t0, t1, t2), with unclamped distances.
+// The point of a sample is a fixed one inside a triangle (surface_overlap.hpp).
 #pragma once
 
 #include <algorithm>
@@ -50,8 +50,8 @@ struct ContactSet {
   std::vector<double> mollifier_threshold;  // eps_x of each edge-edge stencil [m^4]
 
   std::size_t size() const {
-    return point_point.size() + point_edge.size() + point_triangle.size() + edge_edge.size() + sample_point.size() +
-           sample_edge.size() + sample_triangle.size();
+    return point_point.size() + point_edge.size() + point_triangle.size() + edge_edge.size() +
+           sample_point.size() + sample_edge.size() + sample_triangle.size();
   }
 };
 
@@ -67,12 +67,14 @@ struct ContactSurface {
 
   template <std::size_t K>
   bool is_particle(const std::array<int, K>& vertices) const {
-    return K == 1 && std::binary_search(mesh.codim_points.begin(), mesh.codim_points.end(), vertices[0]);
+    return K == 1 &&
+           std::binary_search(mesh.codim_points.begin(), mesh.codim_points.end(), vertices[0]);
   }
 };
 
 // The candidates between objects a and b.
-Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b);
+Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a,
+                              int b);
 
 // Smallest gaps among the candidates [m]: the distance less the offset that counts between the two
 // primitives (filled_between, rest_neighbours.hpp). Infinity without candidates.
@@ -80,6 +82,7 @@ struct SmallestGaps {
   double of_all = 0;
   double between_objects = 0;  // without what an object has to itself
 };
-SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const VecX& x);
+SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs,
+                           const Candidates& candidates, const VecX& x);
 
 }  // namespace tack

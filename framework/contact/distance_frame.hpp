@@ -1,8 +1,10 @@
-// Second derivatives of the distance between two features in a few numbers. With r = sum_i w_i x_i = d n the
-// shortest vector, t1 and t2 tangents orthogonal to n, and q_i the duals of span_projection.hpp,
-//     d2d/dx_i dx_j = -w_i q_j n^T - w_j n q_i^T - d q_i.q_j n n^T + w_i w_j / d (f_1 t1 t1^T + f_2 t2 t2^T),
-// where f_k is 1 if the features do not extend along t_k: for planes neither, for a line (along t1) f_2, for
-// points both. q_i has no part in such a direction.
+// Second derivatives of the distance between two features in a few numbers. With r = sum_i w_i x_i
+// = d n the shortest vector, t1 and t2 tangents orthogonal to n, and q_i the duals of
+// span_projection.hpp,
+//     d2d/dx_i dx_j = -w_i q_j n^T - w_j n q_i^T - d q_i.q_j n n^T + w_i w_j / d (f_1 t1 t1^T + f_2
+//     t2 t2^T),
+// where f_k is 1 if the features do not extend along t_k: for planes neither, for a line (along t1)
+// f_2, for points both. q_i has no part in such a direction.
 #pragma once
 
 #include "geometry/distance/reduced_kernels.hpp"

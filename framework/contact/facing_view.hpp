@@ -24,7 +24,8 @@ struct SeenPiece {
   double area;      // of the point, towards it [m^2]
   double distance;  // m
   double cell;      // area per vertex of what is seen, there [m^2]
-  double beyond;    // how far the point lies beyond a crease or the boundary of the surface [m]; 0: above it
+  // How far the point lies beyond a crease or the boundary of the surface [m]; 0: above it.
+  double beyond;
   int triangle;     // that one
 };
 
@@ -85,7 +86,8 @@ class FacingViewer {
   double area_towards(const Viewpoint& from, const Vec3& normal) const;
   bool well_in_front(const Viewpoint& from, int triangle, double height, double squared) const;
   // nearer: than that [m^2].
-  void consider(const Viewpoint& from, int triangle, double nearer = std::numeric_limits<double>::infinity());
+  void consider(const Viewpoint& from, int triangle,
+                double nearer = std::numeric_limits<double>::infinity());
   FacingView pieces();
 
   const CollisionMesh& mesh_;

@@ -1,10 +1,10 @@
 // Friction and tangential adhesion of a time step (the paper, sections 3.1 and 4.3):
 //     P_t(x) = sum_k mu lambda_k f0(|u_k|) + mu_a lambda_a,k f_t0(|u_k|),    u_k = T_k^T (x - x^n)
-// with the slip laws of tangential_law.hpp, over contact points (contact_points.hpp) whose magnitudes, closest
-// points and tangents are held: those of the start of the step, or of the latest solution
-// when the step is solved again. The slip always counts from the start of the step, and eps h
-// follows h. Rods and particles that roll turn by it: their contact points move by numbers as well
-// (rolling_points.hpp), and have batches of their own behind the others.
+// with the slip laws of tangential_law.hpp, over contact points (contact_points.hpp) whose
+// magnitudes, closest points and tangents are held: those of the start of the step, or of the
+// latest solution when the step is solved again. The slip always counts from the start of the step,
+// and eps h follows h. Rods and particles that roll turn by it: their contact points move by
+// numbers as well (rolling_points.hpp), and have batches of their own behind the others.
 //
 // The Hessian of a point is c c^T (x) T H T^T (slip.hpp): its only nonzero eigenvalues are |c|^2
 // times those of H, so projecting is in closed form.

@@ -45,7 +45,8 @@ class IntegrationSides {
   // before to continue from, there are none.
   const Pairs& turned() const { return turned_; }
   void set_before(std::optional<Pairs> before) { before_ = std::move(before); }
-  // These keep their sides, whatever they capture: what their areas have become lasts longer than a step (framework/bond).
+  // These keep their sides, whatever they capture: what their areas have become lasts longer than a
+  // step (framework/bond).
   void hold(Pairs pairs) { held_ = std::move(pairs); }
   // Returns whether the points of a integrate against b.
   bool integrates(int a, int b) const {
@@ -55,11 +56,14 @@ class IntegrationSides {
 
  private:
   using Both = std::pair<Capture, Capture>;  // of the first object, and of the second
-  static bool holds(const Pairs& all, std::pair<int, int> pair) { return !all.empty() && std::binary_search(all.begin(), all.end(), pair); }
+  static bool holds(const Pairs& all, std::pair<int, int> pair) {
+    return !all.empty() && std::binary_search(all.begin(), all.end(), pair);
+  }
   bool first_integrates(std::pair<int, int> pair, const Both& captures) const;
 
   const PairTable& pairs_;
-  std::map<std::pair<int, int>, Both> captures_;  // of pairs that are close; the others capture nothing
+  // Of pairs that are close; the others capture nothing.
+  std::map<std::pair<int, int>, Both> captures_;
   Pairs turned_;
   std::optional<Pairs> before_;
   Pairs held_;

@@ -9,7 +9,8 @@ struct LawPeak {
   double gap = 0, traction = 0;  // m, Pa; both 0 of what only pushes
 };
 
-// Found numerically: of two peaks that are less than a two-thousandth of the range apart, either one.
+// Found numerically: of two peaks that are less than a two-thousandth of the range apart, either
+// one.
 LawPeak largest_traction(const NormalLaw& law);
 
 // The last gap at which it pulls with that much, to a four-thousandth of its range; 0: none [m].

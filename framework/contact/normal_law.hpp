@@ -1,8 +1,9 @@
 // A normal law: energy per area phi(d) [J/m^2] as a function of the true gap d [m]. Barriers and
-// adhesion are normal laws; the laws of a pair of materials are summed before anything else happens.
+// adhesion are normal laws; the laws of a pair of materials are summed before anything else
+// happens.
 //
-// To add one, derive from NormalLawOf<MyLaw, NormalAdhesion> (or BarrierLaw), give the parameters in
-// fields(), the range, and the formula once:
+// To add one, derive from NormalLawOf<MyLaw, NormalAdhesion> (or BarrierLaw), give the parameters
+// in fields(), the range, and the formula once:
 //     template <class T> T energy(const T& d) const;     // 0 < d < range()
 // then TACK_REGISTER it in the same file, an adhesion as an AdhesionLaw.
 #pragma once

@@ -10,8 +10,9 @@
 namespace tack {
 
 //
-// The laws are functions of the gap between the surfaces as they are: the distance d of what is meshed, less the part of it
-// that is filled by the thickness of the two sides, the offset. All arguments and ranges here are distances.
+// The laws are functions of the gap between the surfaces as they are: the distance d of what is
+// meshed, less the part of it that is filled by the thickness of the two sides, the offset. All
+// arguments and ranges here are distances.
 class PairLaw {
  public:
   explicit PairLaw(double offset = 0) : offset_(offset) {}
@@ -31,7 +32,8 @@ class PairLaw {
   LawSample at(double d) const;
 
   // The effective work of adhesion - min_d phi(d) [J/m^2] (0 if the law only repels), found
-  // numerically, and the gap (without offset) at that minimum, where two free surfaces come to rest.
+  // numerically, and the gap (without offset) at that minimum, where two free surfaces come to
+  // rest.
   struct Well {
     double depth = 0;
     double gap = 0;

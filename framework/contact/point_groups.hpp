@@ -1,4 +1,5 @@
-// The candidates of one point and one object: all that one point may see of one object is reduced together.
+// The candidates of one point and one object: all that one point may see of one object is reduced
+// together.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
-// The quadrature points of a list of candidates, each with the triangles that it acts on: what carries
-// pressure, piece by piece (facing_view.hpp; of rods and particles by shares, codimensional_view.hpp), and what is only guarded against. Made once per list of
-// candidates, so that looking for active stencils only touches what can become one.
+// The quadrature points of a list of candidates, each with the triangles that it acts on: what
+// carries pressure, piece by piece (facing_view.hpp; of rods and particles by shares,
+// codimensional_view.hpp), and what is only guarded against. Made once per list of candidates, so
+// that looking for active stencils only touches what can become one.
 #pragma once
 
 #include <vector>
@@ -22,7 +23,8 @@ struct PointPiece {
   double area;   // share of the point's area [m^2]
   double range;  // of the law [m]
   int triangle_begin, triangle_end;  // into PointPieces::triangles
-  int share_begin;                   // into PointPieces::shares, one per triangle; -1: all of them count in full
+  // Into PointPieces::shares, one per triangle; -1: all of them count in full.
+  int share_begin;
   int edge_begin, edge_end;          // into PointPieces::edges
   int other_begin, other_end;        // into PointPieces::others
 };
@@ -53,8 +55,10 @@ struct PieceRequest {
   const RodOverlaps& rods;
   const Candidates& candidates;
   const PointGroups& groups;
-  const std::vector<GroupView>& views;        // by key, of the groups that there were when the step began
-  const std::vector<GroupView>& later_views;  // likewise, of those that came later; all that integrate are in one of them
+  // By key, of the groups that there were when the step began.
+  const std::vector<GroupView>& views;
+  // Likewise, of those that came later; all that integrate are in one of them.
+  const std::vector<GroupView>& later_views;
   const LaggedWeights& shares_before;           // of the step before
 };
 // Pieces made in this step from earlier candidates, and the changes since: all other groups keep

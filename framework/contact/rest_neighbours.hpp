@@ -12,7 +12,8 @@ namespace tack {
 template <size_t A, size_t B>
 bool close_at_rest(const ContactSurface& surface, const std::array<int, A>& a,
                    const std::array<int, B>& b, double range) {
-  if (surface.mesh.vertex_object[a[0]] != surface.mesh.vertex_object[b[0]] || surface.is_particle(a) || surface.is_particle(b))
+  if (surface.mesh.vertex_object[a[0]] != surface.mesh.vertex_object[b[0]] ||
+      surface.is_particle(a) || surface.is_particle(b))
     return false;
   const auto ca = corners(surface.rest, a);
   const auto cb = corners(surface.rest, b);

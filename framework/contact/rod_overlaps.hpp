@@ -17,10 +17,11 @@
 
 namespace tack {
 
-// The area that two rectangles around the segments (a0, a1) and (b0, b1), of those widths and across the unit vector n,
-// have in common when they are seen along n [m^2]. centre: that of the common part, if there is one.
-double shadow_overlap(const std::array<Vec3, 2>& a, double width_a, const std::array<Vec3, 2>& b, double width_b,
-                      const Vec3& n, Vec3& centre);
+// The area that two rectangles around the segments (a0, a1) and (b0, b1), of those widths and
+// across the unit vector n, have in common when they are seen along n [m^2]. centre: that of the
+// common part, if there is one.
+double shadow_overlap(const std::array<Vec3, 2>& a, double width_a, const std::array<Vec3, 2>& b,
+                      double width_b, const Vec3& n, Vec3& centre);
 // That of a disc of radius r and a strip of that width that runs through its centre [m^2].
 double disc_overlap(double radius, double width);
 
@@ -46,7 +47,8 @@ class RodOverlaps {
     double area;
   };
   struct Found;
-  bool closest_of_rod(int edge, const Vec3& opposite, double distance, const LaggedSurface& held) const;
+  bool closest_of_rod(int edge, const Vec3& opposite, double distance,
+                      const LaggedSurface& held) const;
   double part_of_nearest(int edge, int opposite, double distance, const LaggedSurface& held) const;
   std::array<Vec3, 2> continued(int edge, const LaggedSurface& held) const;
   void add(int first, int second, const LaggedSurface& held, Found& found) const;

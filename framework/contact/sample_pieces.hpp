@@ -1,5 +1,5 @@
-// The triangles that each sample acts on, made once per list of candidates: those of the piece opposite that may
-// come within range of it.
+// The triangles that each sample acts on, made once per list of candidates: those of the piece
+// opposite that may come within range of it.
 #pragma once
 
 #include <vector>
@@ -16,14 +16,18 @@ struct SamplePieces {
   std::vector<int> triangles;  // of the mesh
 };
 
-SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                                const LaggedSurface& held, const BroadPhase& broad_phase);
+SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples,
+                                const CollisionMesh& mesh, const LaggedSurface& held,
+                                const BroadPhase& broad_phase);
 // The same for those of these numbers (ascending), which have been put among the others since.
-void add_sample_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                       const LaggedSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
+void add_sample_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples,
+                       const CollisionMesh& mesh, const LaggedSurface& held,
+                       const BroadPhase& broad_phase, SamplePieces& pieces);
 
 // Anew for those whose object, or the one opposite, has changed.
-void renew_sample_pieces(const ChangedPrimitives& changed, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                         const LaggedSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
+void renew_sample_pieces(const ChangedPrimitives& changed,
+                         const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
+                         const LaggedSurface& held, const BroadPhase& broad_phase,
+                         SamplePieces& pieces);
 
 }  // namespace tack

@@ -38,7 +38,8 @@ struct Slip {
     const double across = projected(s.slope_over_y, projection);
     // If E'/y falls with y, the quadratic E'/y y^2/2 lies above E: a step with the exact curvature,
     // which is zero for whole friction, overshoots from sliding into sticking.
-    const double along = projection == Projection::majorize ? across : projected(s.curvature, projection);
+    const double along =
+        projection == Projection::majorize ? across : projected(s.curvature, projection);
     // Without slip both eigenvalues are equal, and any direction will do.
     const Vec3 direction = y > 0 ? Vec3(c.tangents * (u / y)) : Vec3(c.tangents.col(0));
     return across * c.tangents * c.tangents.transpose() +

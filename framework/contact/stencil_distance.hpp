@@ -1,4 +1,5 @@
-// The squared distance of each kind of stencil under one name; with derivatives if the kernels have them.
+// The squared distance of each kind of stencil under one name; with derivatives if the kernels have
+// them.
 #pragma once
 
 #include "framework/contact/sample_chain.hpp"

@@ -1,5 +1,5 @@
-// The kinds of contact stencils: their vertices, and how many of them lead that belong to the first of
-// the two primitives. Distances: stencil_distance.hpp.
+// The kinds of contact stencils: their vertices, and how many of them lead that belong to the first
+// of the two primitives. Distances: stencil_distance.hpp.
 #pragma once
 
 #include "framework/contact/contact_set.hpp"
@@ -45,7 +45,8 @@ struct PointKindOf<SampleKind<Point>> {
 };
 
 template <class Kind>
-using StencilOf = std::conditional_t<is_sample<Kind>, SampleStencil<Kind::arity>, ContactStencil<Kind::arity>>;
+using StencilOf =
+    std::conditional_t<is_sample<Kind>, SampleStencil<Kind::arity>, ContactStencil<Kind::arity>>;
 template <class Kind>
 using StencilsOf = std::vector<StencilOf<Kind>>;
 inline constexpr int stencil_kind_count = 7;

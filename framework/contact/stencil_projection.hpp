@@ -1,8 +1,9 @@
-// Derivatives of contact stencils with positive semi-definite Hessians, for several stencils side by side.
+// Derivatives of contact stencils with positive semi-definite Hessians, for several stencils side
+// by side.
 //     H = phi'' grad d grad d^T + phi' d2d
-// lives in five dimensions (distance_frame.hpp): R^K (x) n without translations and what neither w nor the duals
-// reach (three), w (x) t1 and w (x) t2. There the eigenvalue problem is 5x5 instead of 3K x 3K, with the same
-// result.
+// lives in five dimensions (distance_frame.hpp): R^K (x) n without translations and what neither w
+// nor the duals reach (three), w (x) t1 and w (x) t2. There the eigenvalue problem is 5x5 instead
+// of 3K x 3K, with the same result.
 #pragma once
 
 #include "framework/assembly/pack_projection.hpp"
@@ -20,7 +21,8 @@ class StencilPack {
   static constexpr int blocks = K * (K + 1) / 2;
 
   // gap: the length of the frame's residual; weight: times the law.
-  void set(int lane, const DistanceFrame<K>& frame, const LawSample& law, double gap, double weight) {
+  void set(int lane, const DistanceFrame<K>& frame, const LawSample& law, double gap,
+           double weight) {
     set_lane<K, 1>(w_, lane, frame.weights);
     set_lane<3, 1>(n_, lane, frame.residual / gap);
     set_lane<3, 1>(along_, lane, frame.along);
@@ -36,7 +38,8 @@ class StencilPack {
     for (int i = 0; i < K; ++i)
       for (int d = 0; d < 3; ++d) gradient[3 * i + d] = slope_ * w_(i) * n_(d);
 
-    // Orthonormal e_0 = w / |w|, e_1, e_2 and the tilts t_k . sum_i q_i (u_i . n) = sum_m tilt(k, m) e_m . u_n.
+    // Orthonormal e_0 = w / |w|, e_1, e_2 and the tilts t_k . sum_i q_i (u_i . n) = sum_m tilt(k,
+    // m) e_m . u_n.
     const PackMatrix<3, 2> tangents = tangent_vectors();
     const PackMatrix<K, 2> duals = duals_.transpose() * tangents;
     PackMatrix<K, 3> e;
@@ -71,7 +74,8 @@ class StencilPack {
     form(3, 4) = form(4, 3) = 0;
     project_psd<5>(form, projection);
 
-    const PackMat3 within = tangents * PackMatrix<2, 2>(form.template bottomRightCorner<2, 2>()) * tangents.transpose();
+    const PackMat3 within =
+        tangents * PackMatrix<2, 2>(form.template bottomRightCorner<2, 2>()) * tangents.transpose();
     const PackMatrix<K, 3> half = e * PackMat3(form.template topLeftCorner<3, 3>());
     const PackMatrix<K, 2> coupling = e * PackMatrix<3, 2>(form.template topRightCorner<3, 2>());
     const PackMatrix<3, K> mixed = tangents * coupling.transpose();
@@ -82,7 +86,8 @@ class StencilPack {
         const Pack both = e(i, 0) * e(j, 0);
         for (int c = 0; c < 3; ++c)
           for (int r = 0; r < 3; ++r)
-            hessian[3 * c + r] = n_(r) * row(c) + e(i, 0) * mixed(r, j) * n_(c) + both * within(r, c);
+            hessian[3 * c + r] =
+                n_(r) * row(c) + e(i, 0) * mixed(r, j) * n_(c) + both * within(r, c);
       }
     }
   }
@@ -106,16 +111,17 @@ class StencilPack {
 // A stencil whose Hessian is no function of the distance alone: an edge-edge one with m < 1.
 template <class Kind>
 bool is_mollified(const std::array<Vec3, Kind::arity>& c, double eps_x) {
-  if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) return edge_edge_cross_squared(c[0], c[1], c[2], c[3]) < eps_x;
+  if constexpr (std::is_same_v<Kind, EdgeEdgeKind>)
+    return edge_edge_cross_squared(c[0], c[1], c[2], c[3]) < eps_x;
   return false;
 }
 
-// Slots of the stencils [first, last), Hessians projected. gap and law: of the first and so on; thresholds:
-// eps_x of all edge-edge stencils, else null.
+// Slots of the stencils [first, last), Hessians projected. gap and law: of the first and so on;
+// thresholds: eps_x of all edge-edge stencils, else null.
 template <class Kind>
-void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int first, int last, const double* thresholds,
-                          const double* gap, const LawSample* law, Projection projection, double* gradient,
-                          double* hessian) {
+void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int first, int last,
+                           const double* thresholds, const double* gap, const LawSample* law,
+                           Projection projection, double* gradient, double* hessian) {
   using Stencil = StencilEnergy<Kind>;
   constexpr int n = Stencil::n, slots = 9 * hessian_blocks(Kind::arity);
   constexpr int points = is_sample<Kind> ? Kind::arity - 2 : Kind::arity;
@@ -127,7 +133,8 @@ void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int 
     for (int l = 0; l < pack_width; ++l) {
       const int i = at + std::min(l, lanes - 1);
       const auto c = corners(x, stencils[i]);
-      pack.set(l, distance_between<FrameKernels>(Point{}, c), law[i - first], gap[i - first], stencils[i].weight);
+      pack.set(l, distance_between<FrameKernels>(Point{}, c), law[i - first], gap[i - first],
+               stencils[i].weight);
       if (thresholds && is_mollified<Point>(c, thresholds[i])) mollified |= 1u << l;
     }
     Pack g[3 * points], h[9 * StencilPack<points>::blocks];
@@ -143,9 +150,11 @@ void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int 
         const Vec3& inside = stencils[at + l].inside;
         Eigen::Matrix<double, 3 * points, 3 * points> of_point;
         load_blocks<points>(point_h + point_slots * l, of_point);
-        store_blocks<Kind::arity>(chain_to_triangle<3 * points>(of_point, inside), h_out + slots * l);
+        store_blocks<Kind::arity>(chain_to_triangle<3 * points>(of_point, inside),
+                                  h_out + slots * l);
         Eigen::Map<typename Stencil::Vector>(g_out + n * l) = chain_to_triangle<3 * points>(
-            Eigen::Matrix<double, 3 * points, 1>(Eigen::Map<Eigen::Matrix<double, 3 * points, 1>>(point_g + 3 * points * l)),
+            Eigen::Matrix<double, 3 * points, 1>(
+                Eigen::Map<Eigen::Matrix<double, 3 * points, 1>>(point_g + 3 * points * l)),
             inside);
       }
     } else {
@@ -157,7 +166,8 @@ void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int 
       const int i = at + l;
       typename Stencil::Vector full_g;
       typename Stencil::Matrix full_h;
-      Stencil::derivatives(x, stencils[i], law[i - first], gap[i - first], thresholds[i], full_g, full_h);
+      Stencil::derivatives(x, stencils[i], law[i - first], gap[i - first], thresholds[i], full_g,
+                           full_h);
       project_stencil_psd<Kind::arity>(full_h, projection);
       Eigen::Map<typename Stencil::Vector>(g_out + n * l) = full_g;
       store_blocks<Kind::arity>(full_h, h_out + slots * l);

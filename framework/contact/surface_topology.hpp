@@ -21,10 +21,11 @@ struct EdgeUse {
   int side;  // of the triangle: from its corner `side` to the next
 };
 
-// Calls visit(uses, angle) for every edge of the triangles: those that meet there, and the angle between their
-// normals at rest if the edge is smooth [rad], none otherwise.
-void for_each_edge(const ContactSurface& surface,
-                   const std::function<void(std::span<const EdgeUse> uses, std::optional<double> angle)>& visit);
+// Calls visit(uses, angle) for every edge of the triangles: those that meet there, and the angle
+// between their normals at rest if the edge is smooth [rad], none otherwise.
+void for_each_edge(
+    const ContactSurface& surface,
+    const std::function<void(std::span<const EdgeUse> uses, std::optional<double> angle)>& visit);
 
 class SurfaceTopology {
  public:
@@ -39,9 +40,13 @@ class SurfaceTopology {
     return {rods_.data() + rod_start_[vertex_index], rods_.data() + rod_start_[vertex_index + 1]};
   }
   // The radius of a particle; 0 for other vertices [m].
-  double particle_radius(int vertex_index) const { return radius_.empty() ? 0 : radius_[vertex_index]; }
+  double particle_radius(int vertex_index) const {
+    return radius_.empty() ? 0 : radius_[vertex_index];
+  }
   // Returns whether the vertex belongs to a rod, or is a particle.
-  bool thin(int vertex_index) const { return !rods_at(vertex_index).empty() || particle_radius(vertex_index) > 0; }
+  bool thin(int vertex_index) const {
+    return !rods_at(vertex_index).empty() || particle_radius(vertex_index) > 0;
+  }
   bool smooth_vertex(int vertex_index) const { return smooth_vertex_[vertex_index] != 0; }
   // Edge i of a triangle: from its corner i to the next.
   bool smooth_edge(int triangle, int i) const { return (smooth_edges_[triangle] >> i & 1) != 0; }

@@ -1,4 +1,5 @@
-// Friction and tangential adhesion of one contact as functions of the slip y = |u| of the time step:
+// Friction and tangential adhesion of one contact as functions of the slip y = |u| of the time
+// step:
 //     E = mu lambda f0(y) + mu_a lambda_a f_t0(y)          [J]
 //     f0' = f1 = 2y/e - y^2/e^2 for y < e = eps_v h, then 1  (the paper, eq. 3 and 4)
 //     f_t0' = f_t = 2y/e - y^2/e^2 for y < 2e, e = eps_a h, then 0  (eq. 13 and 14; the text prints

@@ -1,6 +1,7 @@
-// Divides a triangle that is covered in part until its pieces are, or are not, or are small, cuts these along the rim
-// (polygon_clip.hpp), and gathers what is covered into samples (surface_overlap.hpp). Only what is within reach counts. Cells of which one sample is
-// made each are left out where all is out of range.
+// Divides a triangle that is covered in part until its pieces are, or are not, or are small, cuts
+// these along the rim (polygon_clip.hpp), and gathers what is covered into samples
+// (surface_overlap.hpp). Only what is within reach counts. Cells of which one sample is made each
+// are left out where all is out of range.
 #pragma once
 
 #include <span>
@@ -14,7 +15,8 @@ namespace tack {
 
 class TriangleDivision {
  public:
-  TriangleDivision(const CollisionMesh& mesh, const LaggedSurface& held) : mesh_(mesh), held_(held), viewer_(mesh, held) {}
+  TriangleDivision(const CollisionMesh& mesh, const LaggedSurface& held)
+      : mesh_(mesh), held_(held), viewer_(mesh, held) {}
 
   // A cell that is left out.
   struct Left {
@@ -30,12 +32,16 @@ class TriangleDivision {
     double range;  // of the law [m]; what lies opposite may be twice as far
     int depth;     // of cells
   };
-  // facing: those triangles of the object that it may face, or of a part of it that is seen alone (null: there is none). parts: of that pair. Cells are left out by the
-  // triangles `around`, which samples may act on; none is without any.
-  void divide(const What& what, const std::vector<int>& facing, const SurfaceRegion* seen, std::span<const int> around, std::vector<ContactSample>& out,
-              OverlapFacets& parts, std::vector<Left>& left);
+  // facing: those triangles of the object that it may face, or of a part of it that is seen alone
+  // (null: there is none). parts: of that pair. Cells are left out by the triangles `around`, which
+  // samples may act on; none is without any.
+  void divide(const What& what, const std::vector<int>& facing, const SurfaceRegion* seen,
+              std::span<const int> around, std::vector<ContactSample>& out, OverlapFacets& parts,
+              std::vector<Left>& left);
   // One that was left out.
-  void divide_cell(const What& what, int cell, const std::vector<int>& facing, const SurfaceRegion* seen, std::vector<ContactSample>& out, OverlapFacets& parts);
+  void divide_cell(const What& what, int cell, const std::vector<int>& facing,
+                   const SurfaceRegion* seen, std::vector<ContactSample>& out,
+                   OverlapFacets& parts);
 
  private:
   using Corners = std::array<Vec3, 3>;  // barycentric coordinates
@@ -58,13 +64,15 @@ class TriangleDivision {
   Vec3 place(const Vec3& inside) const;
   Seen look(const Vec3& inside, const std::vector<int>& near);
   Look look_from(const Corners& points, const std::vector<int>& near);
-  void begin(const What& what, const SurfaceRegion* seen, std::vector<ContactSample>& out, OverlapFacets& parts);
+  void begin(const What& what, const SurfaceRegion* seen, std::vector<ContactSample>& out,
+             OverlapFacets& parts);
   std::vector<int> those_near(const Corners& c, const std::vector<int>& near) const;
   double out_of_range(const Corners& c) const;
   bool hopeless(const Look& seen, double size) const;
   void part(const Corners& c, int depth, int cell, const std::vector<int>& near);
   void gather(const Corners& c, int cell, const std::vector<int>& near);
-  void examine(const Corners& c, int depth, const Look& seen, const std::vector<int>& near, Sum& sum);
+  void examine(const Corners& c, int depth, const Look& seen, const std::vector<int>& near,
+               Sum& sum);
   bool cut(const Corners& c, const Look& seen, const std::vector<int>& near, Sum& sum);
   void add(const Corners& points, int depth, const Look& seen, Sum& sum) const;
   void add(double area, const Vec3& inside, const Seen& seen, Sum& sum) const;

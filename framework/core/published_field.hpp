@@ -10,7 +10,9 @@ namespace tack {
 class PublishedField : public Component {
  public:
   static constexpr const char* kind_name = "field";
-  static constexpr const char* kind_doc = "A field of bonds, energies or plugins that output.fields can name, in addition to those listed there.";
+  static constexpr const char* kind_doc =
+      "A field of bonds, energies or plugins that output.fields can name, in addition to those "
+      "listed there.";
 
   virtual const char* unit() const { return ""; }
   virtual bool of_elements() const { return false; }  // else of vertices

@@ -14,6 +14,7 @@ namespace tack {
 InitialStateFromRun state_of_run(const std::string& from);
 
 // Returns the state of a file with its scene; `name` stands for the file in messages.
-InitialStateFromRun initial_state_of(const StateFile& file, const Experiment& experiment, const std::string& name);
+InitialStateFromRun initial_state_of(const StateFile& file, const Experiment& experiment,
+                                     const std::string& name);
 
 }  // namespace tack

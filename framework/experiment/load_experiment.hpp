@@ -21,12 +21,14 @@ struct LoadedExperiment {
 };
 
 // Reads a file. `overrides`: "a.b=c". Throws InputError with file, line and remedy.
-LoadedExperiment load_experiment(const std::string& path, const std::vector<std::string>& overrides);
+LoadedExperiment load_experiment(const std::string& path,
+                                 const std::vector<std::string>& overrides);
 
 // Binds a parsed file.
 LoadedExperiment bound_experiment(Value root);
 
 // Reads a text; `name` stands for the file in messages.
-LoadedExperiment parse_experiment(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
+LoadedExperiment parse_experiment(const std::string& text, const std::string& name,
+                                  const std::vector<std::string>& overrides = {});
 
 }  // namespace tack

@@ -14,7 +14,8 @@ namespace tack {
 class LevelSet : public Component {
  public:
   static constexpr const char* kind_name = "level_set";
-  static constexpr const char* kind_doc = "A body given by signed distances: a primitive, or a combination of others.";
+  static constexpr const char* kind_doc =
+      "A body given by signed distances: a primitive, or a combination of others.";
 
   void fields(Fields& f) override;  // `place`, last; derived classes begin with theirs
 
@@ -52,9 +53,12 @@ class DerivedLevelSet : public LevelSet {
 };
 
 inline Eigen::AlignedBox3d everywhere() {
-  return {Vec3::Constant(-std::numeric_limits<double>::infinity()), Vec3::Constant(std::numeric_limits<double>::infinity())};
+  return {Vec3::Constant(-std::numeric_limits<double>::infinity()),
+          Vec3::Constant(std::numeric_limits<double>::infinity())};
 }
-inline bool finite(const Eigen::AlignedBox3d& box) { return box.isEmpty() || (box.min().allFinite() && box.max().allFinite()); }
+inline bool finite(const Eigen::AlignedBox3d& box) {
+  return box.isEmpty() || (box.min().allFinite() && box.max().allFinite());
+}
 // Wider by as much on every side.
 inline Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, double by) {
   if (box.isEmpty()) return box;

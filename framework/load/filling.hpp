@@ -12,7 +12,8 @@ namespace tack {
 class Filling : public Component {
  public:
   static constexpr const char* kind_name = "filling";
-  static constexpr const char* kind_doc = "Content of a fluid cavity (chamber); exerts pressure on its surface.";
+  static constexpr const char* kind_doc =
+      "Content of a fluid cavity (chamber); exerts pressure on its surface.";
 
   // surface: closed, with a positive volume at rest. The filling must outlive the term.
   virtual std::unique_ptr<VolumeTerm> make_term(std::string label, OrientedSurface surface,

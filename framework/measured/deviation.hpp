@@ -24,6 +24,7 @@ struct Deviation {
 
 // Computes the deviation. `run`: as returned by follow(). Infinite for a deviation relative to
 // zero.
-Deviation deviation_of(const MeasuredCurve& curve, const std::vector<double>& run, DeviationScale scale);
+Deviation deviation_of(const MeasuredCurve& curve, const std::vector<double>& run,
+                       DeviationScale scale);
 
 }  // namespace tack

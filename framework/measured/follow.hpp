@@ -18,15 +18,19 @@ namespace tack {
 struct Passage {
   size_t sample = 0;
   double part = 0;  // fraction of the segment
-  double of(std::span<const double> numbers) const { return part == 0 ? numbers[sample] : (1 - part) * numbers[sample] + part * numbers[sample + 1]; }
+  double of(std::span<const double> numbers) const {
+    return part == 0 ? numbers[sample] : (1 - part) * numbers[sample] + part * numbers[sample + 1];
+  }
 };
 
 // Returns where the run passes each of `points`, the x of the data; nothing for points that it
 // never reaches. `x`: of the run.
-std::vector<std::optional<Passage>> passages(std::span<const double> points, std::span<const double> x);
+std::vector<std::optional<Passage>> passages(std::span<const double> points,
+                                             std::span<const double> x);
 
 // Returns y of the run at each of `points`; NaN for points that it never reaches. `x` and `y` have
 // equal length.
-std::vector<double> follow(std::span<const double> points, std::span<const double> x, std::span<const double> y);
+std::vector<double> follow(std::span<const double> points, std::span<const double> x,
+                           std::span<const double> y);
 
 }  // namespace tack

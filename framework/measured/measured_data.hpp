@@ -21,7 +21,8 @@ struct MeasuredData {
   // Reads the points from `from` to `to`. `x`, `y`: columns of the run; x_unit, y_unit: their
   // units, or units::any to accept the unit of the file. Throws InputError as read_curve does, and
   // if no point is left.
-  MeasuredCurve read(const std::string& x, const Unit& x_unit, const std::string& y, const Unit& y_unit) const;
+  MeasuredCurve read(const std::string& x, const Unit& x_unit, const std::string& y,
+                     const Unit& y_unit) const;
 };
 
 }  // namespace tack

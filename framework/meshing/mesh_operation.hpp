@@ -12,7 +12,8 @@ class MeshOperation : public Component {
  public:
   static constexpr const char* kind_name = "mesh_operation";
   static constexpr const char* kind_doc =
-      "A step of a processed shape, and an operation of `tack mesh NAME` on a file. Groups of the mesh are dropped.";
+      "A step of a processed shape, and an operation of `tack mesh NAME` on a file. Groups of the "
+      "mesh are dropped.";
 
   void fields(Fields& f) final;
 
@@ -36,6 +37,7 @@ class MeshOperation : public Component {
 // Prepares and applies an operation within its time limit. Throws the InputError of the operation,
 // or one that says how the child process ended. Appends to `notes`: its result, the time, and the
 // quality of the mesh.
-Mesh run_operation(MeshOperation& operation, const Mesh& mesh, const std::string& name, Notes& notes);
+Mesh run_operation(MeshOperation& operation, const Mesh& mesh, const std::string& name,
+                   Notes& notes);
 
 }  // namespace tack

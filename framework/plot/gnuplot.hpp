@@ -16,8 +16,10 @@ namespace tack {
 // Writes folder/name.gp, and with it name.svg, name.png and, if `look` asks for it, name.pdf.
 // Returns "" or the reason why there are no pictures. Throws InputError if the script cannot be
 // written.
-std::string draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name, const PlotLook& look = {});
-std::string draw(const StackedBars& bars, const std::filesystem::path& folder, const std::string& name, const PlotLook& look = {});
+std::string draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name,
+                 const PlotLook& look = {});
+std::string draw(const StackedBars& bars, const std::filesystem::path& folder,
+                 const std::string& name, const PlotLook& look = {});
 
 // Runs an existing script. Returns "" or an error message.
 std::string draw_script(const std::filesystem::path& folder, const std::string& name);

@@ -20,11 +20,13 @@ struct TablePlot {
 // Plots a table. Cases of one curve with equal x are repeats: their mean is drawn, with a bar from
 // the smallest to the largest. Rows without a number at x or y are named in a note. `units`: by
 // column. Throws InputError, with the nearest name, for an unknown column.
-Plot table_plot(const CsvTexts& table, const TablePlot& what, const std::map<std::string, std::string>& units = {});
+Plot table_plot(const CsvTexts& table, const TablePlot& what,
+                const std::map<std::string, std::string>& units = {});
 
 // Returns plots of each of `statistics` over each of `keys` with at least two numbers, with curves
 // by the other keys; by the names of the pictures.
-std::map<std::string, TablePlot> default_table_plots(const CsvTexts& table, const std::vector<std::string>& keys,
+std::map<std::string, TablePlot> default_table_plots(const CsvTexts& table,
+                                                     const std::vector<std::string>& keys,
                                                      const std::vector<std::string>& statistics);
 
 }  // namespace tack

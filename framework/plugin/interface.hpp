@@ -19,12 +19,14 @@
 #define TACK_TEXT_(x) #x
 #define TACK_TEXT(x) TACK_TEXT_(x)
 
-#define TACK_PLUGIN_INTERFACE                                                                                          \
-  "tack " TACK_HEADERS_VERSION "\n"                                                                                     \
-  "headers " TACK_HEADERS_DIGEST "\n"                                                                                   \
-  "Eigen " TACK_TEXT(EIGEN_WORLD_VERSION) "." TACK_TEXT(EIGEN_MAJOR_VERSION) "." TACK_TEXT(EIGEN_MINOR_VERSION) "\n"    \
-  "Eigen's alignment " TACK_TEXT(EIGEN_MAX_ALIGN_BYTES) " " TACK_TEXT(EIGEN_MAX_STATIC_ALIGN_BYTES) "\n"                \
-  "libstdc++ " TACK_TEXT(_GLIBCXX_RELEASE) "\n"                                                                         \
-  "_GLIBCXX_USE_CXX11_ABI " TACK_TEXT(_GLIBCXX_USE_CXX11_ABI) "\n"                                                      \
-  "_GLIBCXX_DEBUG " TACK_CHECKED_CONTAINERS "\n"                                                                        \
+#define TACK_PLUGIN_INTERFACE \
+  "tack " TACK_HEADERS_VERSION "\n" \
+  "headers " TACK_HEADERS_DIGEST "\n" \
+  "Eigen " TACK_TEXT(EIGEN_WORLD_VERSION) "." TACK_TEXT(EIGEN_MAJOR_VERSION) "." \
+  TACK_TEXT(EIGEN_MINOR_VERSION) "\n" \
+  "Eigen's alignment " TACK_TEXT(EIGEN_MAX_ALIGN_BYTES) " " \
+  TACK_TEXT(EIGEN_MAX_STATIC_ALIGN_BYTES) "\n" \
+  "libstdc++ " TACK_TEXT(_GLIBCXX_RELEASE) "\n" \
+  "_GLIBCXX_USE_CXX11_ABI " TACK_TEXT(_GLIBCXX_USE_CXX11_ABI) "\n" \
+  "_GLIBCXX_DEBUG " TACK_CHECKED_CONTAINERS "\n" \
   "ABI of the compiler " TACK_TEXT(__GXX_ABI_VERSION) "\n"

@@ -27,6 +27,7 @@ void load_plugin(const std::string& path);
 // which reports it.
 void load_plugins(const Value& root);
 
-inline constexpr const char* plugins_doc = "shared libraries with custom components, loaded before the rest is read";
+inline constexpr const char* plugins_doc =
+    "shared libraries with custom components, loaded before the rest is read";
 
 }  // namespace tack

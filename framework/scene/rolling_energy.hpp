@@ -16,7 +16,8 @@ class RollingEnergy : public Energy {
  protected:
   void rolling_field(Fields& f) {
     f.flag("rolling", rolling_,
-           "friction exerts a torque with the lever arm contact_offset, so that it can roll; false: it slides without rotating");
+           "friction exerts a torque with the lever arm contact_offset, so that it can roll; "
+           "false: it slides without rotating");
   }
 
  private:

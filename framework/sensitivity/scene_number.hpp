@@ -16,6 +16,7 @@ double scene_number(const BuiltExperiment& run, const std::string& key);
 LoadedExperiment scene_with(const BuiltExperiment& run, const std::string& key, double value);
 
 // Builds that experiment. Throws InputError if its meshes or unknowns differ from the run's.
-std::unique_ptr<BuiltExperiment> built_with(const BuiltExperiment& run, const std::string& key, double value);
+std::unique_ptr<BuiltExperiment> built_with(const BuiltExperiment& run, const std::string& key,
+                                            double value);
 
 }  // namespace tack

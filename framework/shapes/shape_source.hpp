@@ -9,11 +9,14 @@ namespace tack {
 class ShapeSource : public Component {
  public:
   static constexpr const char* kind_name = "shape";
-  static constexpr const char* kind_doc = "The mesh of an object: a built-in shape, a file, or a mesh derived from them.";
+  static constexpr const char* kind_doc =
+      "The mesh of an object: a built-in shape, a file, or a mesh derived from them.";
   virtual Mesh make() const = 0;  // throws InputError
   virtual bool costly() const { return false; }  // to be kept once it is made (made_mesh.hpp)
-  virtual bool reads_files() const { return false; }  // so that the parameters alone do not make the mesh
-  virtual std::vector<std::string> notes() const { return {}; }  // what there is to tell about the mesh, in lines
+  // So that the parameters alone do not make the mesh.
+  virtual bool reads_files() const { return false; }
+  // What there is to tell about the mesh, in lines.
+  virtual std::vector<std::string> notes() const { return {}; }
 };
 
 }  // namespace tack

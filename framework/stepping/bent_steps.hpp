@@ -8,7 +8,8 @@
 namespace tack {
 
 // Both must outlive the problem.
-inline void bend_steps(const World& world, const StepPotential& potential, MinimizerProblem& problem) {
+inline void bend_steps(const World& world, const StepPotential& potential,
+                       MinimizerProblem& problem) {
   if (!world.affine) return;
   problem.bend = [&](const VecX& from, VecX& p, double loss) {
     return world.affine->bend(potential.dofs(), from, p, loss / potential.scale());

@@ -69,7 +69,8 @@ class EnergyBalance {
  private:
   void open(const State& state);
   double contact_at(const VecX& x) const;
-  double contact_at_start(const VecX& start, const VecX& end, const IncrementalPotential& potential) const;
+  double contact_at_start(const VecX& start, const VecX& end,
+                          const IncrementalPotential& potential) const;
   void add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const;
   double load_work(const State& state, const VecX& way, double h);
   void add_inertia_and_weight(const State& state, VecX& gradient) const;

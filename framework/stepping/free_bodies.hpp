@@ -20,7 +20,8 @@ namespace tack {
 struct FreeBody : std::runtime_error {
   using std::runtime_error::runtime_error;
   static constexpr const char* remedy =
-      "hold it (motion, attach), let contact reach it, make its adhesion stronger than what pulls, or take "
+      "hold it (motion, attach), let contact reach it, make its adhesion stronger than what pulls, "
+      "or take "
       "an integrator with inertia (time.integrator: implicit_euler)";
 };
 

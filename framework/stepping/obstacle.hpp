@@ -17,7 +17,8 @@ std::string describe_obstacle(const World& world, const VecX& x, int v, double d
 // Describes the tightest bound of the step from x to x + p (3n): "cut to 0.03 of its length by
 // vertex 3 of 'plate' and triangle (1, 2, 5) of 'ball', 2e-06 m apart"; "" if all of it is
 // feasible.
-std::string describe_blocker(const World& world, const std::vector<std::unique_ptr<StepFilter>>& filters,
-                             const VecX& x, const VecX& p);
+std::string describe_blocker(const World& world,
+                             const std::vector<std::unique_ptr<StepFilter>>& filters, const VecX& x,
+                             const VecX& p);
 
 }  // namespace tack

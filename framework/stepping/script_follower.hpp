@@ -23,7 +23,8 @@ class ScriptFollower {
   // Moves the prescribed vertices from the state of the step to their target positions, in substeps
   // that rotate nothing too far. Returns a feasible start of the step, and begins the potential of
   // the step anew there. check: may be null.
-  DirichletContinuation::Result follow(const Step& step, IterateCheck* check, const MinimizerProblem::Observer& observer);
+  DirichletContinuation::Result follow(const Step& step, IterateCheck* check,
+                                       const MinimizerProblem::Observer& observer);
 
  private:
   struct Way {
@@ -35,7 +36,8 @@ class ScriptFollower {
   struct Along {
     VecX full, drift;
   };
-  DirichletContinuation::Result move(const VecX& x, const VecX& places, const Along* along, const Way& way);
+  DirichletContinuation::Result move(const VecX& x, const VecX& places, const Along* along,
+                                     const Way& way);
   DirichletContinuation::Result go_straight(const VecX& x, const VecX& places,
                                  const std::vector<VecX>& ways, StepPotential& potential);
   DirichletContinuation::Result walk(const VecX& x, const VecX& places, const Way& way);

@@ -38,7 +38,8 @@ class StepControl {
   double size(const State& state) const;
 
   // Returns the error [m] of a step of size h from the state to x; the functions below refer to it.
-  double measure(const TimeIntegrator& integrator, const State& state, const VecX& x, const VecX& contact, double h);
+  double measure(const TimeIntegrator& integrator, const State& state, const VecX& x,
+                 const VecX& contact, double h);
   // Returns whether the error is too large; then sets the size of the next try in the state.
   bool repeats(State& state, double h);
   bool too_large() const { return ratio_ > 1; }  // no smaller step is allowed

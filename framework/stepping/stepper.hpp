@@ -86,7 +86,8 @@ class Stepper : public Component {
   static constexpr const char* kind_doc = "Solves a time step.";
 
   // Throws InputError for a world that it cannot step. Called when a scene is loaded.
-  virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/, const TimeConfig& /*time*/) const {}
+  virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/,
+                     const TimeConfig& /*time*/) const {}
   // Returns the stepper's own metrics: those of its attempts, or, before the first attempt, zeros.
   virtual std::vector<StepFigure> figures() const { return {}; }
   // Called once, before all functions below.

@@ -35,7 +35,8 @@ class TimeIntegrator : public Component {
     VecX x;
     int power;
   };
-  virtual LocalError local_error(const State& old, const VecX& x, const VecX& /*contact*/, double h) const {
+  virtual LocalError local_error(const State& old, const VecX& x, const VecX& /*contact*/,
+                                 double h) const {
     return {0.5 * (x - old.x - h * old.v), 2};
   }
   // Velocity at the end of a step as update() computes it; meaningless without inertia.
@@ -49,7 +50,9 @@ class TimeIntegrator : public Component {
   virtual bool damps() const { return false; }
   // Advice on a numerical gain (`made`) or loss of energy, mostly in steps with `contact` or
   // without.
-  virtual std::string energy_advice(bool /*made*/, bool /*contact*/) const { return "refine time.step"; }
+  virtual std::string energy_advice(bool /*made*/, bool /*contact*/) const {
+    return "refine time.step";
+  }
   // Corrects them for vertices that do not follow from forces, if the above carries velocities over
   // from step to step.
   virtual void update_held(const State& /*old*/, const VecX& /*x*/, double /*h*/,

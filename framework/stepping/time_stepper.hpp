@@ -38,8 +38,8 @@ class TimeStepper {
  public:
   // Continues from world.start with its own stepper. `warn` receives failed solves and other
   // warnings.
-  TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver, PhaseClock& clock,
-              WarningFunction warn);
+  TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver,
+              PhaseClock& clock, WarningFunction warn);
 
   // Advances by one accepted step. Throws SimulationError when no step small enough succeeds.
   StepReport advance();
@@ -69,7 +69,9 @@ class TimeStepper {
 
   // For studies of steps that were solved elsewhere (framework/sensitivity): open(), then follow()
   // instead of commit().
-  void damp(bool damped) { integrator_ = damped ? time_.integrator->fallback() : time_.integrator.get(); }
+  void damp(bool damped) {
+    integrator_ = damped ? time_.integrator->fallback() : time_.integrator.get();
+  }
   // Returns the names of the groups of EnergyFlows::groups, known once a step has begun.
   const std::vector<std::string>& energy_groups() const { return balance_.group_names(); }
   void keep_account(bool kept) { accounts_ = kept; }  // energy account

@@ -1,5 +1,5 @@
-// The most memory that the program has held since an object was made (Linux: VmHWM, whose reset needs a kernel that
-// has /proc/self/clear_refs; without, it is the most since the program began).
+// The most memory that the program has held since an object was made (Linux: VmHWM, whose reset
+// needs a kernel that has /proc/self/clear_refs; without, it is the most since the program began).
 #pragma once
 
 #include <fstream>

@@ -25,11 +25,13 @@ enum class Laws { barrier, barrier_and_adhesion, barrier_and_bonds };
 
 // Two open sheets of 100x100 vertices, 1 m, diagonals alternating; the upper one 0.25 mm above the
 // lower one and turned by 7 degrees in its plane. dhat_b = dhat_p = 1 mm, dhat_a = 2 mm. No elastic
-// energy, contact only: 0.1 g per vertex. Bonds: 58 000, three a triangle. weights: "area" or "pair".
+// energy, contact only: 0.1 g per vertex. Bonds: 58 000, three a triangle. weights: "area" or
+// "pair".
 std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws);
 
-// Three plates of 1 x 0.01 x 1 m, 75x1x75 cells each, above each other with gaps of 0.25 mm and turned by 0, 7 and
-// 14 degrees in their plane; the lowest is fixed. dhat_b = 1 mm, friction of 0.5. 127 000 active contacts.
+// Three plates of 1 x 0.01 x 1 m, 75x1x75 cells each, above each other with gaps of 0.25 mm and
+// turned by 0, 7 and 14 degrees in their plane; the lowest is fixed. dhat_b = 1 mm, friction of
+// 0.5. 127 000 active contacts.
 std::unique_ptr<Scene> plates();
 
 // A file in experiments/, without frames. Overrides: "a.b=c".

@@ -10,7 +10,8 @@ namespace tack {
 struct HardCase {
   std::filesystem::path scene;
   std::string name, about;
-  int exit_code = 0;      // it must end with: 0, or that of a line `# Ends with CODE: TEXT` in the scene
+  // It must end with: 0, or that of a line `# Ends with CODE: TEXT` in the scene.
+  int exit_code = 0;
   std::string diagnosis;  // TEXT: part of what is told then
 };
 
@@ -26,8 +27,10 @@ struct HardOutcome {
   std::string error;   // what ended it
   int iterations = 0, gains = 0, intersections = 0, inverted = 0;
   std::vector<std::string> missed;  // expectations that do not hold
-  double lost = 0, made = 0;        // energy that contact areas and integrator took, and made; of the largest in the run
-  double unbalanced = 0;            // the largest force that nothing balances, over what is tolerated
+  // Energy that contact areas and integrator took, and made; of the largest in the run.
+  double lost = 0, made = 0;
+  // The largest force that nothing balances, over what is tolerated.
+  double unbalanced = 0;
 };
 
 // The scenes of experiments/hard, by name.

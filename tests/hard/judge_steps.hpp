@@ -6,13 +6,15 @@
 namespace tack {
 
 struct StepsVerdict {
-  double lost = 0;        // energy that contact areas and the integrator took in all, of the largest energy in the run
+  // Energy that contact areas and the integrator took in all, of the largest energy in the run.
+  double lost = 0;
   double made = 0;        // what they made, in the steps in which they did
-  double unbalanced = 0;  // the largest force that nothing balances, over what is tolerated in its step
+  // The largest force that nothing balances, over what is tolerated in its step.
+  double unbalanced = 0;
 };
 
-// From a run's steps.csv. The largest energy: that of all kinds but gravity, with gravity's way from its lowest to its
-// highest, and what was put in or taken out if that is more.
+// From a run's steps.csv. The largest energy: that of all kinds but gravity, with gravity's way
+// from its lowest to its highest, and what was put in or taken out if that is more.
 StepsVerdict judge_steps(const std::filesystem::path& steps);
 
 }  // namespace tack

@@ -12,7 +12,8 @@
 
 namespace tack {
 
-inline std::unique_ptr<BondLaw> bond_law(const std::string& yaml, const PairMaterials& pair = {.contact_distance = 1e-3}) {
+inline std::unique_ptr<BondLaw> bond_law(const std::string& yaml,
+                                         const PairMaterials& pair = {.contact_distance = 1e-3}) {
   auto law = component<AdhesionLaw>(yaml);
   law->prepare(pair);
   return std::unique_ptr<BondLaw>(&dynamic_cast<BondLaw&>(*law.release()));
@@ -21,13 +22,17 @@ inline std::unique_ptr<BondLaw> bond_law(const std::string& yaml, const PairMate
 // One bond per area, and what is done to it.
 class PulledBond {
  public:
-  explicit PulledBond(const BondLaw& law, bool on_contact = false) : law_(law), memory_(law.width()) { law.fresh(on_contact, memory_.data()); }
+  explicit PulledBond(const BondLaw& law, bool on_contact = false)
+      : law_(law), memory_(law.width()) {
+    law.fresh(on_contact, memory_.data());
+  }
 
   // A step that ends at the opening d and the slip u; without pressure if it is none.
   const BondSample& step(double d, double u, double h, double pressure = 0) {
     sample_ = law_.at(d, u * u, memory_.data(), h);
     const double across = 2 * sample_.by_s * u;
-    // Steps are those of implicit Euler: the force at the end is that of all the way; the mean of both ends is what was done.
+    // Steps are those of implicit Euler: the force at the end is that of all the way; the mean of
+    // both ends is what was done.
     work_ += (sample_.by_d + before_[0]) / 2 * (d - d_) + (across + before_[1]) / 2 * (u - u_);
     work_of_ends_ += sample_.by_d * (d - d_) + across * (u - u_);
     before_[0] = sample_.by_d, before_[1] = across, d_ = d, u_ = u;
@@ -50,7 +55,8 @@ class PulledBond {
   double peak() const { return peak_; }                       // of pull() [Pa]
   double peak_across() const { return peak_across_; }
   double work() const { return work_; }                       // J/m^2
-  double work_of_ends() const { return work_of_ends_; }       // the force at the end of each step times its way
+  // The force at the end of each step times its way.
+  double work_of_ends() const { return work_of_ends_; }
   double dissipated() const { return dissipated_; }           // J/m^2
   double stored() const { return change_.gone ? 0 : law_.stored(d_, u_ * u_, memory_.data()); }
   double intensity() const { return law_.intensity_of(memory_.data()); }
@@ -62,7 +68,8 @@ class PulledBond {
   std::vector<double> memory_;
   BondSample sample_;
   BondChange change_;
-  double before_[2] = {0, 0}, d_ = 0, u_ = 0, work_ = 0, work_of_ends_ = 0, dissipated_ = 0, peak_ = 0, peak_across_ = 0;
+  double before_[2] = {0, 0}, d_ = 0, u_ = 0, work_ = 0, work_of_ends_ = 0, dissipated_ = 0,
+         peak_ = 0, peak_across_ = 0;
 };
 
 }  // namespace tack

@@ -63,7 +63,8 @@ inline Mesh unmerged() {
   return mesh;
 }
 
-// A triangle without area in the place of an edge: the middle of one side of a box is a vertex on the other side only.
+// A triangle without area in the place of an edge: the middle of one side of a box is a vertex on
+// the other side only.
 inline Mesh with_degenerate() {
   Mesh mesh = box_surface({1, 1, 1});
   const auto [a, b, c] = mesh.triangles[0];
@@ -95,7 +96,9 @@ inline Mesh sharing_an_edge() {
   Mesh mesh = boxes_at({Vec3(0, 0, 0), Vec3(1, 1, 0)});
   std::vector<int> same(mesh.vertices.size());
   for (std::size_t v = 0; v < same.size(); ++v)
-    same[v] = static_cast<int>(std::find(mesh.vertices.begin(), mesh.vertices.end(), mesh.vertices[v]) - mesh.vertices.begin());
+    same[v] =
+        static_cast<int>(std::find(mesh.vertices.begin(), mesh.vertices.end(), mesh.vertices[v]) -
+                         mesh.vertices.begin());
   for (Triangle& t : mesh.triangles)
     for (int& v : t) v = same[v];
   return mesh;
@@ -116,7 +119,8 @@ inline Mesh crossing_boxes() { return boxes_at({Vec3(0, 0, 0), Vec3(0.5, 0.4, 0.
 // One part of a ball pushed through the other side.
 inline Mesh crossing_itself() {
   Mesh mesh = sphere_surface(1, 4);
-  const auto top = std::max_element(mesh.vertices.begin(), mesh.vertices.end(), [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
+  const auto top = std::max_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                    [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
   top->y() = -1.5;
   return mesh;
 }

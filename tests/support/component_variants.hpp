@@ -27,7 +27,8 @@ using Setting = std::vector<std::pair<std::string, std::string>>;  // keys and v
 std::vector<Setting> settings_of(const Fields& fields);
 
 // "{type: fang, form: plain, young: 1e5}"; what the extra has too is taken from it.
-std::string flow_map(const std::string& type, const Setting& setting, const std::map<std::string, std::string>& extra);
+std::string flow_map(const std::string& type, const Setting& setting,
+                     const std::map<std::string, std::string>& extra);
 
 // The keys of an extra setting are all fields of the component.
 bool applies(const std::map<std::string, std::string>& extra, const Fields& fields);
@@ -37,7 +38,8 @@ bool applies(const std::map<std::string, std::string>& extra, const Fields& fiel
 // `extras`: settings to try on the components that have such fields. A component that no extra
 // makes valid fails the test. Of the kind only those that are a Sort.
 template <class Base, class Sort = Base>
-std::vector<ComponentVariant> variants(const std::vector<std::map<std::string, std::string>>& extras = {{}}) {
+std::vector<ComponentVariant> variants(
+    const std::vector<std::map<std::string, std::string>>& extras = {{}}) {
   std::vector<ComponentVariant> all;
   const Kind& kind = Registry<Base>::kind();
   for (const std::string& name : kind.names()) {
@@ -55,7 +57,8 @@ std::vector<ComponentVariant> variants(const std::vector<std::map<std::string, s
           // these fields do not go together; another extra must
         }
       }
-      INFO(kind.name() << " " << detail::flow_map(name, setting, {}) << " binds with none of the extra settings");
+      INFO(kind.name() << " " << detail::flow_map(name, setting, {})
+                       << " binds with none of the extra settings");
       REQUIRE(all.size() > before);
     }
   }

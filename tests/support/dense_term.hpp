@@ -13,9 +13,11 @@ using MatX = Eigen::MatrixXd;
 VecX dense_gradient(const Term& term, const VecX& x);
 MatX dense_hessian(const Term& term, const VecX& x, Projection projection);
 
-// The Hessian of each stencil as a matrix over its own rows and columns only, 3K x 3K, with its vertices.
+// The Hessian of each stencil as a matrix over its own rows and columns only, 3K x 3K, with its
+// vertices.
 using VisitStencil = std::function<void(const MatX& hessian, const int* vertices)>;
-void for_each_stencil_hessian(const Term& term, const VecX& x, Projection projection, const VisitStencil& visit);
+void for_each_stencil_hessian(const Term& term, const VecX& x, Projection projection,
+                              const VisitStencil& visit);
 
 // f'(0) from fourth-order central differences of f(-2h), f(-h), f(h), f(2h); numbers or vectors.
 template <class F>
@@ -30,8 +32,10 @@ auto central_difference(const F& f, double h) {
 }
 
 // Derivatives of value(x) and gradient(x) in every coordinate; `step` in metres.
-VecX gradient_by_differences(const std::function<double(const VecX&)>& value, const VecX& x, double step);
-MatX hessian_by_differences(const std::function<VecX(const VecX&)>& gradient, const VecX& x, double step);
+VecX gradient_by_differences(const std::function<double(const VecX&)>& value, const VecX& x,
+                             double step);
+MatX hessian_by_differences(const std::function<VecX(const VecX&)>& gradient, const VecX& x,
+                            double step);
 
 double smallest_eigenvalue(const MatX& symmetric);
 // The projection by a full eigenvalue decomposition.

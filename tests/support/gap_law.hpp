@@ -9,8 +9,10 @@
 
 namespace tack {
 
-inline std::unique_ptr<NormalAdhesion> law_of(const std::string& yaml, double contact_distance = 1e-6) {
-  std::unique_ptr<NormalAdhesion> law(dynamic_cast<NormalAdhesion*>(component<AdhesionLaw>(yaml).release()));
+inline std::unique_ptr<NormalAdhesion> law_of(const std::string& yaml,
+                                              double contact_distance = 1e-6) {
+  std::unique_ptr<NormalAdhesion> law(
+      dynamic_cast<NormalAdhesion*>(component<AdhesionLaw>(yaml).release()));
   REQUIRE(law);
   law->prepare({.contact_distance = contact_distance});
   return law;

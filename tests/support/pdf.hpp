@@ -1,4 +1,5 @@
-// What a page of PDF is made of, for tests of figures. Of pages that cairo writes: content that is compressed or not, one page.
+// What a page of PDF is made of, for tests of figures. Of pages that cairo writes: content that is
+// compressed or not, one page.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +14,8 @@ struct PdfPage {
   std::vector<double> line_widths;   // pt, of each line that is drawn
   int images = 0;
   int fonts = 0, embedded_fonts = 0, type3_fonts = 0;
-  std::string readable;  // all text of the file, with one character for each that is shown in a single byte
+  // All text of the file, with one character for each that is shown in a single byte.
+  std::string readable;
 };
 
 // Errors: std::runtime_error of a file that is no PDF, or one of several pages.

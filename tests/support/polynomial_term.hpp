@@ -1,4 +1,5 @@
-// A toy potential with stencils of arity K: sum_s |u_s|^4 / 4, u_s = sum_i c_i x_i with sum c_i = 0.
+// A toy potential with stencils of arity K: sum_s |u_s|^4 / 4, u_s = sum_i c_i x_i with sum c_i =
+// 0.
 #pragma once
 
 #include <vector>
@@ -17,20 +18,24 @@ class PolynomialTerm : public Term, public StencilRanges {
     return *this;
   }
   std::vector<const StencilRanges*> ranges() const override {
-    return by_ranges_ ? std::vector<const StencilRanges*>{this} : std::vector<const StencilRanges*>{};
+    return by_ranges_ ? std::vector<const StencilRanges*>{this}
+                      : std::vector<const StencilRanges*>{};
   }
   void set_vertices(std::vector<int> vertices) { vertices_ = std::move(vertices); }
   const std::vector<int>& vertex_list() const { return vertices_; }
   int count() const { return static_cast<int>(vertices_.size()) / arity_; }
   bool dynamic() const override { return dynamic_; }
-  std::vector<StencilBatch> batches() const override { return {{arity_, count(), vertices_.data()}}; }
+  std::vector<StencilBatch> batches() const override {
+    return {{arity_, count(), vertices_.data()}};
+  }
 
   double value(const VecX& x) const override {
     double sum = 0;
     for (int s = 0; s < count(); ++s) sum += std::pow(u(x, s).squaredNorm(), 2) / 4;
     return sum;
   }
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override {
     range_derivatives(x, projection, 0, count(), gradient, hessian);
   }
   void range_derivatives(const VecX& x, Projection, int first, int last, double* gradient,
@@ -48,7 +53,9 @@ class PolynomialTerm : public Term, public StencilRanges {
   }
 
  private:
-  double coefficient(int i) const { return i + 1 < arity_ ? 1.0 + i : -arity_ * (arity_ - 1) / 2.0; }
+  double coefficient(int i) const {
+    return i + 1 < arity_ ? 1.0 + i : -arity_ * (arity_ - 1) / 2.0;
+  }
   Vec3 u(const VecX& x, int s) const {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < arity_; ++i) sum += coefficient(i) * vertex(x, vertices_[arity_ * s + i]);

@@ -21,7 +21,8 @@ struct ProgramResult {
 class Program {
  public:
   // Starts `tack arguments...` in a working directory.
-  Program(const std::filesystem::path& directory, const Arguments& arguments, const std::string& program = TACK_PROGRAM);
+  Program(const std::filesystem::path& directory, const Arguments& arguments,
+          const std::string& program = TACK_PROGRAM);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -39,7 +40,8 @@ class Program {
   pid_t pid_ = -1;
 };
 
-ProgramResult run_tack(const std::filesystem::path& directory, const Arguments& arguments, const std::string& program = TACK_PROGRAM);
+ProgramResult run_tack(const std::filesystem::path& directory, const Arguments& arguments,
+                       const std::string& program = TACK_PROGRAM);
 
 // A whole file; "" if there is none.
 std::string file_text(const std::filesystem::path& path);

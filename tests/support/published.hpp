@@ -28,7 +28,8 @@ class Published {
     for (const FlowRecord& r : records_.flows()) {
       std::vector<double> amounts(r.columns.size());
       r.amounts(x, amounts.data());
-      for (size_t i = 0; i < amounts.size(); ++i) sum += r.columns[i].name == column ? amounts[i] : 0;
+      for (size_t i = 0; i < amounts.size(); ++i)
+        sum += r.columns[i].name == column ? amounts[i] : 0;
     }
     return sum;
   }

@@ -12,7 +12,8 @@ namespace tack {
 struct RodBody {
   RodBody(const std::vector<Vec3>& vertices, std::vector<Edge> edges, const RodSection& section)
       : RodBody(vertices, edges, section, std::vector<Vec3>(edges.size(), section.normal)) {}
-  RodBody(const std::vector<Vec3>& vertices, std::vector<Edge> edges, const RodSection& section, const std::vector<Vec3>& directors) {
+  RodBody(const std::vector<Vec3>& vertices, std::vector<Edge> edges, const RodSection& section,
+          const std::vector<Vec3>& directors) {
     const int n = static_cast<int>(vertices.size()), m = static_cast<int>(edges.size());
     body.name = "rod";
     body.vertex_count = n;
@@ -22,7 +23,8 @@ struct RodBody {
     for (int v = 0; v < n; ++v) vertex(rest, v) = vertices[v];
     std::vector<int> twists;
     for (int e = 0; e < m; ++e) twists.push_back(n + e);
-    frames = body.rod = std::make_shared<RodFrames>("rod/frames", body.edges, twists, directors, section.radius_of_gyration(), rest);
+    frames = body.rod = std::make_shared<RodFrames>("rod/frames", body.edges, twists, directors,
+                                                    section.radius_of_gyration(), rest);
   }
 
   // Makes x the end of a step.
@@ -37,8 +39,11 @@ struct RodBody {
     VecX y = x;
     for (int v = 0; v < body.vertex_count; ++v) vertex(y, v) = r * vertex(x, v) + d;
     for (int e = 0; e < frames->count(); ++e) {
-      const double before = frames->angle(e, x), angle = frames->angle_to(e, y, r * frames->director(e, x)), turn = 2 * std::numbers::pi;
-      y(3 * frames->twists()[e]) = frames->radius() * (angle + turn * std::round((before - angle) / turn));
+      const double before = frames->angle(e, x),
+                   angle = frames->angle_to(e, y, r * frames->director(e, x)),
+                   turn = 2 * std::numbers::pi;
+      y(3 * frames->twists()[e]) =
+          frames->radius() * (angle + turn * std::round((before - angle) / turn));
     }
     return y;
   }

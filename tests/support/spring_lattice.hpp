@@ -1,5 +1,6 @@
-// Matrices of bodies made of springs: lattices of masses, each with springs to all that are next to it. Solids, sheets (one layer) and
-// rods (one row), with what a preconditioner may know about them.
+// Matrices of bodies made of springs: lattices of masses, each with springs to all that are next to
+// it. Solids, sheets (one layer) and rods (one row), with what a preconditioner may know about
+// them.
 #pragma once
 
 #include "framework/core/block_matrix.hpp"
@@ -13,13 +14,15 @@ struct SpringLattice {
   Vec3 corner = Vec3::Zero();
 };
 
-// A spring between two nodes, as they are numbered body by body, that is no part of a body: a contact.
+// A spring between two nodes, as they are numbered body by body, that is no part of a body: a
+// contact.
 struct SpringContact {
   int one, other;
   double stiffness;
   Vec3 normal;
 };
 
-BlockMatrix spring_lattices(const std::vector<SpringLattice>& bodies, const std::vector<SpringContact>& contacts = {});
+BlockMatrix spring_lattices(const std::vector<SpringLattice>& bodies,
+                            const std::vector<SpringContact>& contacts = {});
 
 }  // namespace tack

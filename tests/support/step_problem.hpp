@@ -1,5 +1,5 @@
-// The first step of a scene as the time loop opens it, with everything that a minimiser is told and asks for
-// in the open.
+// The first step of a scene as the time loop opens it, with everything that a minimiser is told and
+// asks for in the open.
 #pragma once
 
 #include "framework/stepping/convergence.hpp"
@@ -17,7 +17,8 @@ struct StepProblem : TestScene {
   double feasible_step(const VecX& from, const VecX& p);
   // What decides for this minimiser when the step has converged.
   Convergence convergence(const Minimizer& minimizer);
-  // From the start; q is where it ends, and `path` the points from which steps were tried, and the end.
+  // From the start; q is where it ends, and `path` the points from which steps were tried, and the
+  // end.
   MinimizerResult minimize(Minimizer& minimizer, MinimizerProblem::Observer observer = {});
 
   TimeStepper stepper;

@@ -1,4 +1,5 @@
-// A bonded patch that a machine of finite stiffness pulls off: force over the machine's way, in closed form. Soft machines make it snap.
+// A bonded patch that a machine of finite stiffness pulls off: force over the machine's way, in
+// closed form. Soft machines make it snap.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +15,11 @@ struct PulledPatch {
   int points = 120;
   double reach = 4e-4;  // m, the machine's way
 
-  // Bilinear, with the onset at a quarter of 1e-4 m for strength 10 kPa and work 1 J/m^2. Force per area [Pa].
+  // Bilinear, with the onset at a quarter of 1e-4 m for strength 10 kPa and work 1 J/m^2. Force per
+  // area [Pa].
   std::vector<double> curve(double strength, double work, double stiffness) const {
-    const double end = 2 * work / strength, onset = 0.25 * work / strength, softening = strength / (end - onset);
+    const double end = 2 * work / strength, onset = 0.25 * work / strength,
+                 softening = strength / (end - onset);
     double widest = onset;
     bool broken = false;
     std::vector<double> force;
@@ -27,7 +30,8 @@ struct PulledPatch {
         const double secant = strength * (end - widest) / (end - onset) / widest;
         gap = stiffness * way / (stiffness + secant);
         if (gap > widest) {
-          if (stiffness > softening) gap = (stiffness * way - softening * end) / (stiffness - softening);
+          if (stiffness > softening)
+            gap = (stiffness * way - softening * end) / (stiffness - softening);
           else broken = true;
           broken = broken || gap >= end;
           widest = std::max(widest, gap);
@@ -39,14 +43,16 @@ struct PulledPatch {
   }
 };
 
-// A double cantilever that opens: the force hardly knows of the strength (Euler-Bernoulli arms, the crack longer by a part of the cohesive zone).
+// A double cantilever that opens: the force hardly knows of the strength (Euler-Bernoulli arms, the
+// crack longer by a part of the cohesive zone).
 inline std::vector<double> cantilever_curve(double strength, double work) {
   const double stiffness = 8.3e-7, width = 1e-2;  // E I [N m^2], m
   const double zone = std::pow(stiffness * (2 * work / strength) / (strength * width), 0.25);
   std::vector<double> force;
   for (int i = 0; i < 120; ++i) {
     const double opening = 1e-3 + 5e-3 * i / 119;
-    const double crack = std::pow(9 * stiffness * opening * opening / (2 * work * width), 0.25) + 0.1 * zone;
+    const double crack =
+        std::pow(9 * stiffness * opening * opening / (2 * work * width), 0.25) + 0.1 * zone;
     force.push_back(3 * stiffness * opening / std::pow(crack, 3));
   }
   return force;
@@ -70,11 +76,18 @@ class Noise {
 class ModelEvaluator : public Evaluator {
  public:
   using Model = std::function<std::vector<double>(const Point&)>;
-  ModelEvaluator(Model model, std::vector<double> data, double scale) : model_(std::move(model)), data_(std::move(data)), scale_(scale) {}
+  ModelEvaluator(Model model, std::vector<double> data, double scale)
+      : model_(std::move(model)), data_(std::move(data)), scale_(scale) {}
 
-  // With derivatives of `smooth` by each number for which `without` is empty, the model itself may be noisy.
-  ModelEvaluator(Model model, std::vector<double> data, double scale, Model smooth, std::vector<std::string> without)
-      : model_(std::move(model)), smooth_(std::move(smooth)), data_(std::move(data)), scale_(scale), without_(std::move(without)) {}
+  // With derivatives of `smooth` by each number for which `without` is empty, the model itself may
+  // be noisy.
+  ModelEvaluator(Model model, std::vector<double> data, double scale, Model smooth,
+                 std::vector<std::string> without)
+      : model_(std::move(model)),
+        smooth_(std::move(smooth)),
+        data_(std::move(data)),
+        scale_(scale),
+        without_(std::move(without)) {}
   std::vector<std::string> without_derivatives() override { return without_; }
 
   void serve(PointQueue& queue) override {
@@ -93,7 +106,17 @@ class ModelEvaluator : public Evaluator {
   PointEvaluation evaluation(const Point& values) {
     ++runs;
     PointEvaluation e{values, true, "done", "", 0, {}, model_(values), {}, false, {}};
-    if (e.residuals.empty()) return {values, false, "simulation failed", "", std::numeric_limits<double>::infinity(), {}, {}, {}, false, {}};
+    if (e.residuals.empty())
+      return {values,
+              false,
+              "simulation failed",
+              "",
+              std::numeric_limits<double>::infinity(),
+              {},
+              {},
+              {},
+              false,
+              {}};
     for (size_t i = 0; i < data_.size(); ++i) {
       e.residuals[i] = (e.residuals[i] - data_[i]) / scale_;
       e.misfit += e.residuals[i] * e.residuals[i];

@@ -34,7 +34,8 @@ class SchemaCheck {
   }
 
   bool obeys(const std::string& word, const json& rule, const json& schema, const json& v) const {
-    for (const char* note : {"$schema", "title", "description", "default", "definitions", "$comment", "if", "then", "else"}) {
+    for (const char* note : {"$schema", "title", "description", "default", "definitions",
+                             "$comment", "if", "then", "else"}) {
       if (word == note) return true;
     }
     if (word == "type") return rule.is_array() ? any_type(rule, v) : is_type(rule, v);

@@ -18,8 +18,8 @@ struct BruteForce {
   BruteForce(const CollisionMesh& mesh_, const CollidingObjects& colliding_, const VecX& x,
              const VecX& p, double range, double skin)
       : BruteForce(mesh_, colliding_, x, p, InflationRadii::uniform(mesh_, range, range), skin) {}
-  BruteForce(const CollisionMesh& mesh_, const CollidingObjects& colliding_, const VecX& x, const VecX& p, InflationRadii radii_,
-             double skin)
+  BruteForce(const CollisionMesh& mesh_, const CollidingObjects& colliding_, const VecX& x,
+             const VecX& p, InflationRadii radii_, double skin)
       : mesh(mesh_), colliding(colliding_), fat_boxes(x.size() / 3), radii(std::move(radii_)) {
     for (const int v : mesh.vertices) {
       fat_boxes[v].include(Vec3(vertex(x, v)));
@@ -28,7 +28,8 @@ struct BruteForce {
     }
   }
 
-  bool wanted(const std::vector<int>& a, const std::vector<int>& b, const std::vector<double>& radius) const {
+  bool wanted(const std::vector<int>& a, const std::vector<int>& b,
+              const std::vector<double>& radius) const {
     bool movable = false;
     Aabb box_a, box_b;
     for (const int v : a) {
