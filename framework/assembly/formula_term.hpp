@@ -30,7 +30,7 @@
 
 namespace tack {
 
-// Arity: vertices of a stencil. The last `Numbers` of them are scalar dofs (scene/unknowns.hpp):
+// Arity: vertices of a stencil. The last `Numbers` of them are scalar dofs (world/unknowns.hpp):
 // x[k].x() is the displacement of scalar k [m].
 template <int Arity, int Numbers = 0>
 struct FormulaOf {

@@ -24,6 +24,13 @@ class OverlapBoundaryTerm : public LinearTerm {
     set_reference(start.x);
   }
 
+  bool share_energy(const VecX& x, const EnergyShare& share) const override {
+    for (int v = 0; v < force().size() / 3; ++v)
+      if (const Vec3 f = vertex(force(), v); !f.isZero(0))
+        share({&v, 1}, -f.dot(vertex(x, v) - vertex(reference(), v)));
+    return true;
+  }
+
   // All of it is adhesion. The forces are those of the step at any x. Its work is within the energy
   // that contact stores.
   void publish(Records& records) const override {
