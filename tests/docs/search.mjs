@@ -60,7 +60,7 @@ async function search(page, query) {
 const pages = readdirSync(site).filter((name) => name.endsWith(".html"));
 const tests = {
   async "search finds pages by words, keys and classes"(context) {
-    const expected = { peel: "paper.html", friction: "scenes.html", peak_traction: "reference.html", NormalLaw: "cpp_api.html", feasible_step: "python_api.html" };
+    const expected = { peel: "paper.html", friction: "scenes.html", peak_traction: "reference/adhesion.html", NormalLaw: "cpp_api.html", feasible_step: "python_api.html" };
     await visit(context, "index.html", async (page) => {
       for (const [query, where] of Object.entries(expected)) {
         const found = await search(page, query);
