@@ -13,8 +13,8 @@
 // which is convex and falls in g: Newton's method from 0 does not overshoot. The stress is the
 // return-mapped one, Kirchhoff's in the sheet of the thickness at rest. With a viscosity eta, |t| =
 // Y + H g + eta g/h over a step h: H + eta/h takes the place of H. Between steps, h = 0, nothing
-// flows (plasticity/von_mises.hpp). Source: Li, Li, Jiang 2022, Energetically Consistent Inelasticity;
-// Simo and Taylor 1986 for the return in plane stress.
+// flows (plasticity/von_mises.hpp). Source: Li, Li, Jiang 2022, Energetically Consistent
+// Inelasticity; Simo and Taylor 1986 for the return in plane stress.
 #pragma once
 
 #include <cmath>
