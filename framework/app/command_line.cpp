@@ -1,5 +1,4 @@
-// The commands, their options and their help texts. Only this file and number_options.hpp include
-// CLI11.
+// Commands, options and help texts. Only this file and number_options.hpp include CLI11.
 #include "framework/app/command_line.hpp"
 
 #include <fmt/format.h>

@@ -13,8 +13,10 @@
 namespace tack {
 namespace {
 
-constexpr double softening = 1e-6;  // the share of the secant stiffness by which a tangent is below zero for certain
-constexpr double at_limit = 1.01;   // the opening over the present one from which on a bond that softens gives way already, as at a crack's tip
+// A bond softens if its tangent stiffness is below -softening times its secant stiffness: round-off is smaller.
+constexpr double softening = 1e-6;
+// A bond that softens at this multiple of its opening at the start has reached its limit, as bonds at a crack tip have.
+constexpr double at_limit = 1.01;
 
 struct AlongOpening {
   double traction, stiffness;  // Pa, Pa/m

@@ -62,7 +62,7 @@ class IntegrationSides {
   bool first_integrates(std::pair<int, int> pair, const Both& captures) const;
 
   const PairTable& pairs_;
-  // Of pairs that are close; the others capture nothing.
+  // Pairs of objects that are close; all other pairs have no overlap.
   std::map<std::pair<int, int>, Both> captures_;
   Pairs turned_;
   std::optional<Pairs> before_;

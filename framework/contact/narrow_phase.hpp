@@ -58,9 +58,9 @@ class NarrowPhase {
   void set_free(std::vector<char> free);
   // The stencils closer than their law's range.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts);
-  // Of this step.
+  // Overlap and its boundary forces, both of this step.
   const OverlapBoundaryForces& overlap_boundary_forces() const { return overlap_boundary_forces_; }
-  const SurfaceOverlap& overlap() const { return overlap_; }       // likewise
+  const SurfaceOverlap& overlap() const { return overlap_; }
   const LaggedSurface& held() const { return held_; }
   void hold_sides(IntegrationSides::Pairs pairs) { sides_.hold(std::move(pairs)); }
 

@@ -55,9 +55,9 @@ struct PieceRequest {
   const RodOverlaps& rods;
   const Candidates& candidates;
   const PointGroups& groups;
-  // By key, of the groups that there were when the step began.
+  // Views of the groups that existed when the step began, sorted by key.
   const std::vector<GroupView>& views;
-  // Likewise, of those that came later; all that integrate are in one of them.
+  // Views of later groups, sorted by key. Every integrating group is in one of the two lists.
   const std::vector<GroupView>& later_views;
   const LaggedWeights& shares_before;           // of the step before
 };

@@ -13,9 +13,9 @@ class ShapeSource : public Component {
       "The mesh of an object: a built-in shape, a file, or a mesh derived from them.";
   virtual Mesh make() const = 0;  // throws InputError
   virtual bool costly() const { return false; }  // to be kept once it is made (made_mesh.hpp)
-  // So that the parameters alone do not make the mesh.
+  // Returns whether files define the mesh, beside the parameters.
   virtual bool reads_files() const { return false; }
-  // What there is to tell about the mesh, in lines.
+  // Returns remarks on the mesh, one line each.
   virtual std::vector<std::string> notes() const { return {}; }
 };
 

@@ -10,9 +10,10 @@ namespace tack {
 
 enum class Boolean { unite, subtract, intersect };  // A or B, A without B, A and B
 
-// Of closed surfaces with normals outwards that do not cross themselves (require_solid); else
-// throws InputError that begins with that mesh's name. Likewise if nothing is left, and if the
-// result would touch itself in an edge or vertex.
+// Returns the union, difference or intersection of two closed surfaces with outward normals that do
+// not cross themselves (require_solid). Throws InputError, which begins with the mesh's name, for
+// any other surface, for an empty result, and for a result that touches itself in an edge or a
+// vertex.
 Mesh boolean(Boolean kind, const Mesh& a, const Mesh& b, const std::string& name_a,
              const std::string& name_b, Notes& notes);
 

@@ -13,7 +13,7 @@ namespace tack {
 struct OffsetOptions {
   double distance = 0;              // outwards if positive [m]
   double edge_length = 0;           // of the new surface, about [m]
-  // Of the new surface from that distance [m]; a twentieth of the edges unless given.
+  // Largest deviation of the new surface from the distance [m]; default: edge_length / 20.
   std::optional<double> deviation = std::nullopt;
 };
 

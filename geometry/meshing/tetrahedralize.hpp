@@ -14,9 +14,9 @@ namespace tack {
 
 struct TetrahedralizeOptions {
   double edge_length = 0;                      // of the tets, about [m]
-  // Of their faces on the surface, about [m]; as the above unless given.
+  // Approximate edge length of surface faces [m]; default: edge_length.
   std::optional<double> surface_edge_length = std::nullopt;
-  // Of the surface, both ways [m]; a tenth of its edge length unless given.
+  // Largest distance between the surfaces, either way [m]; default: a tenth of their edge length.
   std::optional<double> deviation = std::nullopt;
   // Circumradius to shortest edge of a tet, before slivers are treated.
   double radius_edge = 2;

@@ -1,5 +1,5 @@
-// What a page of PDF is made of, for tests of figures. Of pages that cairo writes: content that is
-// compressed or not, one page.
+// Contents of a PDF page, for tests of figures. Reads the single pages that cairo writes, with
+// content that is compressed or not.
 #pragma once
 
 #include <filesystem>
