@@ -21,13 +21,13 @@ namespace {
 
 struct PlacedShape {
   std::unique_ptr<ShapeSource> shape;
-  PlaceConfig place;
+  MeshPlacement place;
 };
 
 // A level set file: the keys of the shape and its place.
 struct LevelSetFile {
   LevelSetShape& shape;
-  PlaceConfig& place;
+  MeshPlacement& place;
   void fields(Fields& f) {
     shape.fields(f);
     f.object("place", place, "where the surface is put");

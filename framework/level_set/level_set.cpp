@@ -11,7 +11,7 @@ std::array<Vec3, 8> corners(const Eigen::AlignedBox3d& box) {
   return all;
 }
 
-void LevelSet::fields(Fields& f) { f.object("place", place_, "scale, rotate, translate it"); }
+void LevelSet::fields(Fields& f) { f.object("place", placement_, "scale, rotate, translate it"); }
 
 void LevelSet::prepare(double) {}
 
@@ -19,7 +19,7 @@ Eigen::AlignedBox3d LevelSet::bounds() const {
   const Eigen::AlignedBox3d own = own_bounds();
   if (own.isEmpty()) return own;
   if (!finite(own)) return everywhere();
-  const Eigen::Affine3d transform = place_.transform();
+  const Eigen::Affine3d transform = placement_.transform();
   Eigen::AlignedBox3d box;
   for (const Vec3& corner : corners(own)) box.extend(transform * corner);
   return box;
@@ -27,14 +27,14 @@ Eigen::AlignedBox3d LevelSet::bounds() const {
 
 void LevelSet::evaluate(std::span<const Vec3> points, std::span<double> values) const {
   if (interrupt_requested) throw Interrupted();
-  if (place_.trivial()) return own_values(points, values);
-  const Eigen::Affine3d back = place_.transform().inverse();
+  if (placement_.trivial()) return own_values(points, values);
+  const Eigen::Affine3d back = placement_.transform().inverse();
   std::vector<Vec3> own;
   own.reserve(points.size());
   for (const Vec3& p : points) own.push_back(back * p);
   own_values(own, values);
   // With different factors, the smallest one gives a lower bound of the distance.
-  const double factor = place_.scale.cwiseAbs().minCoeff();
+  const double factor = placement_.scale.cwiseAbs().minCoeff();
   if (factor != 1)
     for (double& value : values) value *= factor;
 }

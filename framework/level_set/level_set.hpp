@@ -7,7 +7,7 @@
 #include <span>
 
 #include "framework/config/registry.hpp"
-#include "framework/shapes/place.hpp"
+#include "framework/shapes/mesh_placement.hpp"
 
 namespace tack {
 
@@ -36,7 +36,7 @@ class LevelSet : public Component {
   virtual void own_values(std::span<const Vec3> points, std::span<double> values) const = 0;
 
  private:
-  PlaceConfig place_;
+  MeshPlacement placement_;
 };
 
 // Level set that modifies another one, which it owns.

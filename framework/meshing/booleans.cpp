@@ -2,7 +2,7 @@
 
 #include "framework/meshing/mesh_operation.hpp"
 #include "framework/shapes/made_mesh.hpp"
-#include "framework/shapes/place.hpp"
+#include "framework/shapes/mesh_placement.hpp"
 #include "framework/shapes/shape_source.hpp"
 
 namespace tack {
@@ -13,7 +13,7 @@ class BooleanOperation : public MeshOperation {
  public:
   void prepare() override {
     other_ = made(*with_)->mesh;
-    place_.apply(other_);
+    placement_.apply(other_);
   }
   Mesh apply(const Mesh& mesh, const std::string& name, Notes& notes) const override {
     return boolean(kind, mesh, other_, name, name + ", `with`", notes);
@@ -22,12 +22,12 @@ class BooleanOperation : public MeshOperation {
  protected:
   void parameters(Fields& f) override {
     f.component("with", with_, "the other solid").required();
-    f.object("place", place_, "its placement");
+    f.object("place", placement_, "its placement");
   }
 
  private:
   std::unique_ptr<ShapeSource> with_;
-  PlaceConfig place_;
+  MeshPlacement placement_;
   Mesh other_;
 };
 

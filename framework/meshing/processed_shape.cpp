@@ -5,7 +5,7 @@
 
 #include "framework/meshing/mesh_operation.hpp"
 #include "framework/shapes/made_mesh.hpp"
-#include "framework/shapes/place.hpp"
+#include "framework/shapes/mesh_placement.hpp"
 #include "framework/shapes/shape_source.hpp"
 
 namespace tack {
@@ -15,7 +15,7 @@ class ProcessedShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
     f.component("of", of_, "the shape to begin with").required();
-    f.object("place", place_, "placement before the first step");
+    f.object("place", placement_, "placement before the first step");
     f.component_list("steps", steps_, "applied in that order").required().nonempty();
   }
 
@@ -34,7 +34,7 @@ class ProcessedShape : public ShapeSource {
  private:
   void work() const {
     mesh_ = made(*of_)->mesh;
-    place_.apply(mesh_);
+    placement_.apply(mesh_);
     Notes notes;
     for (const auto& step : steps_) {
       notes.push_back(fmt::format("{}:", step->type()));
@@ -46,7 +46,7 @@ class ProcessedShape : public ShapeSource {
   }
 
   std::unique_ptr<ShapeSource> of_;
-  PlaceConfig place_;
+  MeshPlacement placement_;
   std::vector<std::unique_ptr<MeshOperation>> steps_;
   mutable std::once_flag once_;
   mutable Mesh mesh_;

@@ -154,14 +154,14 @@ class Filler {
 Value vector_value(const Vec3& v) { return Value::sequence({Value::number(v.x()), Value::number(v.y()), Value::number(v.z())}); }
 
 // Returns the placement of a copy: that of the object, followed by the pose.
-Value place_value(const PlaceConfig& place, const Pose& pose) {
-  const Mat3 before = place.angle == 0 ? Mat3(Mat3::Identity()) : Mat3(Eigen::AngleAxisd(place.angle, place.axis.normalized()));
+Value placement_value(const MeshPlacement& placement, const Pose& pose) {
+  const Mat3 before = placement.angle == 0 ? Mat3(Mat3::Identity()) : Mat3(Eigen::AngleAxisd(placement.angle, placement.axis.normalized()));
   const Eigen::AngleAxisd turned(Mat3(pose.linear() * before));
   Value value = Value::map();
-  value.set("scale", vector_value(place.scale));
+  value.set("scale", vector_value(placement.scale));
   value.set("axis", vector_value(turned.axis()));
   value.set("angle", Value::number(turned.angle()));
-  value.set("translate", vector_value(pose * place.translate));
+  value.set("translate", vector_value(pose * placement.translate));
   return value;
 }
 
@@ -177,7 +177,7 @@ void add_copies(const Value& entry, const ObjectConfig& object, const std::vecto
     for (const Pose& pose : poses) {
       Value part = Value::map();
       part.set("shape", *entry.find("shape"));
-      part.set("place", place_value(object.place, pose));
+      part.set("place", placement_value(object.placement, pose));
       parts.items.push_back(std::move(part));
     }
     Value shape = Value::map();
@@ -195,7 +195,7 @@ void add_copies(const Value& entry, const ObjectConfig& object, const std::vecto
   for (size_t i = 0; i < poses.size(); ++i) {
     Value one = copy;
     one.set("name", Value::scalar(fmt::format("{}_{}", object.name, i + 1)));
-    one.set("place", place_value(object.place, poses[i]));
+    one.set("place", placement_value(object.placement, poses[i]));
     to.push_back(std::move(one));
   }
 }
@@ -214,7 +214,7 @@ Value filled(Value root, const SceneConfig& scene) {
     }
     try {
       Mesh mesh = made(*object.shape)->mesh;
-      object.place.apply(mesh);
+      object.placement.apply(mesh);
       add_copies(entry, object, Filler(*object.fill, mesh).poses(), entries);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: object '{}': {}", entry.mark.text(), object.name, error.what()));

@@ -28,7 +28,7 @@ void ObjectConfig::fields(Fields& f) {
   f.text("name", name, "name in pairs, probes and messages").required().line();
   f.texts("groups", groups, "names of groups of objects, for use in pairs").line();
   f.component("shape", shape, "mesh").required();
-  f.object("place", place, "scale, rotate, translate the mesh");
+  f.object("place", placement, "scale, rotate, translate the mesh");
   f.choice("elements", elements,
            {{"linear", Elements::linear, "linear tets: too stiff in bending with few over a thickness; volumetric locking with a Poisson's ratio "
                                          "near 1/2"},

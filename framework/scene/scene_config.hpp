@@ -20,7 +20,7 @@
 #include "framework/scene/interaction.hpp"
 #include "framework/scene/remesh_config.hpp"
 #include "framework/scene/start_config.hpp"
-#include "framework/shapes/place.hpp"
+#include "framework/shapes/mesh_placement.hpp"
 #include "framework/shapes/shape_source.hpp"
 #include "framework/world/load.hpp"
 
@@ -49,7 +49,7 @@ struct ObjectConfig {
   std::string name;
   std::vector<std::string> groups;  // groups that it belongs to
   std::unique_ptr<ShapeSource> shape;
-  PlaceConfig place;
+  MeshPlacement placement;
   Elements elements = Elements::linear;
   std::optional<FillConfig> fill;  // none once the scene is loaded: copies have replaced the entry
   std::vector<NamedSelection> selections;

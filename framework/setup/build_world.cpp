@@ -39,7 +39,7 @@ namespace tack {
 namespace {
 
 Mesh placed(Mesh mesh, const ObjectConfig& object) {
-  object.place.apply(mesh);
+  object.placement.apply(mesh);
   validate_mesh(mesh, fmt::format("object '{}'", object.name));
   return mesh;
 }

@@ -1,6 +1,6 @@
 // A mesh put together of others.
 #include "framework/shapes/made_mesh.hpp"
-#include "framework/shapes/place.hpp"
+#include "framework/shapes/mesh_placement.hpp"
 #include "framework/shapes/shape_source.hpp"
 
 namespace tack {
@@ -8,10 +8,10 @@ namespace {
 
 struct PartConfig {
   std::unique_ptr<ShapeSource> shape;
-  PlaceConfig place;
+  MeshPlacement placement;
   void fields(Fields& f) {
     f.component("shape", shape, "mesh of the part").required();
-    f.object("place", place, "scale, rotate, translate it");
+    f.object("place", placement, "scale, rotate, translate it");
   }
 };
 
@@ -27,7 +27,7 @@ class PartsShape : public ShapeSource {
     Mesh all;
     for (const PartConfig& part : parts_) {
       Mesh mesh = made(*part.shape)->mesh;
-      part.place.apply(mesh);
+      part.placement.apply(mesh);
       append(all, mesh);
     }
     return all;

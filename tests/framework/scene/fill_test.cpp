@@ -82,7 +82,7 @@ TEST_CASE("a fill makes the copies that it was asked for, apart from each other 
 }
 
 TEST_CASE("a fill repeats for its seed, and another seed is another fill", "[fill]") {
-  const auto places = [](int seed) { return to_value(fields_of(loaded(grains(in_ball + fmt::format(", count: 20, seed: {}", seed))).experiment.objects[7].place)); };
+  const auto places = [](int seed) { return to_value(fields_of(loaded(grains(in_ball + fmt::format(", count: 20, seed: {}", seed))).experiment.objects[7].placement)); };
   const auto text = [](const Value& value) {
     std::string all;
     for (const auto& entry : value.entries) {

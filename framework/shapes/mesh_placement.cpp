@@ -1,8 +1,8 @@
-#include "framework/shapes/place.hpp"
+#include "framework/shapes/mesh_placement.hpp"
 
 namespace tack {
 
-void PlaceConfig::fields(Fields& f) {
+void MeshPlacement::fields(Fields& f) {
   f.check("scale", [this]() -> std::string { return scale.cwiseAbs().minCoeff() > 0 ? "" : "no factor may be zero"; });
   f.check("axis", [this]() -> std::string { return angle == 0 || axis.norm() > 0 ? "" : "must not be zero"; });
   f.vector("scale", scale, units::none, "factors about the origin, applied first");
@@ -11,13 +11,13 @@ void PlaceConfig::fields(Fields& f) {
   f.vector("translate", translate, units::length, "offset, applied last");
 }
 
-void PlaceConfig::apply(Mesh& mesh) const {
+void MeshPlacement::apply(Mesh& mesh) const {
   if (scale != Vec3::Ones()) tack::scale(mesh, scale);
   if (angle != 0) rotate(mesh, axis, angle);
   if (translate != Vec3::Zero()) tack::translate(mesh, translate);
 }
 
-Eigen::Affine3d PlaceConfig::transform() const {
+Eigen::Affine3d MeshPlacement::transform() const {
   Eigen::Affine3d all(Eigen::Translation3d{translate});
   if (angle != 0) all.rotate(Eigen::AngleAxisd(angle, axis.normalized()));
   return all.scale(scale);

@@ -6,7 +6,7 @@
 
 namespace tack {
 
-struct PlaceConfig {
+struct MeshPlacement {
   Vec3 scale = Vec3::Ones();
   Vec3 axis = Vec3::UnitY();
   double angle = 0;               // rad
