@@ -15,7 +15,7 @@ void check_damping(const Experiment& e, const Value& root, const World& world) {
   for (size_t i = 0; i < e.objects.size(); ++i)
     if (e.objects[i].damping)
       throw InputError(fmt::format("{}object '{}': damping acts on velocities, and with time.integrator: {} there are none; take "
-                                   "another integrator, or the damping out", place_of(root, "objects", i), e.objects[i].name,
+                                   "another integrator, or the damping out", source_location(root, "objects", i), e.objects[i].name,
                                    e.time.integrator->type()));
 }
 
@@ -24,10 +24,10 @@ void check_damping(const Experiment& e, const Value& root, const World& world) {
 BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(loaded)) {
   const Experiment& e = loaded_.experiment;
   if (remeshes(e) && !e.output.gradients.empty())
-    at_place(loaded_.root.find("output"), [] {
+    with_source_location(loaded_.root.find("output"), [] {
       throw InputError("output.gradients follow one mesh through the run, and objects may be meshed anew (remesh); take one of the two away");
     });
-  if (e.start && !loaded_.earlier) at_place(loaded_.root.find("start"), [&] { loaded_.earlier = state_of_run(e.start->from); });
+  if (e.start && !loaded_.earlier) with_source_location(loaded_.root.find("start"), [&] { loaded_.earlier = state_of_run(e.start->from); });
   build();
   loaded_.earlier.reset();
   loaded_.experiment.solver = settled_solver(e, *world_);
@@ -37,9 +37,9 @@ void BuiltExperiment::build() {
   const Experiment& e = loaded_.experiment;
   world_ = build_world(e, loaded_.root, {e.time.step, e.time.duration}, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr, loaded_.flowed);
   check_damping(e, loaded_.root, *world_);
-  at_place(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
+  with_source_location(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
   world_->step_figures = e.time.stepper->figures();
-  at_place(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
+  with_source_location(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
 }
 
 std::unique_ptr<World> BuiltExperiment::rebuild(FlowedMeshes flowed) {

@@ -20,7 +20,7 @@ ProbeSet::ProbeSet(const std::vector<std::unique_ptr<const Probe>>& specified, c
       probe.prepare(world);
       if (auto* derived = dynamic_cast<DerivedProbe*>(&probe)) derived->find(columns_);
     } catch (const InputError& error) {
-      throw InputError(place_of(root, "probes", i) + error.what());
+      throw InputError(source_location(root, "probes", i) + error.what());
     }
     const bool derived = dynamic_cast<DerivedProbe*>(&probe);
     const bool unbounded = probe.unbounded() || (derived && std::find(unbounded_.begin(), unbounded_.end(), 1) != unbounded_.end());
@@ -42,7 +42,7 @@ void ProbeSet::check(const std::vector<Expectation>& expectations, const Value& 
       check_columns(expectations[i], columns);
       check_units(expectations[i], columns, of_columns);
     } catch (const InputError& error) {
-      throw InputError(place_of(root, "expect", i) + error.what());
+      throw InputError(source_location(root, "expect", i) + error.what());
     }
   }
 }

@@ -40,7 +40,7 @@ PairConfigs::PairConfigs(const SceneConfig& scene, const Value& root, const Obje
   for (int i = 0; i < static_cast<int>(entries_.size()); ++i) spread(i);
 }
 
-std::string PairConfigs::place(int entry) const {
+std::string PairConfigs::location(int entry) const {
   const Value* contact = root_.find("contact");
   const Value* pairs = contact ? contact->find("pairs") : nullptr;
   return pairs && entry < static_cast<int>(pairs->items.size()) ? pairs->items[entry].mark.text() + ": " : "";
@@ -108,7 +108,7 @@ void PairConfigs::take(int i, int a, int b) {
     const PairConfig& other = scene_.contact->pairs[known];
     throw error(i, fmt::format("'{}' and '{}' are also a pair of '{}' and '{}'{}; say which holds by an entry that names the two "
                                "objects", first, second, other.between[0].object, other.between[1].object,
-                               place(known).empty() ? "" : fmt::format(" ({})", place(known).substr(0, place(known).size() - 2))));
+                               location(known).empty() ? "" : fmt::format(" ({})", location(known).substr(0, location(known).size() - 2))));
   }
   entry_[classes_.index(a, b)] = entry_[classes_.index(b, a)] = i;
 }

@@ -46,9 +46,9 @@ class PairConfigs {
   bool names_objects(int entry) const { return entries_[entry].rank == most_said; }
   // Returns true if the entry's integration side is, or contains, the object.
   bool integrates(int entry, int object) const { return has(entries_[entry].integrates, object); }
-  std::string place(int entry) const;  // source location, for messages
+  std::string location(int entry) const;  // source location, for messages
   InputError error(int entry, const std::string& message) const {
-    return InputError(place(entry) + message);
+    return InputError(location(entry) + message);
   }
 
  private:

@@ -23,7 +23,7 @@ void add_loads(const SceneConfig& scene, const Value& root, World& world) {
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const Value* object = entry_of(root.find("objects"), i);
     for (size_t j = 0; j < scene.objects[i].loads.size(); ++j)
-      at_place(object ? entry_of(object->find("loads"), j) : nullptr, [&] {
+      with_source_location(object ? entry_of(object->find("loads"), j) : nullptr, [&] {
         const Load& load = *scene.objects[i].loads[j];
         if (auto term = load.make_term(world.bodies[i], world.rest, world.mass)) {
           note_following_load(*term, world);

@@ -80,14 +80,14 @@ void add_affine_terms(const SceneConfig& scene, const Value& root, const RunTime
     if (body.frame.empty() || !body.movable) continue;
     body.stiffness = scene.objects[i].body->stiffness().value_or(0);
     if (body.stiffness == 0) body.stiffness = default_stiffness(scene.objects[i], body, loading[i], world.rest, times.step);
-    double& stiffest = of_entry[place_of(root, "objects", i)];
+    double& stiffest = of_entry[source_location(root, "objects", i)];
     stiffest = std::max(stiffest, body.stiffness);
   }
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     Body& body = world.bodies[i];
     if (body.frame.empty() || !body.movable) continue;
     const Tet frame = {body.frame[0], body.frame[1], body.frame[2], body.frame[3]};
-    if (const std::string place = place_of(root, "objects", i); !place.empty()) body.stiffness = of_entry[place];
+    if (const std::string entry = source_location(root, "objects", i); !entry.empty()) body.stiffness = of_entry[entry];
     term->add(frame, world.rest, body.volume, body.stiffness);
     world.tets.push_back(frame);
   }

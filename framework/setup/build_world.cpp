@@ -195,7 +195,7 @@ void check_mass(const Value& root, const World& world) {
     const int i = world.body_of(v);
     if (world.bodies[i].frame.empty())
       throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
-                                   "with a density", place_of(root, "objects", static_cast<size_t>(i)), world.bodies[i].name,
+                                   "with a density", source_location(root, "objects", static_cast<size_t>(i)), world.bodies[i].name,
                                    world.number_in_body(v)));
   }
 }
@@ -227,7 +227,7 @@ void start_state(const SceneConfig& scene, World& world) {
 template <class Action>
 void for_each_object(const SceneConfig& scene, const Value& root, const Action& action) {
   for (size_t i = 0; i < scene.objects.size(); ++i)
-    at_place(entry_of(root.find("objects"), i), [&] { action(i); });
+    with_source_location(entry_of(root.find("objects"), i), [&] { action(i); });
 }
 
 // Returns the record of a scene with friction of mu = 0: its forces are zero.
@@ -263,7 +263,7 @@ void publish(World& world, bool friction_named) {
 
 const Value* entry_of(const Value* list, size_t i) { return list && i < list->items.size() ? &list->items[i] : nullptr; }
 
-std::string place_of(const Value& root, const std::string& list, size_t i) {
+std::string source_location(const Value& root, const std::string& list, size_t i) {
   const Value* value = entry_of(root.find(list), i);
   return value ? value->mark.text() + ": " : "";
 }
@@ -312,7 +312,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for_each_object(scene, root, [&](size_t i) { hold_vertices(scene, static_cast<int>(i), *world); });
   for (const Dependence& d : world->bindings.lasting()) world->script.follow(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
-    at_place(root.find("objects"), [] {
+    with_source_location(root.find("objects"), [] {
       throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
                        "select, from and until)");
     });
@@ -332,7 +332,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (!scene.gravity.isZero()) world->gravity_term.set_up(world->gravitational_mass, scene.gravity);
   start_state(scene, *world);
   if (earlier)
-    at_place(root.find("start"), [&] { world->start_notes.push_back(start_from_run(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
+    with_source_location(root.find("start"), [&] { world->start_notes.push_back(start_from_run(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
   world->meeting = meeting_groups(scene, *world, times.duration);
   build_contact(scene, root, times, clock, *world);
   if (flowed.empty()) check_start(scene, root, *world);

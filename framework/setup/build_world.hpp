@@ -33,11 +33,11 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
 const Value* entry_of(const Value* list, size_t i);
 
 // Returns "scene.yaml:12:3: " for entry i of a list at the top level of the scene.
-std::string place_of(const Value& root, const std::string& list, size_t i);
+std::string source_location(const Value& root, const std::string& list, size_t i);
 
 // Runs `action` and adds the source location of `value`, if known, to its InputErrors.
 template <class Action>
-void at_place(const Value* value, const Action& action) {
+void with_source_location(const Value* value, const Action& action) {
   try {
     action();
   } catch (const InputError& error) {

@@ -153,7 +153,7 @@ void add_interactions(const SceneConfig& scene, const Value& root, World& world)
   std::set<std::string> names;
   const Value* list = root.find("interactions");
   for (size_t i = 0; i < scene.interactions.size(); ++i)
-    at_place(entry_of(list, i), [&] {
+    with_source_location(entry_of(list, i), [&] {
       const Interaction& interaction = *scene.interactions[i];
       const std::string name = interaction_name(scene, i);
       if (!names.insert(name).second) throw InputError(fmt::format("two interactions are named '{}'; names must differ", name));

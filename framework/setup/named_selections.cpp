@@ -9,8 +9,8 @@ namespace tack {
 namespace {
 
 // Returns "scene.yaml:12:3: " for entry i of `selections` in a map.
-std::string place_in(const Value* map, size_t i) {
-  return map ? place_of(*map, "selections", i) : "";
+std::string selection_location(const Value* map, size_t i) {
+  return map ? source_location(*map, "selections", i) : "";
 }
 
 void add_group(Body& body, const std::string& name, std::vector<int> vertices) {
@@ -26,7 +26,7 @@ void add_of_object(const ObjectConfig& object, const Value* value, const VecX& r
         throw InputError(fmt::format("object '{}' has a group '{}' already; names must differ", object.name, named.name));
       add_group(body, named.name, select(*named.select, {body, rest}));
     } catch (const InputError& error) {
-      throw InputError(place_in(value, i) + error.what());
+      throw InputError(selection_location(value, i) + error.what());
     }
   }
 }
@@ -63,7 +63,7 @@ void add_named_selections(const SceneConfig& scene, const Value& root, World& wo
     }
     if (any) continue;
     throw InputError(fmt::format("{}selection '{}' chooses no vertex of any object{}; check its place and units, or "
-                                 "whether objects have a group of that name", place_in(&root, i), named.name, why));
+                                 "whether objects have a group of that name", selection_location(&root, i), named.name, why));
   }
 }
 

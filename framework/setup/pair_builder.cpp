@@ -120,7 +120,7 @@ void PairBuilder::refuse_parts(int a, int b, const std::vector<int>& parts, bool
   parts_.tell_apart(parts, a, b);
 }
 
-std::string PairBuilder::contact_place() const {
+std::string PairBuilder::contact_location() const {
   const Value* contact = root_.find("contact");
   return contact ? contact->mark.text() + ": " : "";
 }
@@ -196,7 +196,7 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int part) {
     pressure.add(full);
     guard.add(close);
   } catch (const InputError& error) {
-    if (!pair) throw InputError(contact_place() + error.what());
+    if (!pair) throw InputError(contact_location() + error.what());
     throw configs_.error(config, error.what());
   }
   if (adhesion) {

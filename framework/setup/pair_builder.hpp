@@ -47,7 +47,7 @@ class PairBuilder {
     PairRole first, second, edge, thin;  // first, second: roles of the points of either object
   };
 
-  std::string contact_place() const;
+  std::string contact_location() const;
   TangentialLaw tangential_of(const PairConfig* pair, double peak_traction) const;
   double offset_of(int a, int b) const;
   PairMaterials materials_of(int a, int b) const;

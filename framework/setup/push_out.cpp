@@ -157,7 +157,7 @@ class Pusher {
                                              : "what is around leaves no room";
     throw InputError(fmt::format("{}'{}' and '{}' {} at ({:.6g}, {:.6g}, {:.6g}) m, {:.4g} m {}, and could not be pushed apart: {}; move one of them "
                                  "(place.translate), or turn their contact off (contact.pairs, contact: false)",
-                                 place_of(root_, "objects", static_cast<size_t>(b)), name(a), name(b), found.distance < 0 ? "overlap" : "are too close",
+                                 source_location(root_, "objects", static_cast<size_t>(b)), name(a), name(b), found.distance < 0 ? "overlap" : "are too close",
                                  found.at.x(), found.at.y(), found.at.z(), std::abs(found.distance), found.distance < 0 ? "deep" : "apart", why));
   }
 

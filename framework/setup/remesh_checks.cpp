@@ -73,7 +73,7 @@ void check_remeshing(const SceneConfig& scene, const Value& root, const World& w
     const std::string why = obstacle(scene.objects[i], world.bodies[i], scene, world);
     if (why.empty()) continue;
     const Value* object = entry_of(root.find("objects"), i);
-    at_place(object && object->find("remesh") ? object->find("remesh") : object,
+    with_source_location(object && object->find("remesh") ? object->find("remesh") : object,
              [&] { throw InputError(fmt::format("object '{}' cannot be meshed anew: {}", scene.objects[i].name, why)); });
   }
 }

@@ -46,7 +46,7 @@ void check_intersections(const SceneConfig& scene, const Value& root, const Worl
     list += fmt::format("\n  edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'", n(e[0]), n(e[1]),
                         world.bodies[a].name, n(t[0]), n(t[1]), n(t[2]), world.bodies[b].name);
   }
-  throw InputError(fmt::format("{}the start intersects; {}:{}", place_of(root, "objects", static_cast<size_t>(std::max(a, b))),
+  throw InputError(fmt::format("{}the start intersects; {}:{}", source_location(root, "objects", static_cast<size_t>(std::max(a, b))),
                                several ? apart(scene) : mend_mesh, list));
 }
 
@@ -71,7 +71,7 @@ void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
     list += pair.touching ? fmt::format("\n  {} touch at ({:.6g}, {:.6g}, {:.6g}) m", what, pair.at.x(), pair.at.y(), pair.at.z())
                           : fmt::format("\n  {} are {:.4g} m apart, and need {:.4g} m", what, pair.distance, pair.offset);
   }
-  const std::string where = place_of(root, "objects", static_cast<size_t>(later));
+  const std::string where = source_location(root, "objects", static_cast<size_t>(later));
   if (touches)
     throw InputError(fmt::format("{}the start touches{}:{}", where, several ? "; " + apart(scene)
                                  : " itself; take one of the parts out of the mesh, part them, or turn the object's contact with itself off "
@@ -89,7 +89,7 @@ void check_containment(const SceneConfig& scene, const Value& root, const World&
   const Vec3 x = vertex(world.start.x, found->vertex);
   throw InputError(fmt::format("{}object '{}' is inside of '{}' at the start (its vertex {} at ({:.6g}, {:.6g}, {:.6g}) m lies "
                                "in tet {}); {}",
-                               place_of(root, "objects", static_cast<size_t>(found->body)), inner.name, outer.name,
+                               source_location(root, "objects", static_cast<size_t>(found->body)), inner.name, outer.name,
                                found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet, apart(scene)));
 }
 

@@ -64,7 +64,7 @@ void SurfaceParts::tell_apart(const std::vector<int>& entries, int a, int b) con
       const auto one = wanted(entries[i], a, b), other = wanted(entries[j], a, b);
       const auto meet = [&](int first, int second) { return holds(body_a, one[0] | other[first]) && holds(body_b, one[1] | other[second]); };
       if (!meet(0, 1) && !(a == b && meet(1, 0))) continue;
-      std::string where = configs_.place(entries[i]);
+      std::string where = configs_.location(entries[i]);
       if (!where.empty()) where = fmt::format(" ({})", where.substr(0, where.size() - 2));
       throw configs_.error(entries[j], fmt::format("parts of '{}' and '{}' that it names are also named by another entry{} that says as much; let the two not overlap, or say "
                                                    "more of one", body_a.name, body_b.name, where));
