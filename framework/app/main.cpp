@@ -15,7 +15,7 @@
 #include "framework/app/commands.hpp"
 #include "framework/app/memory_limit.hpp"
 #include "framework/plugin/further_components.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
 #include "geometry/meshing_library.hpp"
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
   }
   try {
     tack::note_further_components();
-    tack::keep_meshes_in(tack::usual_mesh_folder());
+    tack::set_mesh_cache_folder(tack::default_mesh_cache_folder());
     return tack::execute_command_line(argc, argv);
   } catch (const tack::InStudies&) {
     return tack::go_on_in_studies(argv);

@@ -9,7 +9,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/level_set/level_set_shape.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/write_mesh.hpp"
 #include "geometry/mesh/mass_properties.hpp"
@@ -75,7 +75,7 @@ int mesh_sdf(const std::string& path, const std::vector<std::string>& settings, 
   Value root = parse_file(path);
   for (const std::string& setting : settings) apply_override(root, setting);
   const PlacedShape placed = o.object.empty() ? of_file(root, path) : of_object(root, o.object, path);
-  const auto kept = made(*placed.shape);
+  const auto kept = mesh_of_shape(*placed.shape);
   Mesh mesh = kept->mesh;
   placed.place.apply(mesh);
   write_mesh(o.output, mesh);

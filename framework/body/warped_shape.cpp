@@ -5,7 +5,7 @@
 
 #include "framework/config/formula.hpp"
 #include "framework/config/field.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "framework/shapes/shape_source.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/quality.hpp"
@@ -37,7 +37,7 @@ class WarpedShape : public ShapeSource {
   bool costly() const override { return of_->costly(); }
   bool reads_files() const override { return of_->reads_files(); }
   Mesh make() const override {
-    const Mesh from = made(*of_)->mesh;
+    const Mesh from = mesh_of_shape(*of_)->mesh;
     Mesh mesh = from;
     const std::array formulas = {Formula(text_[0], warped_variables), Formula(text_[1], warped_variables), Formula(text_[2], warped_variables)};
     for (size_t v = 0; v < mesh.vertices.size(); ++v) {

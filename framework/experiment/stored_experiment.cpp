@@ -2,7 +2,7 @@
 
 #include "framework/config/describe.hpp"
 #include "framework/experiment/earlier_run.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 
 namespace tack {
 namespace {
@@ -26,7 +26,7 @@ StateFile state_file_of(StateFile::Kind kind, const Experiment& experiment) {
   // A checkpoint is resumed with the scene's own files.
   if (kind == StateFile::Kind::checkpoint) return file;
   for (const ObjectConfig& object : experiment.objects)
-    if (object.shape->reads_files()) file.meshes[object.name] = made(*object.shape)->mesh;
+    if (object.shape->reads_files()) file.meshes[object.name] = mesh_of_shape(*object.shape)->mesh;
   return file;
 }
 

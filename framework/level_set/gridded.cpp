@@ -4,7 +4,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/level_set/level_set.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/level_set/zero_surface.hpp"
 #include "geometry/mesh/mass_properties.hpp"
@@ -83,7 +83,7 @@ class MeshLevelSet : public LevelSet {
     LevelSet::fields(f);
   }
   void prepare(double voxel) override {
-    const Mesh mesh = made(*shape_)->mesh;
+    const Mesh mesh = mesh_of_shape(*shape_)->mesh;
     mass_properties(mesh);  // refuses what is not closed
     box_ = bounding_box(mesh);
     grid_ = DistanceGrid::of(mesh, voxel, 4 * voxel);

@@ -1,7 +1,7 @@
 #include "geometry/meshing/booleans.hpp"
 
 #include "framework/meshing/mesh_operation.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "framework/shapes/mesh_placement.hpp"
 #include "framework/shapes/shape_source.hpp"
 
@@ -12,7 +12,7 @@ template <Boolean kind>
 class BooleanOperation : public MeshOperation {
  public:
   void prepare() override {
-    other_ = made(*with_)->mesh;
+    other_ = mesh_of_shape(*with_)->mesh;
     placement_.apply(other_);
   }
   Mesh apply(const Mesh& mesh, const std::string& name, Notes& notes) const override {

@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "framework/meshing/mesh_operation.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "framework/shapes/mesh_placement.hpp"
 #include "framework/shapes/shape_source.hpp"
 
@@ -33,7 +33,7 @@ class ProcessedShape : public ShapeSource {
 
  private:
   void work() const {
-    mesh_ = made(*of_)->mesh;
+    mesh_ = mesh_of_shape(*of_)->mesh;
     placement_.apply(mesh_);
     Notes notes;
     for (const auto& step : steps_) {

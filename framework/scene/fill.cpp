@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "framework/scene/scene_config.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/level_set/zero_surface.hpp"
 #include "geometry/mesh/mass_properties.hpp"
@@ -213,7 +213,7 @@ Value filled(Value root, const SceneConfig& scene) {
       continue;
     }
     try {
-      Mesh mesh = made(*object.shape)->mesh;
+      Mesh mesh = mesh_of_shape(*object.shape)->mesh;
       object.placement.apply(mesh);
       add_copies(entry, object, Filler(*object.fill, mesh).poses(), entries);
     } catch (const InputError& error) {

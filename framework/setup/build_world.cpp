@@ -25,7 +25,7 @@
 #include "framework/setup/rod_twists.hpp"
 #include "framework/setup/spins.hpp"
 #include "framework/setup/start_checks.hpp"
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "framework/world/consistent_mass.hpp"
 #include "framework/world/energy_records.hpp"
 #include "framework/world/remeshed_energy.hpp"
@@ -279,7 +279,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     const ObjectConfig& object = scene.objects[i];
     if (!names.insert(object.name).second)
       throw InputError(fmt::format("two objects are named '{}'; names must differ", object.name));
-    const auto shape = made(*object.shape);
+    const auto shape = mesh_of_shape(*object.shape);
     Mesh mesh = shape->mesh;
     digests.push_back(digest_of(mesh));
     mesh = with_elements(placed(std::move(mesh), object), object, digests.back());

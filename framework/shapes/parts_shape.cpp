@@ -1,5 +1,5 @@
 // A mesh put together of others.
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 #include "framework/shapes/mesh_placement.hpp"
 #include "framework/shapes/shape_source.hpp"
 
@@ -26,7 +26,7 @@ class PartsShape : public ShapeSource {
   Mesh make() const override {
     Mesh all;
     for (const PartConfig& part : parts_) {
-      Mesh mesh = made(*part.shape)->mesh;
+      Mesh mesh = mesh_of_shape(*part.shape)->mesh;
       part.placement.apply(mesh);
       append(all, mesh);
     }

@@ -12,7 +12,7 @@ class ShapeSource : public Component {
   static constexpr const char* kind_doc =
       "The mesh of an object: a built-in shape, a file, or a mesh derived from them.";
   virtual Mesh make() const = 0;  // throws InputError
-  virtual bool costly() const { return false; }  // to be kept once it is made (made_mesh.hpp)
+  virtual bool costly() const { return false; }  // to be kept once it is made (mesh_cache.hpp)
   // Returns whether files define the mesh, beside the parameters.
   virtual bool reads_files() const { return false; }
   // Returns remarks on the mesh, one line each.

@@ -13,19 +13,19 @@
 
 namespace tack {
 
-struct MadeMesh {
+struct ShapeMesh {
   Mesh mesh;
   std::vector<std::string> notes;  // ShapeSource::notes
 };
 
 // Returns the cached mesh, or else shape.make(). Throws the exceptions of make().
-std::shared_ptr<const MadeMesh> made(const ShapeSource& shape);
+std::shared_ptr<const ShapeMesh> mesh_of_shape(const ShapeSource& shape);
 
 // Sets the folder of the cache; it is created when needed. Empty (the default): no folder. A folder
 // that is not writable is ignored. Do not call this while meshes are being made.
-void keep_meshes_in(const std::filesystem::path& folder);
+void set_mesh_cache_folder(const std::filesystem::path& folder);
 
 // Returns the value of TACK_MESHES ("none": no folder), by default `results/meshes`.
-std::filesystem::path usual_mesh_folder();
+std::filesystem::path default_mesh_cache_folder();
 
 }  // namespace tack

@@ -1,5 +1,5 @@
 // Expensive meshes are made once for a recipe, and cached in a folder for the next process.
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -31,11 +31,11 @@ std::string scene(double radius) {
 
 TEST_CASE("a shape of the same recipe is made once", "[shapes]") {
   const std::string ball = "{type: level_set, voxel: 0.1, of: {type: sphere, radius: 0.987}}";
-  const auto first = made(*shape(ball)), second = made(*shape(ball));
+  const auto first = mesh_of_shape(*shape(ball)), second = mesh_of_shape(*shape(ball));
   CHECK(first == second);
-  CHECK(made(*shape("{type: level_set, voxel: 0.11, of: {type: sphere, radius: 0.987}}")) != first);
+  CHECK(mesh_of_shape(*shape("{type: level_set, voxel: 0.11, of: {type: sphere, radius: 0.987}}")) != first);
   // Cheap meshes are not cached.
-  CHECK(made(*shape("{type: box, size: [1, 1, 1]}")) != made(*shape("{type: box, size: [1, 1, 1]}")));
+  CHECK(mesh_of_shape(*shape("{type: box, size: [1, 1, 1]}")) != mesh_of_shape(*shape("{type: box, size: [1, 1, 1]}")));
   CHECK(first->mesh.vertices == shape(ball)->make().vertices);
 }
 

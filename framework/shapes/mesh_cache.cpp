@@ -1,4 +1,4 @@
-#include "framework/shapes/made_mesh.hpp"
+#include "framework/shapes/mesh_cache.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -71,17 +71,17 @@ std::vector<std::string> unpacked(const std::string& bytes) {
   return pieces;
 }
 
-class Store {
+class MeshCache {
  public:
-  void keep_in(const fs::path& folder) { folder_ = folder; }
+  void set_folder(const fs::path& folder) { folder_ = folder; }
 
-  std::shared_ptr<const MadeMesh> made(const ShapeSource& shape) {
+  std::shared_ptr<const ShapeMesh> mesh_of_shape(const ShapeSource& shape) {
     const std::string recipe = recipe_of(shape);
     const std::lock_guard lock(mutex_);  // a recipe may hold others; who asks for the same mesh waits for it
     if (const auto found = meshes_.find(recipe); found != meshes_.end()) return found->second;
     auto mesh = from_file(recipe);
     if (!mesh) {
-      mesh = std::make_shared<MadeMesh>(MadeMesh{shape.make(), shape.notes()});
+      mesh = std::make_shared<ShapeMesh>(ShapeMesh{shape.make(), shape.notes()});
       to_file(recipe, *mesh);
     }
     return meshes_[recipe] = mesh;
@@ -98,20 +98,20 @@ class Store {
 
   fs::path file_of(const std::string& recipe) const { return folder_ / fmt::format("{:016x}.mesh", hash_of(recipe)); }
 
-  std::shared_ptr<const MadeMesh> from_file(const std::string& recipe) const {
+  std::shared_ptr<const ShapeMesh> from_file(const std::string& recipe) const {
     if (folder_.empty() || !fs::is_regular_file(file_of(recipe))) return nullptr;
     try {
       const std::vector<std::string> pieces = unpacked(read_file(file_of(recipe), largest_file));
       if (pieces.size() < 2 || pieces[0] != recipe) return nullptr;
       auto mesh = mesh_from(pieces[1]);
       if (!mesh) return nullptr;
-      return std::make_shared<MadeMesh>(MadeMesh{std::move(*mesh), {pieces.begin() + 2, pieces.end()}});
+      return std::make_shared<ShapeMesh>(ShapeMesh{std::move(*mesh), {pieces.begin() + 2, pieces.end()}});
     } catch (const InputError&) {
       return nullptr;
     }
   }
 
-  void to_file(const std::string& recipe, const MadeMesh& mesh) const {
+  void to_file(const std::string& recipe, const ShapeMesh& mesh) const {
     if (folder_.empty()) return;
     std::vector<std::string> pieces{recipe, bytes_of(mesh.mesh)};
     pieces.insert(pieces.end(), mesh.notes.begin(), mesh.notes.end());
@@ -126,24 +126,24 @@ class Store {
 
   fs::path folder_;
   std::recursive_mutex mutex_;
-  std::map<std::string, std::shared_ptr<const MadeMesh>> meshes_;
+  std::map<std::string, std::shared_ptr<const ShapeMesh>> meshes_;
 };
 
-Store& store() {
-  static Store one;
+MeshCache& cache() {
+  static MeshCache one;
   return one;
 }
 
 }  // namespace
 
-std::shared_ptr<const MadeMesh> made(const ShapeSource& shape) {
-  if (!shape.costly()) return std::make_shared<MadeMesh>(MadeMesh{shape.make(), shape.notes()});
-  return store().made(shape);
+std::shared_ptr<const ShapeMesh> mesh_of_shape(const ShapeSource& shape) {
+  if (!shape.costly()) return std::make_shared<ShapeMesh>(ShapeMesh{shape.make(), shape.notes()});
+  return cache().mesh_of_shape(shape);
 }
 
-void keep_meshes_in(const fs::path& folder) { store().keep_in(folder); }
+void set_mesh_cache_folder(const fs::path& folder) { cache().set_folder(folder); }
 
-fs::path usual_mesh_folder() {
+fs::path default_mesh_cache_folder() {
   const char* said = std::getenv("TACK_MESHES");
   if (!said || !*said) return "results/meshes";
   return std::string(said) == "none" ? fs::path() : fs::path(said);
