@@ -20,7 +20,7 @@ std::vector<char> led_vertices(const World& world) {
   for (const Tie& tie : world.bindings.ties())
     for (const Dependence& d : tie.dependences) led[d.vertex] = 1;
   for (int v = 0; v < world.mesh_vertex_count(); ++v)
-    if (!world.script.ever_free(v)) led[v] = 1;
+    if (!world.prescribed_motion.ever_free(v)) led[v] = 1;
   return led;
 }
 

@@ -29,7 +29,7 @@ Value one_size() { return parse_string("adaptive: null\n", "(reference)"); }
 template <class Act>
 void for_each_movable(const World& world, const Act& act) {
   for (int v = 0; v < static_cast<int>(world.rest.size()) / 3; ++v)
-    if (world.script.ever_free(v)) act(v);
+    if (world.prescribed_motion.ever_free(v)) act(v);
 }
 
 // Returns true if x has the potential of the trial's own solution of the same single step.

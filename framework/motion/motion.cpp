@@ -25,7 +25,7 @@ void Motion::fields(Fields& f) {
   });
 }
 
-Mat3 Motion::held_directions() const {
+Mat3 Motion::fixed_directions() const {
   if (along_) return along_->normalized() * along_->normalized().transpose();
   if (across_) return Mat3::Identity() - across_->normalized() * across_->normalized().transpose();
   return Mat3::Identity();

@@ -38,10 +38,10 @@ class Motion : public Component {
   double from() const { return from_; }                                                     // s
   double until() const { return until_.value_or(std::numeric_limits<double>::infinity()); }  // s
 
-  // partial: true if the motion fixes only some directions; held_directions: the projection onto
+  // partial: true if the motion fixes only some directions; fixed_directions: the projection onto
   // them.
   bool partial() const { return along_ || across_; }
-  Mat3 held_directions() const;
+  Mat3 fixed_directions() const;
 
   // Writes the prescribed positions at time t [s] into the rows of x; rest, anchor: 3n [m].
   virtual void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t,

@@ -24,15 +24,15 @@ const Joint& joint_named(const World& world, const std::string& name, const std:
 
 // Returns the dof map without joints.
 DofMap unjoined(const World& world, const State& state) {
-  const auto holds = static_cast<std::ptrdiff_t>(world.script.holds().size());
+  const auto assignments = static_cast<std::ptrdiff_t>(world.prescribed_motion.assignments().size());
   std::vector<char> active = state.held;
   if (active.empty()) {
-    active = world.script.active(state.time);
+    active = world.prescribed_motion.active(state.time);
     const std::vector<char> ties = world.bindings.active(state.time);
     active.insert(active.end(), ties.begin(), ties.end());
   }
-  const std::vector<char> free = world.script.free(active);
-  return DofMap(free, world.bindings.unjoined_at(free, {active.begin() + holds, active.end()}), world.script.held_directions(active));
+  const std::vector<char> free = world.prescribed_motion.free(active);
+  return DofMap(free, world.bindings.unjoined_at(free, {active.begin() + assignments, active.end()}), world.prescribed_motion.fixed_directions(active));
 }
 
 // Returns one multiplier L [N] per relation of each joint, in their order: for a relation sum_i w_i

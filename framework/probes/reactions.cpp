@@ -25,7 +25,7 @@ VecX holding_forces(const World& world, const State& state) {
 
 void require_held(const World& world, const VertexSet& set, const std::string& probe) {
   for (const int v : set.vertices())
-    if (!world.script.ever_held(v))
+    if (!world.prescribed_motion.ever_fixed(v))
       throw InputError("probe '" + probe + "': a reaction needs held vertices, and some of these are "
                        "free; give the selection of the motion that holds them");
 }

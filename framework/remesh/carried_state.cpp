@@ -50,9 +50,9 @@ Momentum momentum_of(const World& world, int body, const State& s, const Vec3& a
 
 // Gives what is free of the body the rigid motion that makes up for the difference.
 void restore_momentum(const World& was, const State& before, const World& now, int body, State& state) {
-  const std::vector<char> active = now.script.active(state.time), free = now.script.free(active);
+  const std::vector<char> active = now.prescribed_motion.active(state.time), free = now.prescribed_motion.free(active);
   std::vector<char> chosen = free;
-  for (const HeldDirections& held : now.script.held_directions(active)) chosen[held.vertex] = 0;
+  for (const HeldDirections& held : now.prescribed_motion.fixed_directions(active)) chosen[held.vertex] = 0;
   std::vector<int> vertices;
   double mass = 0;
   Vec3 centre = Vec3::Zero();

@@ -46,7 +46,7 @@ void add_attachments(const SceneConfig& scene, int index, World& world) {
     double closest = std::numeric_limits<double>::infinity();
     for (const int v : select(*attach.select, world.selection_context(index))) {
       const int local = v - world.bodies[index].first_vertex;
-      if (world.script.ever_held(v))
+      if (world.prescribed_motion.ever_fixed(v))
         throw InputError(fmt::format("{}: vertex {} is held by a motion as well; take it out of one of the two selections",
                                      name, local));
       if (std::find(taken.begin(), taken.end(), v) != taken.end())

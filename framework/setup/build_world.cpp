@@ -133,7 +133,7 @@ void hold_vertices(const SceneConfig& scene, int index, World& world) {
                                      "vertices whole (on a line: a hinge, one: a joint)", name));
       vertices = world.bodies[index].frame;
     }
-    world.script.add({&motion, vertices, name});
+    world.prescribed_motion.add({&motion, vertices, name});
     hold_twists(motion, vertices, name, index, world);
     hold_spins(motion, vertices, name, index, world);
     if (carried) world.own_motions.push_back(std::move(carried));
@@ -141,9 +141,9 @@ void hold_vertices(const SceneConfig& scene, int index, World& world) {
   Body& body = world.bodies[index];
   body.movable = false;
   if (body.rod)
-    for (const int v : body.rod->twists()) body.movable = body.movable || world.script.ever_free(v);
+    for (const int v : body.rod->twists()) body.movable = body.movable || world.prescribed_motion.ever_free(v);
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-    body.movable = body.movable || world.script.ever_free(v);
+    body.movable = body.movable || world.prescribed_motion.ever_free(v);
 }
 
 Unknowns unknowns_of(int index, World& world) {
@@ -191,7 +191,7 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
 
 void check_mass(const Value& root, const World& world) {
   for (int v = 0; v < world.mesh_vertex_count(); ++v) {
-    if (world.mass(v) > 0 || !world.script.ever_free(v)) continue;
+    if (world.mass(v) > 0 || !world.prescribed_motion.ever_free(v)) continue;
     const int i = world.body_of(v);
     if (world.bodies[i].frame.empty())
       throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
@@ -298,7 +298,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   });
   meshes.clear();
   world->mass = world->gravitational_mass = VecX::Zero(world->rest.size() / 3);
-  world->script = Script(static_cast<int>(world->rest.size()) / 3);
+  world->prescribed_motion = PrescribedMotion(static_cast<int>(world->rest.size()) / 3);
   for_each_object(scene, root, [&](size_t i) {
     if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);
     if (scene.objects[i].surface && !scene.contact)
@@ -310,7 +310,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
   for_each_object(scene, root, [&](size_t i) { add_spins(scene.objects[i], static_cast<int>(i), *world); });
   for_each_object(scene, root, [&](size_t i) { hold_vertices(scene, static_cast<int>(i), *world); });
-  for (const Dependence& d : world->bindings.lasting()) world->script.follow(d);
+  for (const Dependence& d : world->bindings.lasting()) world->prescribed_motion.follow(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
     with_source_location(root.find("objects"), [] {
       throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
@@ -324,8 +324,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
       for (const int v : group.vertices) world->gravitational_mass(v) = 0;
   add_affine_terms(scene, root, times, *world);
   add_interactions(scene, root, *world);
-  const std::vector<char> active = world->script.active(times.step / 2), free = world->script.free(active);
-  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(times.step / 2)), world->script.held_directions(active));
+  const std::vector<char> active = world->prescribed_motion.active(times.step / 2), free = world->prescribed_motion.free(active);
+  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(times.step / 2)), world->prescribed_motion.fixed_directions(active));
   check_mass(root, *world);
   add_loads(scene, root, *world);
   world->gravity = scene.gravity;

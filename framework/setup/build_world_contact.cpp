@@ -81,10 +81,10 @@ void check_range(const PairTable& table, const Value& root, const VecX& rest) {
 // Returns the rigid group of each vertex: prescribed rigid motions and affine bodies; empty without
 // either.
 std::vector<int> rigid_groups(const World& world) {
-  if (world.script.holds().empty() && world.bindings.frames().empty()) return {};
+  if (world.prescribed_motion.assignments().empty() && world.bindings.frames().empty()) return {};
   std::vector<int> groups;
-  for (int v = 0; v < world.dofs.vertex_count(); ++v) groups.push_back(world.script.rigid_group(v));
-  int next = static_cast<int>(world.script.holds().size()) + 1;
+  for (int v = 0; v < world.dofs.vertex_count(); ++v) groups.push_back(world.prescribed_motion.rigid_group(v));
+  int next = static_cast<int>(world.prescribed_motion.assignments().size()) + 1;
   for (const AffineFrame& body : world.bindings.frames()) {
     const bool held = std::all_of(body.carried.begin(), body.carried.end(),
                                   [&](const AffineFrame::Carried& c) { return groups[c.vertex] >= 0; });
@@ -113,7 +113,7 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
   surface.rest = world.rest;
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
-    surface.mesh.vertex_movable[v] = world.dofs.moves(v) || world.script.may_move(v);
+    surface.mesh.vertex_movable[v] = world.dofs.moves(v) || world.prescribed_motion.may_move(v);
   surface.mesh.vertex_object.insert(surface.mesh.vertex_object.end(), world.extra_object.begin(), world.extra_object.end());
   surface.mesh.vertex_group = rigid_groups(world);
   std::vector<double> cells;

@@ -77,7 +77,7 @@ int InteractionBuilder::fixed(const Vec3& at) {
 
 void InteractionBuilder::tie(Dependences dependences, double from, double until) {
   for (const Dependence& d : dependences)
-    if (world_.script.ever_held(d.vertex)) {
+    if (world_.prescribed_motion.ever_fixed(d.vertex)) {
       const int i = world_.body_of(d.vertex);
       throw InputError(fmt::format("interaction '{}': vertex {} of '{}' is held by a motion as well; take it out of one of the two", name(),
                                    i < 0 ? d.vertex : world_.number_in_body(d.vertex), i < 0 ? name() : world_.bodies[i].name));
@@ -111,7 +111,7 @@ void InteractionBuilder::add(Joint joint) {
     const Body& body = world_.bodies[i];
     if (body.frame.empty() || !body.movable) continue;
     any = true;
-    if (std::any_of(body.frame.begin(), body.frame.end(), [&](int v) { return world_.script.ever_held(v); }))
+    if (std::any_of(body.frame.begin(), body.frame.end(), [&](int v) { return world_.prescribed_motion.ever_fixed(v); }))
       throw InputError(fmt::format("joint '{}': a motion of '{}' holds some of its directions (along, across), which joints do not go with; a hinge or a "
                                    "slider holds them", name(), body.name));
   }

@@ -25,7 +25,7 @@ class InteractionBuilder {
 
   /// Name in the scene; else the type and its number in the list, "spring 0".
   const std::string& name() const { return acting_.name; }
-  /// The world so far. rest: 3n [m]; mass: n [kg]; script: prescribed motion of vertices. Terms
+  /// The world so far. rest: 3n [m]; mass: n [kg]; prescribed_motion: motion of vertices. Terms
   /// get the time in begin_step (step_participant.hpp).
   const World& world() const { return world_; }
   const VecX& rest() const { return world_.rest; }

@@ -25,18 +25,18 @@ bool is_named(const ObjectConfig& object, const std::string& name) {
 // a motion has no finite position. The step that comes there ends the run with the reason.
 std::vector<double> prescribed_displacements(const World& world, double duration) {
   std::vector<double> displacements(world.bodies.size(), 0);
-  const Script& script = world.script;
+  const PrescribedMotion& prescribed_motion = world.prescribed_motion;
   std::vector<std::pair<int, int>> moved;  // body, vertex
-  for (const Script::Hold& hold : script.holds())
-    if (hold.motion->moves())
-      for (const int v : hold.vertices)
+  for (const PrescribedMotion::Assignment& assignment : prescribed_motion.assignments())
+    if (assignment.motion->moves())
+      for (const int v : assignment.vertices)
         if (const int body = world.body_of(v); body >= 0 && !world.is_number(v)) moved.emplace_back(body, v);
   if (moved.empty()) return displacements;
   for (int k = 1; k <= motion_samples; ++k) {
     const double t = duration * k / motion_samples;
     VecX x = world.rest;
     try {
-      script.place(script.active(t), world.rest, world.rest, t, x);
+      prescribed_motion.place(prescribed_motion.active(t), world.rest, world.rest, t, x);
     } catch (const SimulationError&) {
       for (const auto& [body, v] : moved) displacements[body] = std::numeric_limits<double>::infinity();
       break;
@@ -90,7 +90,7 @@ class MeetingSearch {
       boxes[root(i)].extend(boxes_[i]);
       groups[root(i)].speed = speed_[root(i)];
       for (const int v : world_.vertices_of(i))
-        if (world_.script.ever_free(v)) groups[root(i)].weight += world_.gravitational_mass(v) * scene_.gravity.norm();
+        if (world_.prescribed_motion.ever_free(v)) groups[root(i)].weight += world_.gravitational_mass(v) * scene_.gravity.norm();
     }
     for_each_overlap(reaches, [&](int a, int b) {
       if (!movable(a) && movable(b)) boxes[root(b)].extend(boxes_[a]);

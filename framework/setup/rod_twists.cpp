@@ -159,7 +159,7 @@ void hold_twists(const Motion& motion, const std::vector<int>& vertices, const s
     if (held(rod->edge(e)[0]) && held(rod->edge(e)[1])) twists.push_back(rod->twists()[e]);
   if (twists.empty()) return;
   world.own_motions.push_back(std::make_unique<DrivenTwist>(motion, *rod));
-  world.script.add({world.own_motions.back().get(), std::move(twists), name + ", the twist of its edges"});
+  world.prescribed_motion.add({world.own_motions.back().get(), std::move(twists), name + ", the twist of its edges"});
 }
 
 }  // namespace tack

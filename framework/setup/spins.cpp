@@ -62,7 +62,7 @@ void hold_spins(const Motion& motion, const std::vector<int>& vertices, const st
     if (std::binary_search(vertices.begin(), vertices.end(), world.bodies[index].points[i / 3])) held.push_back(arcs[i]);
   if (held.empty()) return;
   world.own_motions.push_back(std::make_unique<Unturned>(motion));
-  world.script.add({world.own_motions.back().get(), std::move(held), name + ", the rotation of its particles"});
+  world.prescribed_motion.add({world.own_motions.back().get(), std::move(held), name + ", the rotation of its particles"});
 }
 
 void start_spins(const Vec3& angular_velocity, int index, const World& world, VecX& v) {

@@ -122,7 +122,7 @@ std::vector<HeldDirections> DirichletContinuation::held_directions() const {
   const auto pulled = [&](int v) { return std::binary_search(moving_.begin(), moving_.end(), v); };
   for (const DofMap::HeldBlock& h : world_.dofs.held_blocks())
     if (const int v = world_.dofs.vertex_of_block(h.block); !pulled(v)) held.push_back({v, h.held, h.twist});
-  for (const HeldDirections& always : world_.script.always_held())
+  for (const HeldDirections& always : world_.prescribed_motion.always_fixed())
     if (pulled(always.vertex)) held.push_back(always);
   return held;
 }

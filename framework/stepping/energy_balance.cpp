@@ -190,7 +190,7 @@ void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) c
 }
 
 // gradient: of elastic and contact energy at x.
-double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const VecX& x) {
+double EnergyBalance::prescribed_work(const VecX& way, const VecX& gradient, const VecX& x) {
   VecX sum = start_.gradient.size() > 0 ? VecX(start_.gradient + gradient) : VecX(2 * gradient), end = gradient;
   VecX drag = VecX::Zero(way.size());
   for (const ForceRecord& record : world_.records.forces())
@@ -201,7 +201,7 @@ double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const V
     const double mean = (vertex(sum, v) / 2 - vertex(drag, v)).dot(held_way), last = (vertex(end, v) - vertex(drag, v)).dot(held_way);
     work += mean;
     at_end += last;
-    groups_.add_script_work(v, mean, last);
+    groups_.add_prescribed_work(v, mean, last);
   };
   for (int v = 0; v < world_.dofs.vertex_count(); ++v)
     if (!world_.dofs.moves(v)) add(v, vertex(way, v));
@@ -213,25 +213,25 @@ double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const V
   return work;
 }
 
-EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double h, bool script_moves,
+EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double h, bool motion_prescribed,
                                  IncrementalPotential& potential) {
   const VecX way = state.x - state.x_before;
   EnergyAccount end = account_of(energies);
   EnergyFlows flows = taken_;
   flows.loads += load_work(state, way, h);
-  flows.script = released_;
+  flows.prescribed_motion = released_;
   jerk_ = 0;
-  if (script_moves) {
+  if (motion_prescribed) {
     end.gradient = VecX::Zero(state.x.size());
     add_stored_gradient(state.x, end.gradient, &potential);
     add_inertia_and_weight(state, end.gradient);
-    flows.script += script_work(way, end.gradient, state.x);
+    flows.prescribed_motion += prescribed_work(way, end.gradient, state.x);
   }
   for (const EnergyFlows::Published& flow : flows.published)
     if (flow.kind == FlowKind::dissipated) end.account(flow.account, start_) += flow.amount;
   flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
-  flows.numerics = before + flows.loads + flows.script + flows.sum(FlowKind::fed) - flows.sum(FlowKind::dissipated) - flows.areas - stored(end);
+  flows.numerics = before + flows.loads + flows.prescribed_motion + flows.sum(FlowKind::fed) - flows.sum(FlowKind::dissipated) - flows.areas - stored(end);
   end.loads = start_.loads + flows.loads;
   end.unexplained = start_.unexplained;
   end.lowest = start_.lowest;
@@ -244,7 +244,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   EnergyAtPlay::move(end.at_play.elastic, end.elastic - start_.elastic);
   EnergyAtPlay::move(end.at_play.contact, end.contact - start_.contact);
   EnergyAtPlay::move(end.at_play.gravity, end.gravity - start_.gravity);
-  EnergyAtPlay::move(end.at_play.work, flows.loads + flows.script - released_);
+  EnergyAtPlay::move(end.at_play.work, flows.loads + flows.prescribed_motion - released_);
   flows.in_contact = start_.contact != 0 || std::any_of(energies.begin(), energies.end(), [](const NamedEnergy& e) {
     return (e.kind == EnergyKind::contact || e.kind == EnergyKind::between_objects) && e.value != 0;
   });

@@ -53,8 +53,8 @@ class EnergyBalance {
   // Ends the step at x, before it is kept; the terms must still be in the state of the step.
   void end(const VecX& x);
   // Keeps the step from begin()'s state to `state`, which has those energies, after end().
-  // script_moves: whether the prescribed motion may move vertices, in this or another step.
-  EnergyFlows close(State& state, const Energies& energies, double h, bool script_moves,
+  // motion_prescribed: whether the prescribed motion may move vertices, in this or another step.
+  EnergyFlows close(State& state, const Energies& energies, double h, bool motion_prescribed,
                     IncrementalPotential& potential);
   // Returns the warning of the step, or "". Once in a run it warns of numerical energy gain above a
   // tenth of the reference energy in consecutive steps. Smaller or passing gains are reported at
@@ -74,7 +74,7 @@ class EnergyBalance {
   void add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const;
   double load_work(const State& state, const VecX& way, double h);
   void add_inertia_and_weight(const State& state, VecX& gradient) const;
-  double script_work(const VecX& way, const VecX& gradient, const VecX& x);
+  double prescribed_work(const VecX& way, const VecX& gradient, const VecX& x);
   bool watch(EnergyAccount& account, const EnergyFlows& flows);
   void warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows);
   double solver_noise() const;

@@ -40,7 +40,7 @@ double EnergyFlows::sum(FlowKind kind) const {
 }
 
 EnergyFlows& EnergyFlows::operator+=(const EnergyFlows& o) {
-  loads += o.loads, script += o.script, areas += o.areas, numerics += o.numerics;
+  loads += o.loads, prescribed_motion += o.prescribed_motion, areas += o.areas, numerics += o.numerics;
   for (const Published& f : o.published) amount(f.column, f.kind) += f.amount;
   return *this;
 }

@@ -29,10 +29,10 @@ struct EnergyFlows {
   EnergyFlows();  // the flows that every scene has
   explicit EnergyFlows(const Records& records);
 
-  double loads = 0, script = 0;       // work done from outside
+  double loads = 0, prescribed_motion = 0;       // work done from outside
   std::vector<Published> published;
   double areas = 0, numerics = 0;     // dissipated
-  double jerk = 0;     // work_script with the forces at the end of the step, less `script`
+  double jerk = 0;     // work_script with the forces at the end of the step, less `prescribed_motion`
   double noise = 0;    // possible change by the solver's tolerance
   // Reference energy: the largest moved energy of the run so far (core/energy_at_play.hpp), with
   // the kinetic energy of this step, less that of bodies in free flight.
@@ -58,7 +58,7 @@ struct EnergyFlows {
   template <class Flows, class Act>
   static void for_each(Flows&& flows, const Act& act) {
     act("work_loads", flows.loads);
-    act("work_script", flows.script);
+    act("work_script", flows.prescribed_motion);
     for (auto& f : flows.published) act(f.column, f.amount);
     act("dissipated_areas", flows.areas);
     act("dissipated_numerics", flows.numerics);

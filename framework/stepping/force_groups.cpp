@@ -18,7 +18,7 @@ constexpr double roundings = 64;  // of a coordinate, in the force of the elemen
 VecX rounding_forces(const World& world) {
   const auto vertices = static_cast<int>(world.mass.size());
   std::vector<char> free(vertices);
-  for (int v = 0; v < vertices; ++v) free[v] = world.script.ever_free(v);
+  for (int v = 0; v < vertices; ++v) free[v] = world.prescribed_motion.ever_free(v);
   const DofMap dofs(free);
   std::vector<const Term*> elements;
   for (const auto& term : world.elastic_terms)

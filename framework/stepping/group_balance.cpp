@@ -212,10 +212,10 @@ void GroupBalance::add_load_work(int vertex, double work) {
   if (!names_.empty() && group_[vertex] >= 0) step_[group_[vertex]].work += work;
 }
 
-void GroupBalance::add_script_work(int vertex, double work, double at_end) {
+void GroupBalance::add_prescribed_work(int vertex, double work, double at_end) {
   if (names_.empty() || group_[vertex] < 0) return;
-  step_[group_[vertex]].script += work;
-  step_[group_[vertex]].script_at_end += at_end;
+  step_[group_[vertex]].prescribed += work;
+  step_[group_[vertex]].prescribed_at_end += at_end;
 }
 
 std::vector<GroupFlow> GroupBalance::close(State& state, double h) {
@@ -240,8 +240,8 @@ std::vector<GroupFlow> GroupBalance::close(State& state, double h) {
     const Step& step = step_[g];
     GroupAccount& now = end[g];
     GroupFlow& flow = flows[g];
-    flow.numerics = stored(start) + step.work + step.script - step.dissipated - stored(now);
-    flow.jerk = std::max(0.0, step.script_at_end - step.script);
+    flow.numerics = stored(start) + step.work + step.prescribed - step.dissipated - stored(now);
+    flow.jerk = std::max(0.0, step.prescribed_at_end - step.prescribed);
     flow.noise = mass[g] * tolerance_ * tolerance_;
     flow.in_contact = start.contact != 0 || now.contact != 0;
     now.met_another = flow.met_another = start.met_another || met_another_[g];
@@ -252,7 +252,7 @@ std::vector<GroupFlow> GroupBalance::close(State& state, double h) {
     EnergyAtPlay::move(now.at_play.elastic, now.elastic - start.elastic);
     EnergyAtPlay::move(now.at_play.contact, now.contact - start.contact);
     EnergyAtPlay::move(now.at_play.gravity, now.gravity - start.gravity);
-    EnergyAtPlay::move(now.at_play.work, step.work + step.script);
+    EnergyAtPlay::move(now.at_play.work, step.work + step.prescribed);
     flow.moving = std::max(start.kinetic - ballistic[g][0], now.kinetic - ballistic[g][1]);
     EnergyAtPlay concerned = now.at_play;
     concerned.kinetic = flow.moving;

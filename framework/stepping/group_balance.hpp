@@ -36,13 +36,13 @@ class GroupBalance {
   // Adds work on a vertex [J]: of loads; and of the motion that moves it, with the mean of the
   // forces and with those at the end of the step.
   void add_load_work(int vertex, double work);
-  void add_script_work(int vertex, double work, double at_end);
+  void add_prescribed_work(int vertex, double work, double at_end);
   // Keeps the step to `state` of size h: sets the accounts in `state`.
   std::vector<GroupFlow> close(State& state, double h);
 
  private:
   struct Step {
-    double work = 0, script = 0, script_at_end = 0, dissipated = 0;  // J
+    double work = 0, prescribed = 0, prescribed_at_end = 0, dissipated = 0;  // J
   };
 
   void find(const VecX& x);

@@ -2,7 +2,7 @@
 // a feasible start by feasible steps (the paper, eq. 1; Li et al. 2020, Incremental Potential
 // Contact). Vertices with a prescribed motion are at their target positions at the end of every
 // step: they move there together with the first guess of the others if the path is free, and by
-// Dirichlet continuation otherwise (script_follower.hpp).
+// Dirichlet continuation otherwise (prescribed_motion_follower.hpp).
 #include <fmt/format.h>
 
 #include <optional>
@@ -16,7 +16,7 @@
 #include "framework/stepping/free_bodies.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
 #include "framework/stepping/predicted_motion.hpp"
-#include "framework/stepping/script_follower.hpp"
+#include "framework/stepping/prescribed_motion_follower.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "framework/stepping/tunnelling_check.hpp"
 #include "framework/stepping/time_config.hpp"
@@ -53,7 +53,7 @@ class Minimization {
   Convergence convergence_;
   std::optional<IterateCheck> check_;
   FeasibleSteps steps_;
-  ScriptFollower follower_;
+  PrescribedMotionFollower follower_;
   std::optional<TunnellingCheck> straight_;
   VecX from_;     // 3n [m]: where the latest step starts
   double h_ = 0;  // s: likewise
@@ -111,7 +111,7 @@ bool Minimization::start(const Step& step, const VecX* guess, Attempt& attempt, 
     world_.dofs.gather(*guess, q);
     return true;
   }
-  if (!step.scripted()) {
+  if (!step.has_prescribed_motion()) {
     q = first_guess(step);
     return true;
   }

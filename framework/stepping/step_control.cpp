@@ -23,10 +23,10 @@ StepControl::StepControl(const World& world, const TimeConfig& time) : time_(tim
   const auto add = [&](double t) {
     if (t > 0 && std::isfinite(t)) corners_.push_back(t);
   };
-  for (const Script::Hold& hold : world.script.holds()) {
-    add(hold.motion->from());
-    add(hold.motion->until());
-    for (const double t : hold.motion->corners()) add(t);
+  for (const PrescribedMotion::Assignment& assignment : world.prescribed_motion.assignments()) {
+    add(assignment.motion->from());
+    add(assignment.motion->until());
+    for (const double t : assignment.motion->corners()) add(t);
   }
   for (const Tie& tie : world.bindings.ties()) add(tie.from), add(tie.until);
   for (const double t : world.participants.abrupt_times()) add(t);

@@ -15,7 +15,7 @@
 
 namespace tack {
 
-class HeldVertices;
+class FixedVertices;
 class LaggedImpulses;
 class StepPotential;
 struct SceneConfig;
@@ -38,11 +38,11 @@ struct Step {
   double h;            // s
   TimeIntegrator::Prediction prediction;
   VecX places;  // 3n [m]: start, with prescribed vertices at their targets
-  const HeldVertices& held;
+  const FixedVertices& held;
   StepPotential& potential;  // its incremental potential, begun at `places`
   LaggedImpulses* impulses = nullptr;  // of friction, if it lags by a step; may be null
 
-  bool scripted() const { return places != state.x; }  // whether a motion moves vertices
+  bool has_prescribed_motion() const { return places != state.x; }  // whether a motion moves vertices
 };
 
 // Result of a solve, before it is judged and kept. Steppers leave numbers that they do not have.

@@ -49,7 +49,7 @@ std::vector<double> masses_of_bodies(const World& world) {
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver,
                          PhaseClock& clock, WarningFunction warn)
     : world_(world), scene_(scene), time_(time), solver_(solver), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.script, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
+      held_(world.prescribed_motion, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
       stepper_(instance_of(*time.stepper)) {
   if (state_.h_next == 0) state_.h_next = time.step;
   refined_ = state_.parts > 1 || state_.h_cap > 0;
@@ -131,7 +131,7 @@ Step TimeStepper::open(double h) {
   world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr, step.prediction.inertia ? &state_.v : nullptr});
   lag_impulses(step);
   held_.place(state_.time + h, step.places);
-  if (accounts_) balance_.begin(state_, step.scripted());
+  if (accounts_) balance_.begin(state_, step.has_prescribed_motion());
   potential_->begin_step(step.places, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
   return step;
 }

@@ -11,7 +11,7 @@
 
 #include "framework/core/warning.hpp"
 #include "framework/stepping/energy_balance.hpp"
-#include "framework/stepping/held_vertices.hpp"
+#include "framework/stepping/fixed_vertices.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
 #include "framework/stepping/step_control.hpp"
 #include "framework/stepping/step_report.hpp"
@@ -111,7 +111,7 @@ class TimeStepper {
   PhaseClock& clock_;
   WarningFunction warn_;
   State state_;
-  HeldVertices held_;
+  FixedVertices held_;
   EnergyBalance balance_;
   const TimeIntegrator* integrator_;  // the scene's, or its fallback while a step is repeated
   std::optional<LaggedImpulses> impulses_;  // of friction; none if it does not lag by a step

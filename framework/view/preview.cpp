@@ -83,7 +83,7 @@ Json adhesion_of(const World& world, int body, double contact_distance) {
 
 std::string held_of(const World& world, const Body& body) {
   int held = 0;
-  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) held += world.script.ever_held(v);
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) held += world.prescribed_motion.ever_fixed(v);
   return held == 0 ? "–" : held == body.vertex_count ? (body.movable ? "all, for a while" : "all") : fmt::format("{} vertices", held);
 }
 

@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/stepping/held_vertices.hpp"
+#include "framework/stepping/fixed_vertices.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
 bool anything_moves(const World& world) {
-  const auto& holds = world.script.holds();
-  return std::any_of(holds.begin(), holds.end(), [](const Script::Hold& hold) { return hold.motion->moves(); });
+  const auto& assignments = world.prescribed_motion.assignments();
+  return std::any_of(assignments.begin(), assignments.end(), [](const PrescribedMotion::Assignment& assignment) { return assignment.motion->moves(); });
 }
 
 // Returns the times of frames and of starts and ends of prescribed motions, which count from the
 // positions at their start.
 std::vector<double> stops_of(const World& world, const std::vector<double>& frames) {
   std::vector<double> stops = frames;
-  for (const Script::Hold& hold : world.script.holds())
-    for (const double t : {hold.motion->from(), hold.motion->until()})
+  for (const PrescribedMotion::Assignment& assignment : world.prescribed_motion.assignments())
+    for (const double t : {assignment.motion->from(), assignment.motion->until()})
       if (t > 0 && t < frames.back()) stops.push_back(t);
   std::sort(stops.begin(), stops.end());
   stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
@@ -33,7 +33,7 @@ ScriptedFrames scripted_frames(const World& world, double duration, int frames) 
   if (!(duration > 0) || frames < 2 || !anything_moves(world)) return shown;
   std::vector<double> times;
   for (int i = 0; i < frames; ++i) times.push_back(duration * i / (frames - 1));
-  HeldVertices held(world.script, world.bindings, world.rest);
+  FixedVertices held(world.prescribed_motion, world.bindings, world.rest);
   State state = world.start;
   double before = 0;
   try {

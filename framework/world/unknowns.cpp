@@ -42,7 +42,7 @@ Numbers Unknowns::numbers(const std::string& name, int count, double length, dou
   if (!(length > 0)) throw std::logic_error("numbers need a length by which they count as ways");
   const std::vector<Vec3> at(static_cast<size_t>(count), Vec3(length * start, 0, 0));
   Numbers numbers{append(name, at, mass, length), length};
-  for (const int v : numbers.vertices) world_.script.hold_always({v, Vec3(0, 1, 1).asDiagonal(), true});
+  for (const int v : numbers.vertices) world_.prescribed_motion.fix_always({v, Vec3(0, 1, 1).asDiagonal(), true});
   return numbers;
 }
 
@@ -59,7 +59,7 @@ std::vector<int> Unknowns::append(const std::string& name, std::span<const Vec3>
     world_.mass(added[i]) = mass;
     world_.gravitational_mass(added[i]) = length > 0 ? 0 : mass;
   }
-  world_.script.grow(more);
+  world_.prescribed_motion.grow(more);
   world_.extra_object.insert(world_.extra_object.end(), at.size(), body_);
   if (body_ >= 0) {
     auto& extra = world_.bodies[body_].extra_vertices;
@@ -70,15 +70,15 @@ std::vector<int> Unknowns::append(const std::string& name, std::span<const Vec3>
 }
 
 void Unknowns::follow(Dependence dependence) {
-  world_.script.follow(dependence);
+  world_.prescribed_motion.follow(dependence);
   world_.bindings.add_lasting(std::move(dependence));
 }
 
-void Unknowns::hold(int vertex, const Mat3& held) { world_.script.hold_always({vertex, held, false}); }
+void Unknowns::hold(int vertex, const Mat3& held) { world_.prescribed_motion.fix_always({vertex, held, false}); }
 
 void Unknowns::fix(std::vector<int> places) {
   world_.own_motions.push_back(std::make_unique<StandingStill>());
-  world_.script.add({world_.own_motions.back().get(), std::move(places), "the places of " + owner_});
+  world_.prescribed_motion.add({world_.own_motions.back().get(), std::move(places), "the places of " + owner_});
 }
 
 void Unknowns::prescribe(const Numbers& numbers, std::span<const int> which, const Schedule& values) {
@@ -87,7 +87,7 @@ void Unknowns::prescribe(const Numbers& numbers, std::span<const int> which, con
   std::sort(vertices.begin(), vertices.end());
   for (const int v : vertices) vertex(world_.rest, v) = Vec3(numbers.length * values.at(0), 0, 0);
   world_.own_motions.push_back(std::make_unique<Prescribed>(values, numbers.length));
-  world_.script.add({world_.own_motions.back().get(), std::move(vertices), fmt::format("the values that {} gives", owner_)});
+  world_.prescribed_motion.add({world_.own_motions.back().get(), std::move(vertices), fmt::format("the values that {} gives", owner_)});
 }
 
 }  // namespace tack

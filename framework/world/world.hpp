@@ -12,7 +12,7 @@
 #include "framework/core/state.hpp"
 #include "framework/core/step_figure.hpp"
 #include "framework/motion/motion.hpp"
-#include "framework/motion/script.hpp"
+#include "framework/motion/prescribed_motion.hpp"
 #include "framework/world/acting_interaction.hpp"
 #include "framework/world/multi_point_constraints.hpp"
 #include "framework/world/load_terms.hpp"
@@ -45,7 +45,7 @@ struct World {
   VecX gravitational_mass;     ///< n [kg]; 0 for scalar dofs
   /// Besides the scene's: relative motions in space, and motions of prescribed unknowns.
   std::vector<std::unique_ptr<Motion>> own_motions;
-  Script script;          ///< prescribed motion of vertices by time
+  PrescribedMotion prescribed_motion;  ///< motion of vertices by time
   MultiPointConstraints bindings;      ///< dependent vertices
   /// Pairs of bodies without contact, because one is attached or joined to the other, ascending.
   std::vector<std::pair<int, int>> attached;

@@ -58,7 +58,7 @@ bool LinearizedStep::begin(const Step& step) {
   VecX q;
   world_.dofs.gather(step.state.x, q);
   potential_->move_to(q);
-  const VecX pushed = step.scripted() ? imposed(step) : VecX::Zero(world_.dofs.size());
+  const VecX pushed = step.has_prescribed_motion() ? imposed(step) : VecX::Zero(world_.dofs.size());
   const BlockMatrix& matrix = potential_->hessian({Projection::clamp});
   const VecX rhs = pushed - potential_->gradient();
   free_ = VecX::Zero(rhs.size());

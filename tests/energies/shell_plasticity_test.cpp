@@ -179,8 +179,8 @@ TEST_CASE("von Mises membrane: what is given up in a run leaves the memory as it
   CHECK(sum.of("dissipated_plastic") > 0);
   double stored = 0;
   for (const NamedEnergy& energy : last.energies) stored += energy.value;
-  CHECK(sum.script == Approx(stored + sum.of("dissipated_plastic") + sum.numerics).epsilon(1e-9));
-  CHECK(std::abs(sum.numerics) <= 0.05 * sum.script);
+  CHECK(sum.prescribed_motion == Approx(stored + sum.of("dissipated_plastic") + sum.numerics).epsilon(1e-9));
+  CHECK(std::abs(sum.numerics) <= 0.05 * sum.prescribed_motion);
   const History before = run.state().history;
   REQUIRE(before.count("strip/energies/0/plastic_inverse"));
   bool failed = false;

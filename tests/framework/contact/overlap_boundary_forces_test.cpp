@@ -139,7 +139,7 @@ TEST_CASE("rim: a closed way does no work", "[contact][rim]") {
       CHECK(pulled == Approx(-depth * 0.01 * (side - 0.00013)).epsilon(0.03));
     }
     INFO(script);
-    CHECK(std::abs(sum.script) < 0.02 * whole);
+    CHECK(std::abs(sum.prescribed_motion) < 0.02 * whole);
     CHECK(std::abs(sum.areas) < 0.01 * whole);
   }
 }

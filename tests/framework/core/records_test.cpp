@@ -259,7 +259,7 @@ TEST_CASE("what stands in the place of a term's forces is what probes, reactions
   // 1 mm, of which the first half belongs to the end of the step before.
   run.step();
   const StepReport report = run.step();
-  CHECK(report.flows.script == Approx(7 * 0.1 * 0.01));
+  CHECK(report.flows.prescribed_motion == Approx(7 * 0.1 * 0.01));
   for (const NamedEnergy& energy : report.energies)
     if (energy.name == "barrier") CHECK(energy.value == 0.25);
 

@@ -147,7 +147,7 @@ const std::string elbow = "type: hinge, carrier: upper, axis: [0, 0, 1], centre:
 
 TEST_CASE("what is carried goes along with its carrier, and that with its own") {
   TestRun run(chain(shoulder, elbow, "type: translate, carrier: lower, velocity: [0.1, 0, 0]"));
-  CHECK(run.world->script.holds()[2].motion->rigid());
+  CHECK(run.world->prescribed_motion.assignments()[2].motion->rigid());
   for (int i = 1; i <= 7; ++i) {
     run.step();
     const double u = std::min(0.2 * i, 1.0), t = 0.02 * i;

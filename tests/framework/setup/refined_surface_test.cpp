@@ -148,8 +148,8 @@ TEST_CASE("what moves as a script says carries its finer surface along, as one r
     CHECK(groups[v] == groups[0]);
     const Vec3 there = Eigen::AngleAxisd(3 * run.state().time, Vec3::UnitY()) * run.rest(v);
     CHECK((run.at(v) - there).norm() < 1e-15);
-    CHECK(world.script.may_move(v));
-    CHECK_FALSE(world.script.ever_free(v));
+    CHECK(world.prescribed_motion.may_move(v));
+    CHECK_FALSE(world.prescribed_motion.ever_free(v));
   }
 }
 

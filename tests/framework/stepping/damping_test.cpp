@@ -174,8 +174,8 @@ TEST_CASE("what a script does against damping is dissipated", "[damping]") {
     for (int i = 0; i < 126; ++i) sum += (last = run.step()).flows;  // once up and down
     double left = 0;
     for (const NamedEnergy& energy : last.energies) left += energy.value;
-    CHECK(sum.script == Approx(sum.of("dissipated_damping") + left).epsilon(0.03));
-    CHECK(sum.of("dissipated_damping") > 0.5 * sum.script);
+    CHECK(sum.prescribed_motion == Approx(sum.of("dissipated_damping") + left).epsilon(0.03));
+    CHECK(sum.of("dissipated_damping") > 0.5 * sum.prescribed_motion);
   }
 }
 

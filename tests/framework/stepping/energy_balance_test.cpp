@@ -77,7 +77,7 @@ TEST_CASE("the balance of energy adds up in every step, and every part of it is 
         lost += f.of(column);
       }
       if (i > 0)
-        CHECK(after - before == Approx(f.loads + f.script + f.of("work_healing") - lost - f.areas - f.numerics).margin(1e-13));
+        CHECK(after - before == Approx(f.loads + f.prescribed_motion + f.of("work_healing") - lost - f.areas - f.numerics).margin(1e-13));
       before = after;
       sum += f;
     }
@@ -86,7 +86,7 @@ TEST_CASE("the balance of energy adds up in every step, and every part of it is 
       CHECK(part != 0);
     });
     CHECK(sum.of("dissipated_friction") > 1e-4);
-    CHECK(sum.script > 1e-3);
+    CHECK(sum.prescribed_motion > 1e-3);
   }
 }
 
@@ -161,8 +161,8 @@ TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_
     StepReport last;
     for (int i = 0; i < 10; ++i) sum += (last = run.step()).flows;
     CHECK(energy(last, "neo_hookean") > 0.1);
-    CHECK(sum.script == Approx(energy(last, "neo_hookean")).epsilon(1e-3));
-    CHECK(std::abs(sum.numerics) <= 1e-3 * sum.script);
+    CHECK(sum.prescribed_motion == Approx(energy(last, "neo_hookean")).epsilon(1e-3));
+    CHECK(std::abs(sum.numerics) <= 1e-3 * sum.prescribed_motion);
   }
   SECTION("pulled in free space by a growing force") {
     TestRun run(header("newmark", 0.01) + "objects: [" + block + ", loads: [{type: body_force, value: [3, 0, 0], ramp: [[0, 0], [1, 10]]}]}]\n");
@@ -174,7 +174,7 @@ TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_
     TestRun run(header("implicit_euler", 0.01) + "objects: [" + block +
                    ", motion: [{type: translate, velocity: [2, 0, 0], until: 0.035}]}]\n");
     const EnergyFlows sum = total(run, 6);
-    CHECK(sum.script == Approx(2.0).epsilon(1e-6));
+    CHECK(sum.prescribed_motion == Approx(2.0).epsilon(1e-6));
     CHECK(sum.numerics == Approx(0).margin(1e-6));
   }
 }

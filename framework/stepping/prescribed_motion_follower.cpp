@@ -1,8 +1,8 @@
-#include "framework/stepping/script_follower.hpp"
+#include "framework/stepping/prescribed_motion_follower.hpp"
 
 #include <limits>
 
-#include "framework/stepping/held_vertices.hpp"
+#include "framework/stepping/fixed_vertices.hpp"
 #include "framework/stepping/predicted_motion.hpp"
 
 namespace tack {
@@ -13,7 +13,7 @@ constexpr double most_of_it = 0.9;
 
 }  // namespace
 
-DirichletContinuation::Result ScriptFollower::follow(const Step& step, IterateCheck* check,
+DirichletContinuation::Result PrescribedMotionFollower::follow(const Step& step, IterateCheck* check,
                                           const MinimizerProblem::Observer& observer) {
   const State& state = step.state;
   const TimeIntegrator::Prediction& prediction = step.prediction;
@@ -42,7 +42,7 @@ DirichletContinuation::Result ScriptFollower::follow(const Step& step, IterateCh
 // the free vertices moving as predicted. If that is blocked, or takes bonds or adhesion past their
 // peaks, it is a Dirichlet continuation. If these let go in the continuation too, they are being
 // torn off, and the trajectory may be linear.
-DirichletContinuation::Result ScriptFollower::move(const VecX& x, const VecX& places, const Along* along, const Way& way) {
+DirichletContinuation::Result PrescribedMotionFollower::move(const VecX& x, const VecX& places, const Along* along, const Way& way) {
   const VecX none = VecX::Zero(world_.dofs.size());
   const PredictedMotion predicted = predicted_motion(world_, x, places - x, along ? along->full : none, along ? along->drift : none);
   if (!predicted.lets_go) {
@@ -59,7 +59,7 @@ DirichletContinuation::Result ScriptFollower::move(const VecX& x, const VecX& pl
 
 // Moves along linear trajectories, with the free vertices on the best of these paths as far as is
 // feasible, or at rest. The result has no x if that is blocked.
-DirichletContinuation::Result ScriptFollower::go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential) {
+DirichletContinuation::Result PrescribedMotionFollower::go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential) {
   const VecX scripted = places - x;
   VecX q;
   DirichletContinuation::Result best{{}, VecX(), ""};
@@ -88,7 +88,7 @@ DirichletContinuation::Result ScriptFollower::go_straight(const VecX& x, const V
   return best;
 }
 
-DirichletContinuation::Result ScriptFollower::walk(const VecX& x, const VecX& places, const Way& way) {
+DirichletContinuation::Result PrescribedMotionFollower::walk(const VecX& x, const VecX& places, const Way& way) {
   if (!walk_) walk_.emplace(world_, like_, clock_, steps_);
   if (way.check) way.check->begin(way.step.state.step + 1, "the walk of what the script moves");
   return walk_->run(x, places, way.step.prediction, way.observer);

@@ -12,9 +12,9 @@
 
 namespace tack {
 
-class ScriptFollower {
+class PrescribedMotionFollower {
  public:
-  ScriptFollower(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
+  PrescribedMotionFollower(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
       : world_(world), like_(like), clock_(clock), steps_(steps) {}
 
   // Called when other vertices are fixed.

@@ -11,43 +11,43 @@
 
 namespace tack {
 
-class Script {
+class PrescribedMotion {
  public:
-  struct Hold {
+  struct Assignment {
     const Motion* motion;
     std::vector<int> vertices;  // global, ascending
     std::string name;           // for messages: "motion 0 (fixed) of 'plate'"
   };
 
-  Script() = default;
-  explicit Script(int vertex_count)
-      : ever_held_(vertex_count, 0), ever_free_(vertex_count, 1), moves_(vertex_count, 0),
+  PrescribedMotion() = default;
+  explicit PrescribedMotion(int vertex_count)
+      : ever_fixed_(vertex_count, 0), ever_free_(vertex_count, 1), moves_(vertex_count, 0),
         rigid_group_(vertex_count, -1) {}
 
   void grow(int more);  // vertices, behind the others
 
   // Throws InputError if another motion fixes one of the vertices at the same time, unless both fix
   // directions that are orthogonal to each other.
-  void add(Hold hold);
+  void add(Assignment assignment);
   // Once all motions are there: the vertex follows others, and is free, or moved, where one of them
   // is.
   void follow(const Dependence& dependence);
   // Fixes directions of a vertex for the whole run: those of a scalar dof (unknowns.hpp).
-  void hold_always(const HeldDirections& held) { always_held_.push_back(held); }
-  const std::vector<HeldDirections>& always_held() const { return always_held_; }
-  const std::vector<Hold>& holds() const { return holds_; }
+  void fix_always(const HeldDirections& held) { always_fixed_.push_back(held); }
+  const std::vector<HeldDirections>& always_fixed() const { return always_fixed_; }
+  const std::vector<Assignment>& assignments() const { return assignments_; }
   int vertex_count() const { return static_cast<int>(ever_free_.size()); }
 
   // Return the motions active at time t [s], and the vertices that are free in some direction.
   std::vector<char> active(double t) const;
   std::vector<char> free(const std::vector<char>& active) const;
   // Returns the vertices of which active motions fix some directions.
-  std::vector<HeldDirections> held_directions(const std::vector<char>& active) const;
+  std::vector<HeldDirections> fixed_directions(const std::vector<char>& active) const;
   // Writes the positions prescribed by active motions at time t into x; anchor, rest: 3n [m].
   void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
              VecX& x) const;
 
-  bool ever_held(int v) const { return ever_held_[v]; }
+  bool ever_fixed(int v) const { return ever_fixed_[v]; }
   bool moves(int v) const { return moves_[v]; }  // some hold moves it
   bool ever_free(int v) const { return ever_free_[v]; }
   // Returns true if the vertex may ever leave its initial position.
@@ -57,14 +57,14 @@ class Script {
   int rigid_group(int v) const { return rigid_group_[v]; }
 
  private:
-  static void place(const Hold& hold, const VecX& rest, const VecX& anchor, double t, VecX& x);
+  static void place(const Assignment& assignment, const VecX& rest, const VecX& anchor, double t, VecX& x);
 
-  std::vector<Hold> holds_;
-  std::vector<HeldDirections> always_held_;
-  std::vector<char> ever_held_, ever_free_, moves_;
+  std::vector<Assignment> assignments_;
+  std::vector<HeldDirections> always_fixed_;
+  std::vector<char> ever_fixed_, ever_free_, moves_;
   std::vector<int> rigid_group_;
   // s: of vertices that are held whole for a while
-  std::map<int, std::vector<std::pair<double, double>>> held_spans_;
+  std::map<int, std::vector<std::pair<double, double>>> fixed_spans_;
 };
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-#include "framework/stepping/held_vertices.hpp"
+#include "framework/stepping/fixed_vertices.hpp"
 
 #include <fmt/format.h>
 
@@ -28,13 +28,13 @@ bool more_than_a_quarter(const std::vector<int>& vertices, const VecX& a, const 
 }
 
 // Vertices that an affine body carries along with other held ones have to be where those say.
-void check_followed(const Script::Hold& hold, int v, const VecX& placed, const VecX& x) {
+void check_followed(const PrescribedMotion::Assignment& assignment, int v, const VecX& placed, const VecX& x) {
   constexpr double tolerance = 1e-6;  // of the way from the first vertex of the hold
   const double off = (vertex(placed, v) - vertex(x, v)).norm();
-  const double reach = (vertex(placed, v) - vertex(placed, hold.vertices.front())).norm();
+  const double reach = (vertex(placed, v) - vertex(placed, assignment.vertices.front())).norm();
   if (off <= tolerance * reach + 1e-12 * vertex(placed, v).norm()) return;
   throw SimulationError(fmt::format("{}: would have to deform an affine body (vertex {} by {:.3g} m) otherwise than "
-                                    "affinely; move its vertices rigidly, or hold fewer of them", hold.name, v, off));
+                                    "affinely; move its vertices rigidly, or hold fewer of them", assignment.name, v, off));
 }
 
 // Throws SimulationError unless vertices fixed on both sides of a joint move as the joint says.
@@ -53,8 +53,8 @@ void check_joints(const std::vector<Joint>& joints, const VecX& x) {
 
 }  // namespace
 
-bool HeldVertices::change(const State& state, double middle) {
-  std::vector<char> active = script_.active(middle);
+bool FixedVertices::change(const State& state, double middle) {
+  std::vector<char> active = prescribed_motion_.active(middle);
   const std::vector<char> ties = bindings_.active(middle);
   active.insert(active.end(), ties.begin(), ties.end());
   if (known_ && active == active_) return false;
@@ -71,52 +71,52 @@ bool HeldVertices::change(const State& state, double middle) {
     if (dofs_.owns(v) && !(before && before->moves(v))) released_.push_back(v);
   }
   anchor_ = state.anchor.size() > 0 ? state.anchor : state.x;
-  for (size_t i = 0; i < script_.holds().size(); ++i)
+  for (size_t i = 0; i < prescribed_motion_.assignments().size(); ++i)
     if (active_[i] && !(i < state.held.size() && state.held[i]))
-      for (const int v : script_.holds()[i].vertices) vertex(anchor_, v) = vertex(state.x, v);
+      for (const int v : prescribed_motion_.assignments()[i].vertices) vertex(anchor_, v) = vertex(state.x, v);
   return true;
 }
 
-DofMap HeldVertices::dofs_of(const std::vector<char>& active) const {
-  const std::vector<char> free = script_.free(active);
-  const auto ties = active.begin() + static_cast<std::ptrdiff_t>(script_.holds().size());
-  return DofMap(free, bindings_.at(free, {ties, active.end()}), script_.held_directions(active));
+DofMap FixedVertices::dofs_of(const std::vector<char>& active) const {
+  const std::vector<char> free = prescribed_motion_.free(active);
+  const auto ties = active.begin() + static_cast<std::ptrdiff_t>(prescribed_motion_.assignments().size());
+  return DofMap(free, bindings_.at(free, {ties, active.end()}), prescribed_motion_.fixed_directions(active));
 }
 
-std::vector<char> HeldVertices::moving() const {
+std::vector<char> FixedVertices::moving() const {
   std::vector<char> moving(dofs_.vertex_count());
   for (int v = 0; v < dofs_.vertex_count(); ++v) moving[v] = dofs_.moves(v);
   return moving;
 }
 
-void HeldVertices::place(double t, VecX& x) const {
-  script_.place(active_, rest_, anchor_, t, x);
+void FixedVertices::place(double t, VecX& x) const {
+  prescribed_motion_.place(active_, rest_, anchor_, t, x);
   if (dofs_.dependents().empty()) return;
   const VecX placed = x;
   dofs_.follow(x);
-  for (size_t i = 0; i < script_.holds().size(); ++i) {
-    if (!active_[i] || script_.holds()[i].motion->partial()) continue;
-    for (const int v : script_.holds()[i].vertices) check_followed(script_.holds()[i], v, placed, x);
+  for (size_t i = 0; i < prescribed_motion_.assignments().size(); ++i) {
+    if (!active_[i] || prescribed_motion_.assignments()[i].motion->partial()) continue;
+    for (const int v : prescribed_motion_.assignments()[i].vertices) check_followed(prescribed_motion_.assignments()[i], v, placed, x);
   }
   check_joints(bindings_.joints(), x);
 }
 
-void HeldVertices::commit(State& state) {
+void FixedVertices::commit(State& state) {
   if (active_ == state.held && state.anchor.size() > 0) return;
   state.held = active_;
   state.anchor = anchor_;
 }
 
-int HeldVertices::straight_parts(double t, double h) const {
+int FixedVertices::straight_parts(double t, double h) const {
   constexpr int most = 64;
   const auto turns = [&](double from, double until) {
     VecX start = rest_, end = rest_;
     place(from, start);
     place(until, end);
-    for (size_t i = 0; i < script_.holds().size(); ++i) {
-      const Script::Hold& hold = script_.holds()[i];
-      const bool turning = active_[i] && hold.motion->moves() && hold.motion->rigid();
-      if (turning && more_than_a_quarter(hold.vertices, start, end)) return true;
+    for (size_t i = 0; i < prescribed_motion_.assignments().size(); ++i) {
+      const PrescribedMotion::Assignment& assignment = prescribed_motion_.assignments()[i];
+      const bool turning = active_[i] && assignment.motion->moves() && assignment.motion->rigid();
+      if (turning && more_than_a_quarter(assignment.vertices, start, end)) return true;
     }
     return false;
   };
@@ -126,10 +126,10 @@ int HeldVertices::straight_parts(double t, double h) const {
   return parts;
 }
 
-bool HeldVertices::may_move() const {
+bool FixedVertices::may_move() const {
   const auto& partly = dofs_.held_blocks();
-  return std::any_of(held_.begin(), held_.end(), [&](int v) { return script_.may_move(v); }) ||
-         std::any_of(partly.begin(), partly.end(), [&](const auto& h) { return script_.moves(dofs_.vertex_of_block(h.block)); });
+  return std::any_of(held_.begin(), held_.end(), [&](int v) { return prescribed_motion_.may_move(v); }) ||
+         std::any_of(partly.begin(), partly.end(), [&](const auto& h) { return prescribed_motion_.moves(dofs_.vertex_of_block(h.block)); });
 }
 
 }  // namespace tack

@@ -6,15 +6,15 @@
 
 #include "framework/core/dof_map.hpp"
 #include "framework/core/state.hpp"
-#include "framework/motion/script.hpp"
+#include "framework/motion/prescribed_motion.hpp"
 #include "framework/world/multi_point_constraints.hpp"
 
 namespace tack {
 
-class HeldVertices {
+class FixedVertices {
  public:
-  HeldVertices(const Script& script, const MultiPointConstraints& bindings, const VecX& rest)
-      : script_(script), bindings_(bindings), rest_(rest) {}
+  FixedVertices(const PrescribedMotion& prescribed_motion, const MultiPointConstraints& bindings, const VecX& rest)
+      : prescribed_motion_(prescribed_motion), bindings_(bindings), rest_(rest) {}
 
   // Activates the holds and ties at `middle`, the middle of the step; returns false if they were
   // active already. Vertices that become fixed stay at their positions in the state.
@@ -39,7 +39,7 @@ class HeldVertices {
  private:
   DofMap dofs_of(const std::vector<char>& active) const;
 
-  const Script& script_;
+  const PrescribedMotion& prescribed_motion_;
   const MultiPointConstraints& bindings_;
   const VecX& rest_;
   bool known_ = false;
