@@ -1,5 +1,5 @@
 // State of a simulation between steps: everything that the next step depends on. Caches of solvers
-// (factors, candidates) are not part of it; they influence the last bits only.
+// (factors, candidates) are not part of the state; they influence the last bits only.
 #pragma once
 
 #include <vector>
@@ -10,6 +10,7 @@
 
 namespace tack {
 
+/// Positions, velocities, history variables and step size control between two steps.
 struct State {
   double time = 0;  // s
   int step = 0;     // accepted steps
@@ -18,13 +19,13 @@ struct State {
 
   // 3n: reference positions of prescribed motions: the positions at their last start [m]; empty
   // before the first step.
-  VecX anchor;
-  std::vector<char> held;  // per prescribed motion: active in the last step
+  VecX x_motion_start;
+  std::vector<char> motion_active;  // per prescribed motion: active in the last step
 
   // The step before, for two-step integrators; valid while the step size stays the same, or adapts.
   VecX x_before, v_before;
   double h_before = 0;  // s; 0: there is none
-  double acted_before = 0;  // time in which contact and friction acted in it [s]; 0: unknown
+  double contact_time_before = 0;  // time in which contact acted in it [s]; 0: unknown
 
   // Accelerations by dynamic terms (Term::dynamic), now and in the step before (3n) [m/s^2]; empty:
   // not followed.
@@ -34,16 +35,16 @@ struct State {
 
   EnergyAccount energy;
 
-  int whole_steps = 0;  // finished steps of the scene's size; substeps do not count
-  double h_next = 0;    // size of the next step [s]; 0: the scene's
-  int parts = 1;        // substeps of a whole step, against numerical energy gain or loss; 2^k
-  int calm_steps = 0;   // whole steps since `parts` last changed
+  int whole_steps = 0;   // finished steps of the scene's size; substeps do not count
+  double h_next = 0;     // size of the next step [s]; 0: the scene's
+  int substeps = 1;      // of a whole step, against numerical energy gain or loss; 2^k
+  int steady_steps = 0;  // whole steps since `substeps` or `h_max` last changed
 
   // Error-controlled step sizes (stepping/step_control.hpp).
-  bool adapts = false;      // true: error-controlled; two-step integrators allow for varying h
-  double error_before = 0;  // error of the last step over its tolerance; 0: none
-  double wary_until = 0;    // time before which step sizes do not grow [s]
-  double h_cap = 0;         // size above which steps gained or lost energy [s]; 0: no such size
+  bool adapts = false;         // true: error-controlled; two-step integrators allow for varying h
+  double error_before = 0;     // error of the last step over its tolerance; 0: none
+  double no_growth_until = 0;  // time before which step sizes do not grow [s]
+  double h_max = 0;            // size above which steps gained or lost energy [s]; 0: no such size
 };
 
 }  // namespace tack

@@ -91,19 +91,19 @@ void for_each_field(S& s, const Act& act) {
   act("step", s.step, Since::first);
   act("whole_steps", s.whole_steps, Since::first);
   act("h_before", s.h_before, Since::first);
-  act("acted_before", s.acted_before, Since::later);
+  act("acted_before", s.contact_time_before, Since::later);
   act("h_next", s.h_next, Since::first);
-  act("parts", s.parts, Since::later);
-  act("calm_steps", s.calm_steps, Since::later);
+  act("parts", s.substeps, Since::later);
+  act("calm_steps", s.steady_steps, Since::later);
   act("adapts", s.adapts, Since::later);
   act("error_before", s.error_before, Since::later);
-  act("wary_until", s.wary_until, Since::later);
-  act("h_cap", s.h_cap, Since::later);
-  act("held", s.held, Since::first);
+  act("wary_until", s.no_growth_until, Since::later);
+  act("h_cap", s.h_max, Since::later);
+  act("held", s.motion_active, Since::first);
   act("x", s.x, Since::first);
   act("v", s.v, Since::first);
   act("a", s.a, Since::first);
-  act("anchor", s.anchor, Since::first);
+  act("anchor", s.x_motion_start, Since::first);
   act("x_before", s.x_before, Since::first);
   act("v_before", s.v_before, Since::first);
   act("contact", s.contact, Since::later);
@@ -344,7 +344,7 @@ void check_size(const StateFile& file, Eigen::Index vertices, const std::string&
     if (field->size() != 3 * vertices)
       refuse_file(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it anew",
                                field->size(), vertices));
-  for (const VecX* field : {&s.anchor, &s.x_before, &s.v_before, &s.contact, &s.contact_before, &s.energy.gradient})
+  for (const VecX* field : {&s.x_motion_start, &s.x_before, &s.v_before, &s.contact, &s.contact_before, &s.energy.gradient})
     if (field->size() != 0 && field->size() != 3 * vertices)
       refuse_file(name, "its state does not fit its scene; write it anew");
 }

@@ -25,7 +25,7 @@ const Joint& joint_named(const World& world, const std::string& name, const std:
 // Returns the dof map without joints.
 DofMap unjoined(const World& world, const State& state) {
   const auto assignments = static_cast<std::ptrdiff_t>(world.prescribed_motion.assignments().size());
-  std::vector<char> active = state.held;
+  std::vector<char> active = state.motion_active;
   if (active.empty()) {
     active = world.prescribed_motion.active(state.time);
     const std::vector<char> ties = world.bindings.active(state.time);

@@ -70,8 +70,8 @@ State moved_state(const World& world, const State& before, const VecX& x, const 
   world.dofs.follow(state.x);
   world.dofs.follow(state.v);
   check_followed(world, asked, state.x);
-  state.anchor = before.anchor;
-  state.held = before.held;
+  state.x_motion_start = before.x_motion_start;
+  state.motion_active = before.motion_active;
   state.history = before.history;
   state.energy = reopened(before.energy);
   state.whole_steps = before.whole_steps;

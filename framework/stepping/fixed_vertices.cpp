@@ -60,7 +60,7 @@ bool FixedVertices::change(const State& state, double middle) {
   if (known_ && active == active_) return false;
   std::optional<DofMap> before;  // before the first step, nothing has a past
   if (known_) before = std::move(dofs_);
-  else if (state.step > 0) before = dofs_of(state.held);
+  else if (state.step > 0) before = dofs_of(state.motion_active);
   known_ = true;
   active_ = std::move(active);
   dofs_ = dofs_of(active_);
@@ -70,9 +70,9 @@ bool FixedVertices::change(const State& state, double middle) {
     if (!dofs_.moves(v)) held_.push_back(v);
     if (dofs_.owns(v) && !(before && before->moves(v))) released_.push_back(v);
   }
-  anchor_ = state.anchor.size() > 0 ? state.anchor : state.x;
+  anchor_ = state.x_motion_start.size() > 0 ? state.x_motion_start : state.x;
   for (size_t i = 0; i < prescribed_motion_.assignments().size(); ++i)
-    if (active_[i] && !(i < state.held.size() && state.held[i]))
+    if (active_[i] && !(i < state.motion_active.size() && state.motion_active[i]))
       for (const int v : prescribed_motion_.assignments()[i].vertices) vertex(anchor_, v) = vertex(state.x, v);
   return true;
 }
@@ -102,9 +102,9 @@ void FixedVertices::place(double t, VecX& x) const {
 }
 
 void FixedVertices::commit(State& state) {
-  if (active_ == state.held && state.anchor.size() > 0) return;
-  state.held = active_;
-  state.anchor = anchor_;
+  if (active_ == state.motion_active && state.x_motion_start.size() > 0) return;
+  state.motion_active = active_;
+  state.x_motion_start = anchor_;
 }
 
 int FixedVertices::straight_parts(double t, double h) const {

@@ -31,7 +31,7 @@ double LaggedImpulses::unnoticed(const std::array<int, 2>& objects) const {
 
 void LaggedImpulses::begin(const State& state, double h, double acting) {
   FrictionAccounts before = accounts_of(state.history);
-  const bool first = state.h_before == 0 || state.acted_before == 0;
+  const bool first = state.h_before == 0 || state.contact_time_before == 0;
   acting_ = acting;
   kept_ = 1 - acting / h;
   accounts_.clear();
@@ -49,7 +49,7 @@ void LaggedImpulses::begin(const State& state, double h, double acting) {
       continue;
     }
     account = before[objects];
-    const double normal = (1 - state.acted_before / state.h_before) * account.normal + state.acted_before * force;
+    const double normal = (1 - state.contact_time_before / state.h_before) * account.normal + state.contact_time_before * force;
     const double due = account.owed + normal, lasting = normal * h / state.h_before, carried = kept_ * account.given;
     const bool calm = std::abs(force - account.calm_force) < calm_change * std::max(force, account.calm_force);
     if (!calm) account.calm_force = force;

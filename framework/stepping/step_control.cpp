@@ -53,7 +53,7 @@ double StepControl::stop_after(double t) const {
 
 double StepControl::size(const State& state) const {
   double h = std::min(state.h_next, time_.largest_step());
-  if (state.h_cap > 0) h = std::min(h, state.h_cap);
+  if (state.h_max > 0) h = std::min(h, state.h_max);
   const double left = stop_after(state.time) - state.time;
   if (left <= h * (1 + round_off) + slack()) return left;
   return left < 2 * h ? left / 2 : h;
@@ -84,7 +84,7 @@ bool StepControl::repeats(State& state, double h) {
     power = std::clamp(std::log(refused_.ratio / ratio_) / std::log(refused_.h / h), 1.0, power);
   refused_ = {state.step, h, ratio_};
   state.h_next = std::max(h * std::clamp(std::pow(aim / ratio_, 1 / power), least_repeated, alike_from), time_.smallest_step());
-  state.wary_until = std::max(state.wary_until, state.time + h);
+  state.no_growth_until = std::max(state.no_growth_until, state.time + h);
   return true;
 }
 
@@ -93,22 +93,22 @@ void StepControl::kept(State& state, double h) {
   double factor = std::pow(aim / now, now_weight / power_) * std::pow(before / aim, before_weight / power_);
   factor = std::clamp(factor, least, most_growth);
   if (factor > alike_from && factor < alike_to) factor = 1;
-  if (factor > 1 && state.time < state.wary_until - slack()) factor = 1;
+  if (factor > 1 && state.time < state.no_growth_until - slack()) factor = 1;
   state.error_before = now;
   state.h_next = h * factor;
   if (factor >= 1) state.h_next = std::max(state.h_next, planned);  // what was cut short by the end of something
   state.h_next = std::clamp(state.h_next, time_.smallest_step(), time_.largest_step());
-  if (state.h_cap == 0 || ++state.calm_steps < calm_enough) return;
-  state.calm_steps = 0;
-  state.h_cap *= 2;
-  if (state.h_cap >= time_.largest_step()) state.h_cap = 0;
+  if (state.h_max == 0 || ++state.steady_steps < calm_enough) return;
+  state.steady_steps = 0;
+  state.h_max *= 2;
+  if (state.h_max >= time_.largest_step()) state.h_max = 0;
 }
 
 void StepControl::refined(State& state, double h, bool lasting) {
-  state.wary_until = std::max(state.wary_until, state.time + h);
+  state.no_growth_until = std::max(state.no_growth_until, state.time + h);
   if (!lasting) return;
-  state.h_cap = state.h_next;
-  state.calm_steps = 0;
+  state.h_max = state.h_next;
+  state.steady_steps = 0;
 }
 
 }  // namespace tack

@@ -12,7 +12,7 @@
 // - Steps do not grow until the time at which a repeated or failed step would have ended: its cause
 //   is still ahead.
 // - Where larger steps persistently made or lost energy, steps stay smaller for a while
-//   (State::h_cap).
+//   (State::h_max).
 // - Abrupt changes of the prescribed motion or of loads, the end of the run, and times of output
 //   are ends of steps: from two steps before such a time the rest is divided evenly.
 #pragma once

@@ -52,7 +52,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
       held_(world.prescribed_motion, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
       stepper_(instance_of(*time.stepper)) {
   if (state_.h_next == 0) state_.h_next = time.step;
-  refined_ = state_.parts > 1 || state_.h_cap > 0;
+  refined_ = state_.substeps > 1 || state_.h_max > 0;
   state_.adapts = time.adaptive.has_value();
   if (time.adaptive) control_.emplace(world, time);
   if (time.integrator->follows_contact())
@@ -203,8 +203,8 @@ void TimeStepper::commit(const VecX& x, double h) {
   stepper_->commit(state_.history);
   world_.participants.remember(state_.history);
   state_.h_before = h;
-  state_.acted_before = impulses_ ? impulses_->acting() : 0;
-  if (state_.acted_before > 0) state_.history[owed_friction_name] = impulses_->remembered();
+  state_.contact_time_before = impulses_ ? impulses_->acting() : 0;
+  if (state_.contact_time_before > 0) state_.history[owed_friction_name] = impulses_->remembered();
   state_.time += h;
   ++state_.step;
 }
@@ -237,11 +237,11 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
     control_->kept(state_, h);
   } else if (state_.time >= end - 1e-9 * time_.step) {
     ++state_.whole_steps;
-    if (state_.parts > 1 && ++state_.calm_steps >= calm_enough) {
-      state_.parts /= 2;
-      state_.calm_steps = 0;
+    if (state_.substeps > 1 && ++state_.steady_steps >= calm_enough) {
+      state_.substeps /= 2;
+      state_.steady_steps = 0;
     }
-    state_.h_next = time_.step / state_.parts;
+    state_.h_next = time_.step / state_.substeps;
   }
   r = report(attempt, h);
   world_.step_figures = attempt.figures;
@@ -258,7 +258,7 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   r.flows.refined = refined_;
   r.flows.damped = integrator_ != time_.integrator.get();
   integrator_ = time_.integrator.get();
-  if (control_ ? state_.h_cap == 0 : state_.parts == 1 && state_.h_next == time_.step) refined_ = false;
+  if (control_ ? state_.h_max == 0 : state_.substeps == 1 && state_.h_next == time_.step) refined_ = false;
   return true;
 }
 
@@ -278,8 +278,8 @@ void TimeStepper::refine(double h, bool lasting) {
   refined_ = true;
   if (control_) return control_->refined(state_, h, lasting);
   if (!lasting) return;
-  state_.parts = std::max(state_.parts, static_cast<int>(std::lround(time_.step / state_.h_next)));
-  state_.calm_steps = 0;
+  state_.substeps = std::max(state_.substeps, static_cast<int>(std::lround(time_.step / state_.h_next)));
+  state_.steady_steps = 0;
 }
 
 // Size of the step that substeps divide [s].

@@ -42,10 +42,10 @@ void check_same(const State& a, const State& b) {
   CHECK(a.time == b.time);
   CHECK(a.step == b.step);
   CHECK(a.whole_steps == b.whole_steps);
-  CHECK(a.held == b.held);
+  CHECK(a.motion_active == b.motion_active);
   CHECK(a.h_next == b.h_next);
   CHECK(a.h_before == b.h_before);
-  CHECK(a.acted_before == b.acted_before);
+  CHECK(a.contact_time_before == b.contact_time_before);
   CHECK((a.x == b.x && a.v == b.v && a.a == b.a));
   CHECK((a.anchor == b.anchor && a.x_before == b.x_before && a.v_before == b.v_before));
   CHECK((a.contact == b.contact && a.contact_before == b.contact_before));

@@ -77,7 +77,7 @@ TEST_CASE("what friction owes goes through a checkpoint bit for bit", "[stepping
         write_state_file(folder.path() / "middle", file);
         const State resumed = gone_on(read_state_file(folder.path() / "middle", StateFile::Kind::checkpoint).state);
         CHECK((resumed.x == end.x && resumed.v == end.v && resumed.history == end.history));
-        CHECK(resumed.acted_before == end.acted_before);
+        CHECK(resumed.contact_time_before == end.contact_time_before);
         State without = states[i];
         without.history.erase(owed_friction_name);
         depends += gone_on(without).x != end.x;
