@@ -158,7 +158,7 @@ void Trial::solve_step(const VecX* guess) {
   result_.iterations = solve.iterations;
   result_.evaluations = solve.line_search_evaluations;
   result_.linear_solves = solve.linear_solves;
-  look_at(attempt->figures);
+  look_at(attempt->metrics);
   result_.converged = attempt->failure.empty() && solve.status == MinimizerStatus::converged;
   result_.status = attempt->failure.empty() ? std::string(to_string(solve.status)) : attempt->failure;
   result_.complete = attempt->failure.empty() && attempt->x.allFinite();
@@ -181,7 +181,7 @@ void Trial::solve_run() {
       result_.linear_solves += report.solve.linear_solves;
       ++result_.steps;
       unconverged += report.converged ? 0 : 1;
-      look_at(report.figures);
+      look_at(report.metrics);
     }
     if (unconverged > 0) result_.status = fmt::format("{} of {} steps kept without having converged", unconverged, result_.steps);
     result_.converged = result_.complete = true;
@@ -192,10 +192,10 @@ void Trial::solve_run() {
   result_.energy += stored_energy(report.energies);
 }
 
-void Trial::look_at(const std::vector<StepFigure>& figures) {
-  for (const StepFigure& figure : figures) {
-    if (figure.name == "penetration") result_.penetration = std::max(result_.penetration, figure.value);
-    if (figure.name == "crossing_pairs") result_.crossing_pairs = std::max(result_.crossing_pairs, figure.value);
+void Trial::look_at(const std::vector<StepMetric>& metrics) {
+  for (const StepMetric& metric : metrics) {
+    if (metric.name == "penetration") result_.penetration = std::max(result_.penetration, metric.value);
+    if (metric.name == "crossing_pairs") result_.crossing_pairs = std::max(result_.crossing_pairs, metric.value);
   }
 }
 

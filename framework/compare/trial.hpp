@@ -85,7 +85,7 @@ class Trial {
  private:
   void solve_step(const VecX* guess);
   void solve_run();
-  void look_at(const std::vector<StepFigure>& figures);
+  void look_at(const std::vector<StepMetric>& metrics);
   void look_at_end();
 
   const CompareCase& case_;

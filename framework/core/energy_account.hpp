@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/core/energy_at_play.hpp"
+#include "framework/core/reference_energy.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -14,7 +14,7 @@ namespace tack {
 struct GroupAccount {
   double kinetic = 0, gravity = 0, elastic = 0, contact = 0;  // J
   double dissipated = 0;  // so far [J]
-  EnergyAtPlay at_play;   // so far
+  ReferenceEnergy reference_energy;  // so far
   bool met_another = false;  // a contact stencil joined another group: the energy is unknown
 };
 
@@ -28,12 +28,12 @@ struct EnergyAccount {
   double loads = 0;  // work of the loads so far [J]
   VecX gradient;  // 3n: of elastic and contact energy [N]; empty without prescribed motion
 
-  double unexplained = 0;  // numerical energy gain since the first step [J]
-  double lowest = 0;       // its smallest value since the last reported gain [J]
-  EnergyAtPlay at_play;    // so far
-  double bottom = 0;       // smallest value of `unexplained` in the run [J]
-  int grown_steps = 0;     // consecutive steps with `unexplained` far above `bottom`
-  bool told = false;       // the warning about lasting growth was given
+  double numerical_gain = 0;         // numerical energy gain since the first step [J]
+  double numerical_gain_low = 0;     // its smallest value since the last reported gain [J]
+  ReferenceEnergy reference_energy;  // so far
+  double numerical_gain_min = 0;     // its smallest value in the run [J]
+  int growing_steps = 0;             // consecutive steps with a gain far above its smallest value
+  bool growth_warned = false;        // the warning about lasting growth was given
   std::vector<GroupAccount> groups;  // empty: all bodies are one group
 
   // Returns the energy dissipated under a name [J]; 0 for an unknown name.

@@ -38,7 +38,7 @@ void BuiltExperiment::build() {
   world_ = build_world(e, loaded_.root, {e.time.step, e.time.duration}, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr, loaded_.flowed);
   check_damping(e, loaded_.root, *world_);
   with_source_location(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
-  world_->step_figures = e.time.stepper->figures();
+  world_->step_metrics = e.time.stepper->metrics();
   with_source_location(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
 }
 

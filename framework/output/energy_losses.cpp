@@ -33,7 +33,7 @@ void EnergyLosses::Cause::add(const StepReport& report, double dissipated, doubl
 }
 
 void EnergyLosses::Group::add(const StepReport& report, const GroupFlow& flow) {
-  at_play = std::max(at_play, flow.at_play);
+  reference_energy = std::max(reference_energy, flow.reference_energy);
   moving = std::max(moving, flow.moving);
   noise += flow.noise * flow.noise;
   met_another = met_another || flow.met_another;
@@ -42,7 +42,7 @@ void EnergyLosses::Group::add(const StepReport& report, const GroupFlow& flow) {
 
 void EnergyLosses::add(const StepReport& report) {
   const EnergyFlows& flows = report.flows;
-  at_play = std::max(at_play, flows.at_play);
+  reference_energy = std::max(reference_energy, flows.reference_energy);
   moving = std::max(moving, flows.moving);
   noise += flows.noise * flows.noise;
   areas.add(report, flows.areas, 0, flows.in_contact);
@@ -57,12 +57,12 @@ std::vector<Warning> EnergyLosses::told(const TimeIntegrator& rule, const std::v
   const auto look = [&](const Cause& cause, const auto& of, const std::string& whose, bool of_integrator, const char* what, const auto& advice) {
     const bool made = cause.made > cause.lost;
     const double joules = made ? cause.made : cause.lost;
-    if (joules <= tolerated * of.at_play + std::sqrt(of.noise)) return;
-    if (!made && of_integrator && rule.damps() && of.moving < motion * of.at_play) return;
+    if (joules <= tolerated * of.reference_energy + std::sqrt(of.noise)) return;
+    if (!made && of_integrator && rule.damps() && of.moving < motion * of.reference_energy) return;
     const auto [from, to] = cause.when.densest(made ? -most_of_it * joules : most_of_it * joules);
-    told.push_back({joules / of.at_play,
+    told.push_back({joules / of.reference_energy,
                     fmt::format("energy{}: {} {} {:.3g} J, {} of the most that was at play ({:.3g} J), most of it from t = {:.4g} to {:.4g} s: {}", whose,
-                                what, made ? "made" : "lost", joules, percent(joules / of.at_play), of.at_play, from, to, advice(made, cause))});
+                                what, made ? "made" : "lost", joules, percent(joules / of.reference_energy), of.reference_energy, from, to, advice(made, cause))});
   };
   const auto of_areas = [](bool, const Cause&) { return areas_advice; };
   const auto of_repeats = [](bool, const Cause&) { return repeats_advice; };
@@ -72,7 +72,7 @@ std::vector<Warning> EnergyLosses::told(const TimeIntegrator& rule, const std::v
     for (size_t g = 0; g < groups.size(); ++g) {
       const std::string whose = " of " + group_names[g];
       // Areas of all contact changed the energy by more than they can have in the group.
-      const bool areas_count = std::max(areas.lost, areas.made) > tolerated * groups[g].at_play;
+      const bool areas_count = std::max(areas.lost, areas.made) > tolerated * groups[g].reference_energy;
       const char* what = areas_count ? "time integration and areas of contact" : "time integration";
       look(groups[g].integrator, groups[g], whose, true, what, of_rule);
       look(groups[g].repeated, groups[g], whose, false, "repeated steps", of_repeats);

@@ -34,7 +34,7 @@ struct EnergyLosses {
   // Losses of a group of bodies.
   struct Group {
     Cause integrator, repeated;         // areas of contact count with them
-    double at_play = 0, moving = 0, noise = 0;
+    double reference_energy = 0, moving = 0, noise = 0;
     bool met_another = false;  // the group has met another one, and its own energy is not known
 
     void add(const StepReport& report, const GroupFlow& flow);
@@ -43,7 +43,7 @@ struct EnergyLosses {
   Cause integrator;  // the rule of time integration
   Cause repeated;    // implicit Euler, in steps that were done again with it
 
-  double at_play = 0, moving = 0;  // J (core/energy_at_play.hpp); its kinetic part
+  double reference_energy = 0, moving = 0;  // J (core/reference_energy.hpp); its kinetic part
   double noise = 0;    // changes by solver tolerance, squared and summed [J^2]
   std::vector<Group> groups;  // empty: all bodies are one group
 

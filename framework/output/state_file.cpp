@@ -39,7 +39,7 @@ VecX vector_of(const Json& json) {
 enum class Since { first, later };
 
 template <class Field>
-constexpr bool is_record = std::is_same_v<Field, EnergyAccount> || std::is_same_v<Field, EnergyAtPlay> || std::is_same_v<Field, GroupAccount>;
+constexpr bool is_record = std::is_same_v<Field, EnergyAccount> || std::is_same_v<Field, ReferenceEnergy> || std::is_same_v<Field, GroupAccount>;
 
 template <class Account, class Act>
   requires std::is_same_v<std::remove_const_t<Account>, GroupAccount>
@@ -49,7 +49,7 @@ void for_each_field(Account& a, const Act& act) {
   act("elastic", a.elastic, Since::first);
   act("contact", a.contact, Since::first);
   act("dissipated", a.dissipated, Since::first);
-  act("moved", a.at_play, Since::first);
+  act("moved", a.reference_energy, Since::first);
   act("met_another", a.met_another, Since::first);
 }
 
@@ -62,20 +62,20 @@ void for_each_field(Account& a, const Act& act) {
   act("elastic", a.elastic, Since::first);
   act("contact", a.contact, Since::first);
   act("gradient", a.gradient, Since::first);
-  act("lowest", a.lowest, Since::first);
-  act("unexplained", a.unexplained, Since::first);
+  act("lowest", a.numerical_gain_low, Since::first);
+  act("unexplained", a.numerical_gain, Since::first);
   act("dissipated", a.dissipated, Since::later);
   act("loads", a.loads, Since::later);
-  act("moved", a.at_play, Since::later);
-  act("bottom", a.bottom, Since::later);
-  act("grown_steps", a.grown_steps, Since::later);
-  act("told", a.told, Since::later);
+  act("moved", a.reference_energy, Since::later);
+  act("bottom", a.numerical_gain_min, Since::later);
+  act("grown_steps", a.growing_steps, Since::later);
+  act("told", a.growth_warned, Since::later);
   act("groups", a.groups, Since::later);
 }
 
-template <class AtPlay, class Act>
-  requires std::is_same_v<std::remove_const_t<AtPlay>, EnergyAtPlay>
-void for_each_field(AtPlay& a, const Act& act) {
+template <class Energy, class Act>
+  requires std::is_same_v<std::remove_const_t<Energy>, ReferenceEnergy>
+void for_each_field(Energy& a, const Act& act) {
   act("kinetic", a.kinetic, Since::first);
   act("dissipated", a.dissipated, Since::first);
   act("elastic", a.elastic, Since::first);

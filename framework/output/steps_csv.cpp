@@ -37,7 +37,7 @@ std::vector<std::string> columns_of(const std::vector<std::string>& terms, const
     columns.push_back(fmt::format("seconds_{}", phase));
   }
   if (first.error) columns.insert(columns.end(), {"step_error", "repeats"});
-  for (const StepFigure& figure : first.figures) columns.push_back(figure.name);
+  for (const StepMetric& metric : first.metrics) columns.push_back(metric.name);
   return columns;
 }
 
@@ -60,7 +60,7 @@ std::vector<double> row_of(const StepReport& r) {
                          r.friction_residual, r.wall_seconds});
   row.insert(row.end(), r.phases.begin(), r.phases.end());
   if (r.error) row.insert(row.end(), {*r.error, double(r.repeats)});
-  for (const StepFigure& figure : r.figures) row.push_back(figure.value);
+  for (const StepMetric& metric : r.metrics) row.push_back(metric.value);
   return row;
 }
 

@@ -80,7 +80,7 @@ OrderedJson totals_json(const RunSummary& s) {
 OrderedJson energy_json(const RunSummary& s) {
   OrderedJson json = OrderedJson::object();
   EnergyFlows::for_each(s.flows, [&](const std::string& name, double sum) { json[name] = finite(sum); });
-  json["at_play"] = finite(s.losses.at_play);
+  json["at_play"] = finite(s.losses.reference_energy);
   OrderedJson& causes = json["causes"] = OrderedJson::object();
   EnergyLosses::for_each(s.losses, [&](const char* name, const EnergyLosses::Cause& cause) {
     causes[name] = {{"lost", finite(cause.lost)}, {"made", finite(cause.made)}, {"sum", finite(cause.sum)}, {"in_contact", finite(cause.in_contact)}};
@@ -89,7 +89,7 @@ OrderedJson energy_json(const RunSummary& s) {
   for (size_t g = 0; g < std::min(s.losses.groups.size(), s.group_names.size()); ++g) {
     const EnergyLosses::Group& group = s.losses.groups[g];
     groups.push_back({{"objects", s.group_names[g]},
-                      {"at_play", finite(group.at_play)},
+                      {"at_play", finite(group.reference_energy)},
                       {"lost", finite(std::max(group.integrator.lost, group.repeated.lost))},
                       {"made", finite(std::max(group.integrator.made, group.repeated.made))}});
   }
@@ -188,9 +188,9 @@ void RunSummary::add(const StepReport& report) {
   max_affine_strain = std::max(max_affine_strain, report.affine_strain);
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;
-  for (const StepFigure& figure : report.figures) {
-    double& all = stepper[figure.name];
-    all = figure.run == StepFigure::Over::sum ? all + figure.value : std::max(all, figure.value);
+  for (const StepMetric& metric : report.metrics) {
+    double& all = stepper[metric.name];
+    all = metric.run_value == StepMetric::RunValue::sum ? all + metric.value : std::max(all, metric.value);
   }
   flows += report.flows;
   losses.add(report);

@@ -40,7 +40,7 @@ void for_each_total(Summary& s, const Act& act) {
   EnergyFlows::for_each(s.flows, act);
   act("damped_steps", s.damped_steps);
   act("refined_steps", s.refined_steps);
-  act("energy_at_play", s.losses.at_play);
+  act("energy_at_play", s.losses.reference_energy);
   act("energy_moving", s.losses.moving);
   act("energy_noise", s.losses.noise);
   const auto of_cause = [&](const std::string& cause, auto& c) {
@@ -60,7 +60,7 @@ void for_each_total(Summary& s, const Act& act) {
     const std::string name = fmt::format("{}{}_", of_group, g);
     of_cause(name + "integrator", group.integrator);
     of_cause(name + "repeated", group.repeated);
-    act("energy_" + name + "at_play", group.at_play);
+    act("energy_" + name + "at_play", group.reference_energy);
     act("energy_" + name + "moving", group.moving);
     act("energy_" + name + "noise", group.noise);
     act("energy_" + name + "met_another", group.met_another);

@@ -19,14 +19,14 @@ class StepProbe : public Probe {
   }
   void prepare(const World& world) override {
     std::vector<std::string> names;
-    for (const StepFigure& figure : world.step_figures) names.push_back(figure.name);
+    for (const StepMetric& metric : world.step_metrics) names.push_back(metric.name);
     if (names.empty()) throw InputError(fmt::format("probe '{}': the scene's stepper tells nothing of its steps; take the probe away", name_));
     at_ = std::find(names.begin(), names.end(), figure_) - names.begin();
     if (at_ == names.size())
       throw InputError(fmt::format("probe '{}': the stepper tells nothing named '{}'{}", name_, figure_, suggestion(figure_, names, "figures")));
   }
   Unit unit() const override { return units::none; }
-  std::vector<double> sample(const World& world, const State&) override { return {world.step_figures[at_].value}; }
+  std::vector<double> sample(const World& world, const State&) override { return {world.step_metrics[at_].value}; }
 
  private:
   std::string figure_;

@@ -16,7 +16,7 @@
 namespace tack {
 namespace {
 
-constexpr double tolerated_gain = 0.01;   // of the energy at play
+constexpr double tolerated_gain = 0.01;   // of the reference energy
 constexpr double tolerated_loss = 0.005;  // of it, in a step
 // Growth that is warned of during the run: at least `growth` of the reference energy, in
 // `growing_steps` consecutive steps. Fewer steps do not count: the energy that has moved so far may
@@ -233,18 +233,18 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   const double before = stored(start_) - released_;
   flows.numerics = before + flows.loads + flows.prescribed_motion + flows.sum(FlowKind::fed) - flows.sum(FlowKind::dissipated) - flows.areas - stored(end);
   end.loads = start_.loads + flows.loads;
-  end.unexplained = start_.unexplained;
-  end.lowest = start_.lowest;
-  end.bottom = start_.bottom;
-  end.grown_steps = start_.grown_steps;
-  end.told = start_.told;
-  end.at_play = start_.at_play;
-  end.at_play.kinetic = std::max({end.at_play.kinetic, start_.kinetic, end.kinetic});
-  end.at_play.dissipated = end.all_dissipated();
-  EnergyAtPlay::move(end.at_play.elastic, end.elastic - start_.elastic);
-  EnergyAtPlay::move(end.at_play.contact, end.contact - start_.contact);
-  EnergyAtPlay::move(end.at_play.gravity, end.gravity - start_.gravity);
-  EnergyAtPlay::move(end.at_play.work, flows.loads + flows.prescribed_motion - released_);
+  end.numerical_gain = start_.numerical_gain;
+  end.numerical_gain_low = start_.numerical_gain_low;
+  end.numerical_gain_min = start_.numerical_gain_min;
+  end.growing_steps = start_.growing_steps;
+  end.growth_warned = start_.growth_warned;
+  end.reference_energy = start_.reference_energy;
+  end.reference_energy.kinetic = std::max({end.reference_energy.kinetic, start_.kinetic, end.kinetic});
+  end.reference_energy.dissipated = end.all_dissipated();
+  ReferenceEnergy::move(end.reference_energy.elastic, end.elastic - start_.elastic);
+  ReferenceEnergy::move(end.reference_energy.contact, end.contact - start_.contact);
+  ReferenceEnergy::move(end.reference_energy.gravity, end.gravity - start_.gravity);
+  ReferenceEnergy::move(end.reference_energy.work, flows.loads + flows.prescribed_motion - released_);
   flows.in_contact = start_.contact != 0 || std::any_of(energies.begin(), energies.end(), [](const NamedEnergy& e) {
     return (e.kind == EnergyKind::contact || e.kind == EnergyKind::between_objects) && e.value != 0;
   });
@@ -252,9 +252,9 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   flows.noise = solver_noise();
   const auto [ballistic_before, ballistic] = all_ballistic_energies(world_, state, h, solver_.velocity_tolerance());
   flows.moving = std::max(start_.kinetic - ballistic_before, end.kinetic - ballistic);
-  EnergyAtPlay concerned = end.at_play;
+  ReferenceEnergy concerned = end.reference_energy;
   concerned.kinetic = flows.moving;
-  flows.at_play = concerned.most();
+  flows.reference_energy = concerned.largest();
   flows.groups = groups_.close(state, h);
   end.groups = state.energy.groups;
   flows.gained = watch(end, flows);
@@ -272,30 +272,30 @@ double EnergyBalance::solver_noise() const {
 // Growth counts from the lowest point, so that earlier losses are no credit. A prescribed motion
 // that starts with a jerk acts with the force of the end of the step, and that is no gain.
 bool EnergyBalance::watch(EnergyAccount& account, const EnergyFlows& flows) {
-  const double lowest = account.lowest;
-  account.unexplained -= flows.numerics + flows.areas + jerk_;
-  account.lowest = std::min(account.lowest, account.unexplained);
-  account.bottom = std::min(account.bottom, account.unexplained);
+  const double lowest = account.numerical_gain_low;
+  account.numerical_gain -= flows.numerics + flows.areas + jerk_;
+  account.numerical_gain_low = std::min(account.numerical_gain_low, account.numerical_gain);
+  account.numerical_gain_min = std::min(account.numerical_gain_min, account.numerical_gain);
   // A scene that has just set out has next to no energy to lose; and energy that comes and goes, as
   // Newmark's energy of vibrations does, is not lost.
-  const double at_play = account.at_play.most();
-  lost_ = 2 * start_.kinetic >= at_play && lowest - account.unexplained > tolerated_loss * at_play + flows.noise;
+  const double reference_energy = account.reference_energy.largest();
+  lost_ = 2 * start_.kinetic >= reference_energy && lowest - account.numerical_gain > tolerated_loss * reference_energy + flows.noise;
   // Dissipation by friction and damping, part of the reference energy, is known to first order
   // only.
-  if (account.unexplained - account.lowest <= tolerated_gain * at_play + flows.noise) return false;
-  account.lowest = account.unexplained;
+  if (account.numerical_gain - account.numerical_gain_low <= tolerated_gain * reference_energy + flows.noise) return false;
+  account.numerical_gain_low = account.numerical_gain;
   return true;
 }
 
 void EnergyBalance::warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows) {
-  const double gain = account.unexplained - account.bottom, at_play = account.at_play.most();
-  account.grown_steps = gain > growth * at_play + flows.noise ? account.grown_steps + 1 : 0;
+  const double gain = account.numerical_gain - account.numerical_gain_min, reference_energy = account.reference_energy.largest();
+  account.growing_steps = gain > growth * reference_energy + flows.noise ? account.growing_steps + 1 : 0;
   warning_.clear();
-  if (account.told || account.grown_steps < growing_steps) return;
-  account.told = true;
+  if (account.growth_warned || account.growing_steps < growing_steps) return;
+  account.growth_warned = true;
   warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of the most that was at play so far, and "
                          "nothing put it in (steps.csv: {})",
-                         state.step, state.time, gain, 100 * gain / at_play,
+                         state.step, state.time, gain, 100 * gain / reference_energy,
                          flows.made_by_areas() ? "dissipated_areas" : "dissipated_numerics");
 }
 

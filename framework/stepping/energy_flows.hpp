@@ -12,7 +12,7 @@ namespace tack {
 // The same for a group of bodies (group_balance.hpp), of what the balance of a group can tell.
 struct GroupFlow {
   double numerics = 0;  // lost by contact areas and integrator; below zero: made
-  double jerk = 0, noise = 0, at_play = 0, moving = 0;
+  double jerk = 0, noise = 0, reference_energy = 0, moving = 0;
   bool in_contact = false, met_another = false;
 };
 
@@ -34,9 +34,9 @@ struct EnergyFlows {
   double areas = 0, numerics = 0;     // dissipated
   double jerk = 0;     // work_script with the forces at the end of the step, less `prescribed_motion`
   double noise = 0;    // possible change by the solver's tolerance
-  // Reference energy: the largest moved energy of the run so far (core/energy_at_play.hpp), with
+  // Reference energy: the largest moved energy of the run so far (core/reference_energy.hpp), with
   // the kinetic energy of this step, less that of bodies in free flight.
-  double at_play = 0;
+  double reference_energy = 0;
   double moving = 0;   // its kinetic part
   // True with contact at the start or end of the step, or energy between objects at its end.
   bool in_contact = false;

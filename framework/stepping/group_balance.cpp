@@ -246,17 +246,17 @@ std::vector<GroupFlow> GroupBalance::close(State& state, double h) {
     flow.in_contact = start.contact != 0 || now.contact != 0;
     now.met_another = flow.met_another = start.met_another || met_another_[g];
     now.dissipated = start.dissipated + std::max(0.0, step.dissipated);
-    now.at_play = start.at_play;
-    now.at_play.kinetic = std::max({now.at_play.kinetic, start.kinetic, now.kinetic});
-    now.at_play.dissipated = now.dissipated;
-    EnergyAtPlay::move(now.at_play.elastic, now.elastic - start.elastic);
-    EnergyAtPlay::move(now.at_play.contact, now.contact - start.contact);
-    EnergyAtPlay::move(now.at_play.gravity, now.gravity - start.gravity);
-    EnergyAtPlay::move(now.at_play.work, step.work + step.prescribed);
+    now.reference_energy = start.reference_energy;
+    now.reference_energy.kinetic = std::max({now.reference_energy.kinetic, start.kinetic, now.kinetic});
+    now.reference_energy.dissipated = now.dissipated;
+    ReferenceEnergy::move(now.reference_energy.elastic, now.elastic - start.elastic);
+    ReferenceEnergy::move(now.reference_energy.contact, now.contact - start.contact);
+    ReferenceEnergy::move(now.reference_energy.gravity, now.gravity - start.gravity);
+    ReferenceEnergy::move(now.reference_energy.work, step.work + step.prescribed);
     flow.moving = std::max(start.kinetic - ballistic[g][0], now.kinetic - ballistic[g][1]);
-    EnergyAtPlay concerned = now.at_play;
+    ReferenceEnergy concerned = now.reference_energy;
     concerned.kinetic = flow.moving;
-    flow.at_play = concerned.most();
+    flow.reference_energy = concerned.largest();
   }
   state.energy.groups = std::move(end);
   return flows;

@@ -8,7 +8,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "framework/core/phase_clock.hpp"
-#include "framework/core/step_figure.hpp"
+#include "framework/core/step_metric.hpp"
 #include "framework/core/records.hpp"
 #include "framework/stepping/energy_flows.hpp"
 
@@ -36,7 +36,7 @@ struct StepReport {
   int lag_iterations = 0;        // solves with updated tangential forces; 0 without friction
   double friction_residual = 0;  // change by a further update, relative to the largest force
   bool lag_converged = true;     // false: contact.lagging.until was not reached
-  std::vector<StepFigure> figures;  // of the stepper
+  std::vector<StepMetric> metrics;  // of the stepper
   // Found by the exact check in this step's solves; a solve that has any is rolled back.
   int intersections = 0;
   int inverted_tets = 0;

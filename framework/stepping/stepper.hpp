@@ -10,7 +10,7 @@
 
 #include "framework/core/history.hpp"
 #include "framework/core/minimizer.hpp"
-#include "framework/core/step_figure.hpp"
+#include "framework/core/step_metric.hpp"
 #include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
@@ -60,7 +60,7 @@ struct Attempt {
   double friction_residual = 0;
   bool lag_converged = true;
   double unbalanced_force = 0, tolerated_force = 0;  // force residual and its limit [N]
-  std::vector<StepFigure> figures = {};  // the stepper's own
+  std::vector<StepMetric> metrics = {};  // the stepper's own
 };
 
 struct Verdict {
@@ -89,7 +89,7 @@ class Stepper : public Component {
   virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/,
                      const TimeConfig& /*time*/) const {}
   // Returns the stepper's own metrics: those of its attempts, or, before the first attempt, zeros.
-  virtual std::vector<StepFigure> figures() const { return {}; }
+  virtual std::vector<StepMetric> metrics() const { return {}; }
   // Called once, before all functions below.
   virtual void prepare(const StepperContext& context) = 0;
   // Called before a step is opened. new_unknowns: the unknowns of the world have changed.

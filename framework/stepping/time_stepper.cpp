@@ -244,7 +244,7 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
     state_.h_next = time_.step / state_.substeps;
   }
   r = report(attempt, h);
-  world_.step_figures = attempt.figures;
+  world_.step_metrics = attempt.metrics;
   r.flows = balance_.close(state_, r.energies, h, held_.may_move(), *potential_);
   const bool free = r.contacts == 0;
   const bool finer = h > smallest_refined() * (1 + 1e-9) && (free || resolves_impact(h));

@@ -29,7 +29,7 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
   r.lag_iterations = attempt.lag_iterations;
   r.friction_residual = attempt.friction_residual;
   r.lag_converged = attempt.lag_converged;
-  r.figures = attempt.figures;
+  r.metrics = attempt.metrics;
   r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
   if (world_.contact) {
     r.contacts = static_cast<int>(world_.contact->contacts().size());

@@ -10,7 +10,7 @@
 #include "framework/core/dof_map.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/state.hpp"
-#include "framework/core/step_figure.hpp"
+#include "framework/core/step_metric.hpp"
 #include "framework/motion/motion.hpp"
 #include "framework/motion/prescribed_motion.hpp"
 #include "framework/world/acting_interaction.hpp"
@@ -76,7 +76,7 @@ struct World {
   Records records;                ///< published by the terms, or by a stepper in place of them
   std::vector<AdhesionSummary> adhesion;
   /// Step metrics that the stepper reports of the last step.
-  std::vector<StepFigure> step_figures;
+  std::vector<StepMetric> step_metrics;
   State start;
   /// Moved objects (push_out.hpp) and objects with an initial state from a run (initial_state.hpp).
   std::vector<std::string> start_notes;

@@ -35,7 +35,7 @@ py::dict dict_of(const StepReport& report) {
   d["min_gap"] = report.min_gap;
   d["unbalanced_force"] = report.unbalanced_force;
   d["wall_seconds"] = report.wall_seconds;
-  for (const StepFigure& figure : report.figures) d[py::str(figure.name)] = figure.value;
+  for (const StepMetric& metric : report.metrics) d[py::str(metric.name)] = metric.value;
   return d;
 }
 

@@ -48,9 +48,9 @@ class LcpPgsStepper : public Stepper {
   }
 
   void admit(const World& world, const SceneConfig& scene, const TimeConfig& time) const override;
-  std::vector<StepFigure> figures() const override {
-    using Over = StepFigure::Over;
-    return {{"sweeps", step_ ? double(step_->sweeps()) : 0, Over::sum}, {"rows", step_ ? double(step_->rows()) : 0}, {"row_residual", step_ ? step_->residual() : 0},
+  std::vector<StepMetric> metrics() const override {
+    using RunValue = StepMetric::RunValue;
+    return {{"sweeps", step_ ? double(step_->sweeps()) : 0, RunValue::sum}, {"rows", step_ ? double(step_->rows()) : 0}, {"row_residual", step_ ? step_->residual() : 0},
             {"penetration", deepest_}, {"crossing_pairs", double(crossings_)}};
   }
   void prepare(const StepperContext& context) override {
@@ -123,7 +123,7 @@ void LcpPgsStepper::attempt(const Step& step, const VecX* /*guess*/, Attempt& at
     crossings_ = static_cast<int>(find_intersections(contact.surface().mesh, attempt.x, contact.colliding(), most_crossings).size());
     deepest_ = step_->deepest();
   }
-  attempt.figures = figures();
+  attempt.metrics = metrics();
 }
 
 Verdict LcpPgsStepper::verdict(const Attempt& attempt) {

@@ -287,7 +287,7 @@ TEST_CASE("the work of following loads accounts for what bodies get", "[loads]")
       for (int i = 0; i < steps; ++i) {
         const StepReport r = run.step();
         numerics += r.flows.numerics + r.flows.areas;
-        most = r.flows.at_play;
+        most = r.flows.reference_energy;
       }
       missing[k] = std::abs(numerics) / most;
     }

@@ -21,7 +21,7 @@ StepReport step(int k, double areas, double numerics) {
   r.step_size = 0.01;
   r.flows.areas = areas;
   r.flows.numerics = numerics;
-  r.flows.at_play = k < 3 ? 1e-3 : 2;
+  r.flows.reference_energy = k < 3 ? 1e-3 : 2;
   r.flows.moving = k < 3 ? 1e-3 : 1;
   r.flows.noise = 1e-9;
   return r;
@@ -33,7 +33,7 @@ TEST_CASE("losses: what is little of what was at play in the run is not told, ho
   EnergyLosses losses;
   losses.add(step(1, -1e-3, 0));  // all that is at play
   for (int k = 2; k <= 20; ++k) losses.add(step(k, 0, k % 2 ? 0.05 : -0.05));  // which comes back
-  CHECK(losses.at_play == 2);
+  CHECK(losses.reference_energy == 2);
   CHECK(losses.told(*newmark).empty());
 }
 

@@ -55,7 +55,7 @@ void check_same(const State& a, const State& b) {
   CHECK((a.energy.elastic == b.energy.elastic && a.energy.contact == b.energy.contact));
   CHECK(a.energy.dissipated == b.energy.dissipated);
   CHECK((a.energy.gradient == b.energy.gradient && a.energy.unexplained == b.energy.unexplained));
-  CHECK((a.energy.lowest == b.energy.lowest && a.energy.at_play == b.energy.at_play));
+  CHECK((a.energy.numerical_gain_low == b.energy.numerical_gain_low && a.energy.reference_energy == b.energy.reference_energy));
 }
 
 }  // namespace

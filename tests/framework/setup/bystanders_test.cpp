@@ -78,15 +78,15 @@ TEST_CASE("a fast body that may hit a soft one stiffens its contact", "[setup]")
 }
 
 TEST_CASE("the flight of a fast bystander is no measure of what others lose", "[setup]") {
-  const auto at_play = [](const std::string& more) {
+  const auto reference_energy = [](const std::string& more) {
     TestRun s(scene(bases[0].yaml + more));
     double most = 0;
-    for (int i = 0; i < 10; ++i) most = std::max(most, s.step().flows.at_play);
+    for (int i = 0; i < 10; ++i) most = std::max(most, s.step().flows.reference_energy);
     return most;
   };
-  const double alone = at_play("");
+  const double alone = reference_energy("");
   CHECK(alone > 0.1);  // J: 1 kg at 0.6 m/s
-  CHECK(at_play(bystanders[2].yaml) == Approx(alone).epsilon(0.01));  // that has 10 J
+  CHECK(reference_energy(bystanders[2].yaml) == Approx(alone).epsilon(0.01));  // that has 10 J
 }
 
 // Without an end, all that moves meets: the duration decides who may meet, and a longer run may find another stiffness.

@@ -195,8 +195,8 @@ TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
   CHECK_FALSE(step_to(1.003).gained);  // 0.6% more
   const EnergyFlows gain = step_to(1.006);  // 1.2% together
   CHECK(gain.gained);
-  CHECK(gain.at_play == Approx(0.5 * 1.006 * 1.006));
-  CHECK(gain.moving == gain.at_play);
+  CHECK(gain.reference_energy == Approx(0.5 * 1.006 * 1.006));
+  CHECK(gain.moving == gain.reference_energy);
   CHECK_FALSE(step_to(1.006).gained);
   CHECK_FALSE(step_to(0.5).gained);
   CHECK(step_to(0.6).gained);  // what was lost before is no credit
@@ -212,7 +212,7 @@ TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
     }
     return told;
   };
-  CHECK(told_after(0.55, 30) == 0);  // 5% of what was at play
+  CHECK(told_after(0.55, 30) == 0);  // 5% of the reference energy
   CHECK(told_after(0.7, 15) == 0);
   CHECK(told_after(0.5, 1) == 0);  // it has passed
   CHECK(told_after(0.7, 30) == 16);

@@ -20,14 +20,14 @@ std::string floor_at(const char* name, double x, double y) {
 
 struct Told {
   std::string text;
-  double scene_loss = 0, at_play = 0;  // J
+  double scene_loss = 0, reference_energy = 0;  // J
 };
 
 Told told(const std::string& objects, int steps) {
   TestRun run(head + "objects:\n" + objects + "contact: {distance: 1 mm}\n");
   RunSummary summary;
   for (int i = 0; i < steps; ++i) summary.add(run.step());
-  Told told{"", summary.losses.integrator.lost, summary.losses.at_play};
+  Told told{"", summary.losses.integrator.lost, summary.losses.reference_energy};
   for (const Warning& w : summary.losses.told(*run.config.time.integrator, run.stepper.energy_groups())) told.text += w.text + "\n";
   return told;
 }
@@ -49,7 +49,7 @@ TEST_CASE("a small body that loses energy beside a heavy one that bounces is war
   CHECK_FALSE(contains(beside.text, "'heavy'"));
   CHECK(only_heavy.text == "");
   // Sabotage: by the sum of the scene it would pass.
-  CHECK(beside.scene_loss < EnergyLosses::tolerated * beside.at_play);
+  CHECK(beside.scene_loss < EnergyLosses::tolerated * beside.reference_energy);
 }
 
 // Every way in which energy is stored, fed and dissipated is told apart by groups.
@@ -74,16 +74,16 @@ TEST_CASE("the balances of groups add up to that of the scene", "[energy]") {
   for (int i = 0; i < 10; ++i) {
     const StepReport r = run.step();
     REQUIRE(r.flows.groups.size() == 5);
-    double sum = 0, at_play = 0;
+    double sum = 0, reference_energy = 0;
     for (size_t g = 0; g < 5; ++g) {
       const GroupFlow& flow = r.flows.groups[g];
       sum += flow.numerics;
       most[g] = std::max(most[g], std::abs(flow.numerics));
-      at_play = std::max(at_play, flow.at_play);
+      reference_energy = std::max(reference_energy, flow.reference_energy);
       CHECK_FALSE(flow.met_another);
     }
     INFO("step " << i);
-    CHECK(sum == Approx(r.flows.numerics + r.flows.areas).margin(1e-9 * at_play));
+    CHECK(sum == Approx(r.flows.numerics + r.flows.areas).margin(1e-9 * reference_energy));
   }
   CHECK(run.stepper.energy_groups() == std::vector<std::string>{"'slider'", "'cube'", "'pushed'", "'yields'", "'base' and 1 more"});
   for (const double largest : most) CHECK(largest > 0);

@@ -215,10 +215,10 @@ TEST_CASE("bodies that pass through each other are recorded and told, and the ru
   while (!run.stepper.finished()) {
     const StepReport report = run.step();
     CHECK(report.halvings == 0);
-    CHECK(report.figures.size() == 5);
-    for (const StepFigure& figure : report.figures) {
-      if (figure.name == "crossing_pairs") CHECK(figure.value == report.intersections);
-      if (figure.name == "penetration") deepest = std::max(deepest, figure.value);
+    CHECK(report.metrics.size() == 5);
+    for (const StepMetric& metric : report.metrics) {
+      if (metric.name == "crossing_pairs") CHECK(metric.value == report.intersections);
+      if (metric.name == "penetration") deepest = std::max(deepest, metric.value);
     }
     crossed += report.intersections;
     unconverged = unconverged || !report.converged;

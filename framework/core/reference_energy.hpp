@@ -7,7 +7,8 @@
 
 namespace tack {
 
-struct EnergyAtPlay {
+/// Extremes of the energies of a run.
+struct ReferenceEnergy {
   using Range = std::array<double, 3>;  // change since the start, its minimum and its maximum [J]
 
   double kinetic = 0, dissipated = 0;     // largest values so far [J]
@@ -19,13 +20,13 @@ struct EnergyAtPlay {
     range[1] = std::min(range[1], range[0]);
     range[2] = std::max(range[2], range[0]);
   }
-  bool operator==(const EnergyAtPlay&) const = default;
+  bool operator==(const ReferenceEnergy&) const = default;
   // Returns the largest of all amounts [J].
-  double most() const {
-    double most = std::max(kinetic, dissipated);
+  double largest() const {
+    double largest = std::max(kinetic, dissipated);
     for (const Range* range : {&elastic, &contact, &gravity, &work})
-      most = std::max(most, (*range)[2] - (*range)[1]);
-    return most;
+      largest = std::max(largest, (*range)[2] - (*range)[1]);
+    return largest;
   }
 };
 

@@ -6,11 +6,12 @@
 
 namespace tack {
 
-struct StepFigure {
-  enum class Over { sum, most };
+/// A named number of a step.
+struct StepMetric {
+  enum class RunValue { sum, maximum };  // value of a run
   std::string name;
   double value = 0;  // SI
-  Over run = Over::most;
+  RunValue run_value = RunValue::maximum;
 };
 
 }  // namespace tack
