@@ -35,10 +35,10 @@ std::optional<double> quantity(const std::string& text, const Unit& unit, const 
   return value;
 }
 
-void print_figures(const std::vector<LawFigure>& figures) {
+void print_quantities(const std::vector<KeyQuantity>& quantities) {
   size_t longest = 0;
-  for (const LawFigure& f : figures) longest = std::max(longest, f.name.size());
-  for (const LawFigure& f : figures) {
+  for (const KeyQuantity& f : quantities) longest = std::max(longest, f.name.size());
+  for (const KeyQuantity& f : quantities) {
     std::string value = std::isfinite(f.value) ? with_axis_unit(f.value, f.unit) : "none";
     if (value.find(" 10") != value.npos) value = fmt::format("{:.6g} {}", f.value, f.unit);  // without a prefix
     if (f.remark.empty()) fmt::print("  {:<{}}  {}\n", f.name, longest, value);
@@ -74,10 +74,10 @@ void print_curve(const BondStudy& study, double work) {
   const BondPath& path = study.slow.front();
   fmt::print("  {}, slowly:\n", direction_name(path.angle));
   print_row({"opening", "traction", "intensity", "stored", "dissipated"});
-  const double end = std::min(path.shown, way_of(path.points.back()));
+  const double end = std::min(path.shown, displacement_of(path.points.back()));
   for (int i = 1; i <= printed_rows; ++i) {
-    const BondPoint& p = nearest_point(path.points, end * i / printed_rows, way_of);
-    print_row({with_axis_unit(way_of(p), "m"), with_axis_unit(pull_of(p, path.angle), "Pa"), fmt::format("{:.4g}", p.intensity), energy_text(p.stored, work),
+    const BondPoint& p = nearest_point(path.points, end * i / printed_rows, displacement_of);
+    print_row({with_axis_unit(displacement_of(p), "m"), with_axis_unit(traction_along(p, path.angle), "Pa"), fmt::format("{:.4g}", p.intensity), energy_text(p.stored, work),
                energy_text(p.dissipated, work)});
   }
 }
@@ -127,7 +127,7 @@ class Written {
 template <class Study>
 void write(const Study& study, const std::string& title, const std::string& prefix, Written& written) {
   written.table(prefix + "curves", curves_table(study));
-  written.table(prefix + "figures", figures_table(study.figures));
+  written.table(prefix + "figures", quantities_table(study.quantities));
   written.pictures(prefix, law_plots(title, study));
 }
 
@@ -157,13 +157,13 @@ int law_command(const LawOptions& o) {
     fmt::print("{}: a law of {}. {}.\n", law.name, law.gap ? "the gap" : "bonds", law.law().traits_text());
     if (law.gap) {
       const GapStudy study = study_gap_law(law, settings);
-      print_figures(study.figures);
+      print_quantities(study.quantities);
       right = print_check(check_pair(law.pair), true) && right;
       print_curve(study);
       if (written) write(study, law.name, prefix, *written);
     } else {
       const BondStudy study = study_bond_law(law, settings);
-      print_figures(study.figures);
+      print_quantities(study.quantities);
       LawCheck check = check_law(*law.bond);
       for (const std::string& doubt : law.bond->doubts()) check.doubtful.push_back(doubt);
       if (const std::string note = law.bond->note(); !note.empty()) check.notes.push_back(note);

@@ -1,5 +1,5 @@
-// Study of a bond law alone: parting along the normal, tangentially and between, slowly and at
-// speed, with unloading and reloading; the time of pressing that full strength needs; key numbers.
+// Study of a bond law without a scene: opening along the normal, tangentially and at 45 degrees,
+// quasi-static and at several speeds, with unloading and reloading; healing time; key quantities.
 #pragma once
 
 #include "framework/bond/bond_curve.hpp"
@@ -10,26 +10,27 @@ namespace tack {
 struct BondPath {
   std::string name;  // "slow", "unloading", "rate"
   double angle = 0;  // to the normal [rad]
-  double speed = 0;  // m/s; 0: slowly
-  double shown = 0;  // opening beyond which there is little to see [m]
+  double speed = 0;  // m/s; 0: quasi-static
+  double shown = 0;  // largest opening in plots [m]
   std::vector<BondPoint> points;
 };
 
-// Returns the largest traction of slow parting after a time of pressing.
+// Strength of bonds, the largest traction of quasi-static opening, over the time of pressing.
 struct HealingCurve {
   double pressure;                                 // Pa
   std::vector<std::pair<double, double>> strength;  // over time [s, Pa]
 };
 
 struct BondStudy {
-  std::vector<BondPath> slow, unloading, rates;  // of directions in which it holds
-  std::vector<HealingCurve> healing;             // empty: it does not
-  std::vector<LawFigure> figures;
+  std::vector<BondPath> slow, unloading, rates;  // of directions with traction
+  std::vector<HealingCurve> healing;             // empty: the law does not heal
+  std::vector<KeyQuantity> quantities;
 };
 
-// Along the way, and its traction in that direction.
-double way_of(const BondPoint& p);
-double pull_of(const BondPoint& p, double angle);
+// Returns the length of opening and slip together [m].
+double displacement_of(const BondPoint& p);
+// Returns the traction along a direction [Pa]. angle: to the normal [rad].
+double traction_along(const BondPoint& p, double angle);
 
 std::string direction_name(double angle);  // "along the normal", "at 45°", "across"
 

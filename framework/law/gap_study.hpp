@@ -1,4 +1,5 @@
-// Study of a traction-separation law alone: its curve, with and without barrier; key numbers.
+// Study of a traction-separation law without a scene: its curve, with and without barrier, and its
+// key quantities.
 #pragma once
 
 #include "framework/law/studied_law.hpp"
@@ -12,9 +13,9 @@ struct GapPoint {
 };
 
 struct GapStudy {
-  std::vector<GapPoint> curve;  // to beyond its range
-  double shown = 0;             // gap beyond which there is little to see [m]
-  std::vector<LawFigure> figures;
+  std::vector<GapPoint> curve;  // up to 1.02 times the range
+  double shown = 0;             // largest gap in plots [m]
+  std::vector<KeyQuantity> quantities;
 };
 
 GapStudy study_gap_law(const StudiedLaw& studied, const StudySettings& settings);

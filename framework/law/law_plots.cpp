@@ -10,8 +10,8 @@
 namespace tack {
 namespace {
 
-constexpr double widest_of_all = 6;  // times the way over which the first lets go
-constexpr double deepest = 0.5;  // of the peak or the depth: what the barrier pushes with is cut there
+constexpr double shown_ratio_max = 6;  // largest displacement in a plot, over the smallest `shown` of its paths
+constexpr double shown_repulsion = 0.5;  // largest repulsion in a plot, of the peak or the depth
 
 Plot plot_of(const std::string& title, const char* along, const char* up, const char* unit) {
   return {.title = title, .x_label = along, .y_label = up, .x_unit = "m", .y_unit = unit, .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
@@ -24,27 +24,27 @@ Curve curve_of(const std::string& title, const std::vector<BondPoint>& points, d
   start.intensity = points.front().intensity;
   curve.points.emplace_back(0, y(start));
   for (const BondPoint& p : points)
-    if (way_of(p) <= shown * (1 + 1e-9)) curve.points.emplace_back(way_of(p), y(p));
+    if (displacement_of(p) <= shown * (1 + 1e-9)) curve.points.emplace_back(displacement_of(p), y(p));
   const BondPoint& last = points.back();
-  if (way_of(last) < shown && last.traction == 0 && last.shear == 0) curve.points.emplace_back(shown, y(last));  // it is gone
+  if (displacement_of(last) < shown && last.traction == 0 && last.shear == 0) curve.points.emplace_back(shown, y(last));  // the bond has failed
   return curve;
 }
 
-// From where it is unloaded first to where it was last.
+// Returns the curve from the first unloading to the last displacement at which unloading began.
 template <class Y>
-Curve between_turns(const BondPath& path, const Y& y) {
+Curve unloading_curve(const BondPath& path, const Y& y) {
   size_t first = 0, end = 0;
   double farthest = 0;
   const auto& p = path.points;
   for (size_t i = 1; i < p.size(); ++i) {
-    if (way_of(p[i]) > way_of(p[i - 1])) continue;
+    if (displacement_of(p[i]) > displacement_of(p[i - 1])) continue;
     if (first == 0) first = i - 1;
-    if (way_of(p[i - 1]) > farthest) farthest = way_of(p[i - 1]);
+    if (displacement_of(p[i - 1]) > farthest) farthest = displacement_of(p[i - 1]);
     end = i;
   }
-  while (end < p.size() && way_of(p[end]) <= farthest * (1 + 1e-9)) ++end;
+  while (end < p.size() && displacement_of(p[end]) <= farthest * (1 + 1e-9)) ++end;
   Curve curve{"unloaded and loaded again", {}, {}};
-  for (size_t i = first; i < end; ++i) curve.points.emplace_back(way_of(p[i]), y(p[i]));
+  for (size_t i = first; i < end; ++i) curve.points.emplace_back(displacement_of(p[i]), y(p[i]));
   return curve;
 }
 
@@ -62,8 +62,8 @@ std::map<std::string, Plot> law_plots(const std::string& title, const GapStudy& 
     if (p.gap > study.shown * (1 + 1e-9)) continue;
     traction.curves[0].points.emplace_back(p.gap, p.traction);
     energy.curves[0].points.emplace_back(p.gap, p.energy);
-    if (p.pair_traction > -deepest * peak) traction.curves[1].points.emplace_back(p.gap, p.pair_traction);
-    if (p.pair_energy < deepest * depth) energy.curves[1].points.emplace_back(p.gap, p.pair_energy);
+    if (p.pair_traction > -shown_repulsion * peak) traction.curves[1].points.emplace_back(p.gap, p.pair_traction);
+    if (p.pair_energy < shown_repulsion * depth) energy.curves[1].points.emplace_back(p.gap, p.pair_energy);
   }
   return {{"traction", std::move(traction)}, {"energy", std::move(energy)}};
 }
@@ -71,13 +71,13 @@ std::map<std::string, Plot> law_plots(const std::string& title, const GapStudy& 
 std::map<std::string, Plot> law_plots(const std::string& title, const BondStudy& study) {
   std::map<std::string, Plot> plots;
   if (study.slow.empty()) return plots;
-  // One fades over a long way where another has gone at once: of that there is enough to see.
+  // A direction that softens slowly would squeeze one that fails early.
   double least = study.slow.front().shown, shown = 0;
   for (const BondPath& p : study.slow) least = std::min(least, p.shown), shown = std::max(shown, p.shown);
-  shown = std::min(shown, widest_of_all * least);
+  shown = std::min(shown, shown_ratio_max * least);
   Plot& traction = plots["traction"] = plot_of(title, "opening or slip", "traction along the way", "Pa");
   for (const BondPath& p : study.slow)
-    traction.curves.push_back(curve_of(direction_name(p.angle), p.points, shown, [&](const BondPoint& at) { return pull_of(at, p.angle); }));
+    traction.curves.push_back(curve_of(direction_name(p.angle), p.points, shown, [&](const BondPoint& at) { return traction_along(at, p.angle); }));
   const BondPath& first = study.slow.front();
   const char* along = first.angle == 0 ? "opening" : "way";
   Plot& energy = plots["energy"] = plot_of(fmt::format("{}, {}", title, direction_name(first.angle)), along, "energy per area", "J/m^2");
@@ -91,10 +91,10 @@ std::map<std::string, Plot> law_plots(const std::string& title, const BondStudy&
   }
   for (size_t i = 0; i < study.unloading.size(); ++i) {
     const BondPath& p = study.unloading[i];
-    const auto pull = [&](const BondPoint& at) { return pull_of(at, p.angle); };
+    const auto pull = [&](const BondPoint& at) { return traction_along(at, p.angle); };
     Plot& plot = plots[picture_of(p.angle)] = plot_of(fmt::format("{}, {}", title, direction_name(p.angle)), p.angle == 0 ? "opening" : p.angle > 1 ? "slip" : "way",
                                                       "traction along the way", "Pa");
-    plot.curves = {curve_of("loaded once", study.slow[i].points, p.shown, pull), between_turns(p, pull)};
+    plot.curves = {curve_of("loaded once", study.slow[i].points, p.shown, pull), unloading_curve(p, pull)};
   }
   if (!study.rates.empty()) {
     Plot& rate = plots["rate"] = plot_of(fmt::format("{}, along the normal", title), "opening", "traction", "Pa");

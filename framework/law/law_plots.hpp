@@ -3,7 +3,7 @@
 //                         direction, with stored and dissipated energy
 //   intensity             over the opening, for bonds with history variables
 //   unloading, unloading_45, unloading_across   loading, unloading and reloading
-//   rate                  slow and at three speeds
+//   rate                  quasi-static and at three speeds
 //   healing               strength by the time of pressing
 #pragma once
 

@@ -27,7 +27,7 @@ double softer_young(const SceneConfig& scene, const std::array<int, 2>& pair) {
 
 std::vector<StudiedLaw> laws_of_scene(Value root, const LawSource& source) {
   if (source.contact_distance || source.barrier_stiffness)
-    throw InputError(fmt::format("{}: a scene has a barrier of its own: give contact.distance=... or contact.barrier.stiffness=..., without --", source.file));
+    throw InputError(fmt::format("{}: a scene has its own barrier: give contact.distance=... or contact.barrier.stiffness=..., without --", source.file));
   BuiltExperiment built(bound_experiment(std::move(root)));
   const World& world = built.world();
   std::vector<StudiedLaw> laws;
@@ -36,8 +36,8 @@ std::vector<StudiedLaw> laws_of_scene(Value root, const LawSource& source) {
     const PairTable& table = world.contact->pairs();
     StudiedLaw law;
     law.pair = table.laws()[table.thin(a, b, adhesion.part).law];
-    for (const auto& part : law.pair.laws())
-      if (auto gap = std::dynamic_pointer_cast<const NormalAdhesion>(part)) law.gap = std::move(gap);
+    for (const auto& term : law.pair.laws())
+      if (auto gap = std::dynamic_pointer_cast<const NormalAdhesion>(term)) law.gap = std::move(gap);
     if (const int rule = world.bonds ? world.bonds->table().between(a, b, adhesion.part) : -1; rule >= 0) law.bond = world.bonds->table().rules()[rule].law;
     law.name = fmt::format("{} of {}", law.law().type(), adhesion.names());
     law.contact_distance = built.experiment().contact->contact_distance;
@@ -45,7 +45,7 @@ std::vector<StudiedLaw> laws_of_scene(Value root, const LawSource& source) {
     laws.push_back(std::move(law));
   }
   if (laws.empty())
-    throw InputError(fmt::format("{}: no pair of it adheres; name one under contact.pairs, with `adhesion`", source.file));
+    throw InputError(fmt::format("{}: the scene has no adhesive pair; name one under contact.pairs, with `adhesion`", source.file));
   return laws;
 }
 
@@ -55,8 +55,9 @@ std::unique_ptr<AdhesionLaw> prepared(const Value& value, const PairMaterials& m
   return law;
 }
 
-// Half of the gap up to which it pulls most, in one digit: where no barrier is in its way; nothing if it does not say.
-std::optional<double> distance_before_peak(const Value& value, PairMaterials materials) {
+// Returns a contact distance at which the barrier does not reduce the peak: half of the gap of the
+// peak, rounded down to one digit [m]; nothing if the law has no such gap.
+std::optional<double> contact_distance_below_peak(const Value& value, PairMaterials materials) {
   try {
     materials.contact_distance = 0;
     const auto law = prepared(value, materials);
@@ -76,8 +77,8 @@ StudiedLaw law_of(const Value& value, const LawSource& source) {
   try {
     law = prepared(value, materials);
   } catch (const InputError&) {
-    // Scenes' usual contact distance may be much too large for it.
-    const auto distance = source.contact_distance ? std::nullopt : distance_before_peak(value, materials);
+    // The default contact distance may exceed the range of the law.
+    const auto distance = source.contact_distance ? std::nullopt : contact_distance_below_peak(value, materials);
     if (!distance) throw;
     materials.contact_distance = *distance;
     law = prepared(value, materials);
@@ -91,9 +92,9 @@ StudiedLaw law_of(const Value& value, const LawSource& source) {
   materials.adhesion_peak = law->peak_traction();
   Value barrier = to_value(ContactConfig().barrier.get());
   if (source.barrier_stiffness) barrier.set("stiffness", Value::number(*source.barrier_stiffness));
-  std::shared_ptr<BarrierLaw> pushes = bind_component<BarrierLaw>(barrier);
-  pushes->prepare(materials);
-  studied.pair.add(pushes);
+  std::shared_ptr<BarrierLaw> barrier_law = bind_component<BarrierLaw>(barrier);
+  barrier_law->prepare(materials);
+  studied.pair.add(barrier_law);
   if (studied.gap) studied.pair.add(studied.gap);
   return studied;
 }
@@ -103,7 +104,7 @@ StudiedLaw law_of(const Value& value, const LawSource& source) {
 std::vector<StudiedLaw> laws_of(const LawSource& source) {
   if (source.file.empty() == source.type.empty())
     throw InputError(source.file.empty()
-                         ? fmt::format("tack law: which law? Give a scene, the file of an adhesion, or --type NAME (there are: {})",
+                         ? fmt::format("tack law: no law given; give a scene, the file of an adhesion, or --type NAME (one of {})",
                                        fmt::join(Registry<AdhesionLaw>::kind().names(), ", "))
                          : fmt::format("tack law: either the file '{}' or --type {}, not both", source.file, source.type));
   Value root = Value::map();

@@ -1,4 +1,4 @@
-// Laws for `tack law`.
+// Adhesion laws that `tack law` studies, read from a scene, a file or a type.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,14 @@
 namespace tack {
 
 struct LawSource {
-  std::string file, type;              // a scene or a file of an adhesion; or the type of one
-  std::vector<std::string> settings;   // "a.b=c": of the scene or of the adhesion
-  // [m, Pa, Pa]; the first two without a scene
+  std::string file, type;              // file of a scene or an adhesion; or the type of an adhesion
+  std::vector<std::string> settings;   // "a.b=c": overrides of the scene or the adhesion
+  // [m, Pa, Pa]. The first two are refused for a scene, which has its own.
   std::optional<double> contact_distance, barrier_stiffness, young;
 };
 
-// Returns one of each law of the pairs of a scene. Throws InputError with place and remedy.
+// Returns each adhesion law of a scene once, or the single law. Throws InputError with the source
+// location and the remedy.
 std::vector<StudiedLaw> laws_of(const LawSource& source);
 
 }  // namespace tack

@@ -31,9 +31,9 @@ std::string healing_table(const BondStudy& study) {
   return text;
 }
 
-std::string figures_table(const std::vector<LawFigure>& figures) {
+std::string quantities_table(const std::vector<KeyQuantity>& quantities) {
   std::string text = "figure,value,unit,remark\n";
-  for (const LawFigure& f : figures) text += fmt::format("{},{},{},{}\n", csv_cell(f.name), f.value, csv_cell(f.unit), csv_cell(f.remark));
+  for (const KeyQuantity& f : quantities) text += fmt::format("{},{},{},{}\n", csv_cell(f.name), f.value, csv_cell(f.unit), csv_cell(f.remark));
   return text;
 }
 

@@ -8,14 +8,14 @@
 
 namespace tack {
 
-// gap,traction,energy,pair_traction,pair_energy; the last two with the barrier.
+// Columns: gap, traction, energy, pair_traction, pair_energy; the last two with the barrier.
 std::string curves_table(const GapStudy& study);
-// path (slow, unloading, rate),angle [deg],speed (0:
-// slowly),time,opening,slip,traction,shear,intensity,stored,dissipated
+// Columns: path (slow, unloading, rate), angle [deg], speed (0: quasi-static), time, opening, slip,
+// traction, shear, intensity, stored, dissipated.
 std::string curves_table(const BondStudy& study);
-// pressure,time,strength
+// Columns: pressure, time, strength.
 std::string healing_table(const BondStudy& study);
-// figure,value,unit,remark
-std::string figures_table(const std::vector<LawFigure>& figures);
+// Columns: figure (name of the quantity), value, unit, remark.
+std::string quantities_table(const std::vector<KeyQuantity>& quantities);
 
 }  // namespace tack

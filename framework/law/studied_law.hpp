@@ -1,4 +1,4 @@
-// Adhesion law as its pair of surfaces uses it: prepared, and with the barrier of the pair.
+// An adhesion law as its pair of surfaces uses it: prepared, and with the barrier of the pair.
 #pragma once
 
 #include <memory>
@@ -12,26 +12,26 @@
 namespace tack {
 
 struct StudiedLaw {
-  std::string name;  // "fang"; of a scene "fang of 'tape' - 'desk'"
-  std::shared_ptr<const NormalAdhesion> gap;  // one of both
+  std::string name;  // "fang"; in a scene "fang of 'tape' - 'desk'"
+  // Either a traction-separation law or a bond law.
+  std::shared_ptr<const NormalAdhesion> gap;
   std::shared_ptr<const BondLaw> bond;
-  PairLaw pair;  // what surfaces feel of their gap: barrier and adhesion, or beside bonds the
-                 // barrier alone
+  PairLaw pair;  // law of the gap: barrier and adhesion; for bonds, the barrier alone
   double contact_distance = 0;  // m
-  double young = 0;             // of the softer side [Pa]; 0: not known
+  double young = 0;             // Young's modulus of the softer side [Pa]; 0: unknown
 
   const AdhesionLaw& law() const { return gap ? static_cast<const AdhesionLaw&>(*gap) : *bond; }
 };
 
 struct StudySettings {
-  std::optional<double> speed;     // that surfaces part at [m/s]
-  // Pressure on the surfaces [Pa]; the peak traction unless given
+  std::optional<double> speed;     // opening speed of the surfaces [m/s]
+  // Pressure that heals bonds [Pa]; the peak traction unless given.
   std::optional<double> pressure;
 };
 
 // A key number of a law.
-struct LawFigure {
-  std::string name;  // of words; "peak traction"
+struct KeyQuantity {
+  std::string name;  // "peak traction"
   double value = 0;
   std::string unit;  // SI
   std::string remark = {};

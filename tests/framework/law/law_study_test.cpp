@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "framework/config/units.hpp"
-#include "framework/law/demands.hpp"
+#include "framework/law/scene_requirements.hpp"
 #include "framework/law/law_plots.hpp"
 #include "framework/law/law_source.hpp"
 
@@ -20,55 +20,55 @@ StudiedLaw law(const std::string& type, const std::vector<std::string>& settings
   return laws_of(source).at(0);
 }
 
-double figure(const std::vector<LawFigure>& figures, const std::string& name) {
-  for (const LawFigure& f : figures)
+double quantity_of(const std::vector<KeyQuantity>& quantities, const std::string& name) {
+  for (const KeyQuantity& f : quantities)
     if (f.name == name) return f.value;
-  FAIL("no figure '" << name << "'");
+  FAIL("no quantity '" << name << "'");
   return 0;
 }
 
-bool has(const std::vector<LawFigure>& figures, const std::string& name) {
-  return std::any_of(figures.begin(), figures.end(), [&](const LawFigure& f) { return f.name == name; });
+bool has(const std::vector<KeyQuantity>& quantities, const std::string& name) {
+  return std::any_of(quantities.begin(), quantities.end(), [&](const KeyQuantity& f) { return f.name == name; });
 }
 
 }  // namespace
 
-TEST_CASE("the figures of Fang's law are those of its closed form", "[law]") {
-  // Traction Y eps_c at dhat_p, W = Y eps_c dhat_a / 2; a triangle, which falls from 0.9 to 0.1 over 0.8 (dhat_a - dhat_p).
+TEST_CASE("key quantities of Fang's law agree with its closed form", "[law]") {
+  // A triangle with peak Y eps_c at dhat_p and W = Y eps_c dhat_a / 2. The traction falls from 0.9 to 0.1 of the peak over 0.8 (dhat_a - dhat_p).
   const StudiedLaw fang = law("fang", {"young=2 MPa", "critical_strain=0.01", "peak_distance=1.5 mm", "range=4 mm"}, 1e6);
   const GapStudy study = study_gap_law(fang, {.speed = 1e-3, .pressure = {}});
-  const auto& f = study.figures;
-  CHECK(figure(f, "peak traction") == Approx(2e4).epsilon(1e-6));
-  CHECK(figure(f, "gap of the peak") == Approx(1.5e-3).epsilon(1e-6));
-  CHECK(figure(f, "range") == Approx(4e-3));
-  CHECK(figure(f, "work of adhesion") == Approx(40).epsilon(1e-12));
-  CHECK(figure(f, "work integrated") == Approx(40).epsilon(1e-6));
-  CHECK(figure(f, "process zone") == Approx(1e6 * 40 / 4e8));
-  CHECK(figure(f, "mesh size") == Approx(1e6 * 40 / 4e8 / 3));
-  CHECK(figure(f, "gap change across an element") == Approx(1e-3));
-  CHECK(figure(f, "way per step") == Approx(0.1 * 0.8 * 2.5e-3).epsilon(1e-4));
-  CHECK(figure(f, "time step") == Approx(0.1 * 0.8 * 2.5).epsilon(1e-4));
+  const auto& f = study.quantities;
+  CHECK(quantity_of(f, "peak traction") == Approx(2e4).epsilon(1e-6));
+  CHECK(quantity_of(f, "gap of the peak") == Approx(1.5e-3).epsilon(1e-6));
+  CHECK(quantity_of(f, "range") == Approx(4e-3));
+  CHECK(quantity_of(f, "work of adhesion") == Approx(40).epsilon(1e-12));
+  CHECK(quantity_of(f, "work integrated") == Approx(40).epsilon(1e-6));
+  CHECK(quantity_of(f, "process zone") == Approx(1e6 * 40 / 4e8));
+  CHECK(quantity_of(f, "mesh size") == Approx(1e6 * 40 / 4e8 / 3));
+  CHECK(quantity_of(f, "gap change across an element") == Approx(1e-3));
+  CHECK(quantity_of(f, "way per step") == Approx(0.1 * 0.8 * 2.5e-3).epsilon(1e-4));
+  CHECK(quantity_of(f, "time step") == Approx(0.1 * 0.8 * 2.5).epsilon(1e-4));
   const PairLaw::Well well = fang.pair.well();
-  CHECK(figure(f, "depth of the well") == well.depth);
+  CHECK(quantity_of(f, "depth of the well") == well.depth);
   CHECK(well.depth < 40);
-  CHECK(std::abs(fang.pair.at(figure(f, "rest gap")).slope) < 1);  // Pa
+  CHECK(std::abs(fang.pair.at(quantity_of(f, "rest gap")).slope) < 1);  // Pa
   for (const GapPoint& p : study.curve)
     if (p.gap < 1.5e-3) CHECK(p.traction == Approx(2e4 * p.gap / 1.5e-3));
 }
 
-TEST_CASE("the figures of RCC are those of its closed form, in each direction", "[law]") {
+TEST_CASE("key quantities of RCC agree with its closed form in each direction", "[law]") {
   constexpr double stiffness = 3e8, across = 1e8, work = 2;  // C_N, C_T, W
   const BondStudy study = study_bond_law(law("rcc", {"normal_stiffness=3e8", "tangential_stiffness=1e8", "work_of_adhesion=2"}), {});
-  const auto& f = study.figures;
+  const auto& f = study.quantities;
   for (const auto& [name, c] : {std::pair("along the normal", stiffness), std::pair("at 45°", (stiffness + across) / 2), std::pair("across", across)}) {
     INFO(name);
-    CHECK(figure(f, std::string("peak ") + name) == Approx(std::sqrt(work * c)).epsilon(1e-5));
-    CHECK(figure(f, std::string("opening of the peak ") + name) == Approx(std::sqrt(work / c)).epsilon(1e-4));
-    CHECK(figure(f, std::string("critical opening ") + name) == Approx(10 * std::sqrt(work / c)).epsilon(0.01));  // beta = W / k = 0.01
-    CHECK(figure(f, std::string("work ") + name) == Approx(work * (1 - 0.005)).epsilon(1e-3));                     // W/2 (2 - (d_0/d)^2) up to there
+    CHECK(quantity_of(f, std::string("peak ") + name) == Approx(std::sqrt(work * c)).epsilon(1e-5));
+    CHECK(quantity_of(f, std::string("opening of the peak ") + name) == Approx(std::sqrt(work / c)).epsilon(1e-4));
+    CHECK(quantity_of(f, std::string("critical opening ") + name) == Approx(10 * std::sqrt(work / c)).epsilon(0.01));  // beta = W / k = 0.01
+    CHECK(quantity_of(f, std::string("work ") + name) == Approx(work * (1 - 0.005)).epsilon(1e-3));                     // W/2 (2 - (d_0/d)^2) up to there
   }
-  CHECK(figure(f, "stiffness along the normal") == Approx(stiffness));
-  CHECK(figure(f, "stiffness across") == Approx(across));
+  CHECK(quantity_of(f, "stiffness along the normal") == Approx(stiffness));
+  CHECK(quantity_of(f, "stiffness across") == Approx(across));
   CHECK_FALSE(has(f, "speed that tells"));
   CHECK(study.rates.empty());
   CHECK(study.healing.empty());
@@ -76,8 +76,8 @@ TEST_CASE("the figures of RCC are those of its closed form, in each direction", 
   REQUIRE(study.unloading.size() == 3);
 }
 
-TEST_CASE("what is unloaded comes back the way it went, and goes on where it was", "[law]") {
-  // Bilinear: sigma = 1e4 at 2e-5, gone at 2e-4; unloads towards the origin with its intensity times the stiffness.
+TEST_CASE("bilinear bonds unload along the secant and reload to the envelope", "[law]") {
+  // The envelope has its peak of 1e4 Pa at 2e-5 m and ends at 2e-4 m. Unloading goes towards the origin with intensity times stiffness.
   const BondStudy study = study_bond_law(law("bilinear", {"peak_traction=1e4", "work_of_adhesion=1"}), {});
   REQUIRE(!study.unloading.empty());
   const BondPath& path = study.unloading.front();
@@ -99,12 +99,12 @@ TEST_CASE("what is unloaded comes back the way it went, and goes on where it was
   CHECK(path.points.back().intensity == 0);
 }
 
-TEST_CASE("rate, healing and the steps of what is integrated are found by themselves", "[law]") {
+TEST_CASE("a study finds rate effects, healing times and the steps of explicit laws", "[law]") {
   const std::vector<std::string> settings = {"normal_stiffness=1e8", "work_of_adhesion=1", "viscosity=0.01", "healing=1e-4", "saturation=10 kPa"};
   const BondStudy study = study_bond_law(law("rcc", settings), {});
-  // 10% more work at v eta / (W d_0) = 0.15, d_0 = 1e-4 m; pressed with p_0: 1 - exp(-r p_0 t) of a bond.
-  CHECK(figure(study.figures, "speed that tells") == Approx(1.5e-3).epsilon(0.05));
-  CHECK(figure(study.figures, "time to heal") == Approx(std::numbers::ln2).epsilon(1e-3));
+  // The work is 10% larger at v eta / (W d_0) = 0.15 with d_0 = 1e-4 m. Under the pressure p_0, the intensity is 1 - exp(-r p_0 t).
+  CHECK(quantity_of(study.quantities, "speed that tells") == Approx(1.5e-3).epsilon(0.05));
+  CHECK(quantity_of(study.quantities, "time to heal") == Approx(std::numbers::ln2).epsilon(1e-3));
   REQUIRE(study.rates.size() == 3);
   double peak = 1e4;
   for (const BondPath& rate : study.rates) {
@@ -115,36 +115,36 @@ TEST_CASE("rate, healing and the steps of what is integrated are found by themse
   }
   REQUIRE(study.healing.size() == 3);
   CHECK(study.healing[1].pressure == 1e4);
-  // A bond of the intensity b is C_N d b up to k b = W, from b^2 C_N d: its peak is sqrt(W C_N) b^(3/2).
+  // A bond of intensity b has the peak sqrt(W C_N) b^(3/2).
   for (const auto& [time, strength] : study.healing[1].strength)
-    if (const double b = -std::expm1(-time); b > 0.011) CHECK(strength == Approx(1e4 * std::pow(b, 1.5)).epsilon(0.01));  // less is no bond
-  CHECK(has(study_bond_law(law("rcc_explicit", settings), {}).figures, "longest time step"));
-  CHECK(figure(study_bond_law(law("rcc_explicit", settings), {}).figures, "longest time step") == Approx(0.01));
-  CHECK_FALSE(has(study.figures, "longest time step"));
+    if (const double b = -std::expm1(-time); b > 0.011) CHECK(strength == Approx(1e4 * std::pow(b, 1.5)).epsilon(0.01));  // below 0.01 the bond does not exist
+  CHECK(has(study_bond_law(law("rcc_explicit", settings), {}).quantities, "longest time step"));
+  CHECK(quantity_of(study_bond_law(law("rcc_explicit", settings), {}).quantities, "longest time step") == Approx(0.01));
+  CHECK_FALSE(has(study.quantities, "longest time step"));
 }
 
-TEST_CASE("a law integrated explicitly is parted in steps that are short enough for it", "[law]") {
+TEST_CASE("the study of an explicitly integrated law takes short enough steps", "[law]") {
   const BondStudy study = study_bond_law(law("rcc_explicit", {"normal_stiffness=1e8", "tangential_stiffness=1e8", "work_of_adhesion=1", "viscosity=0.3"}), {});
-  CHECK(figure(study.figures, "peak along the normal") == Approx(1e4).epsilon(0.01));
-  CHECK(figure(study.figures, "work along the normal") == Approx(1).epsilon(0.01));
+  CHECK(quantity_of(study.quantities, "peak along the normal") == Approx(1e4).epsilon(0.01));
+  CHECK(quantity_of(study.quantities, "work along the normal") == Approx(1).epsilon(0.01));
 }
 
-TEST_CASE("bonds that are unstressed where surfaces touch balance the barrier, or are taken apart by it", "[law]") {
+TEST_CASE("bonds that are unstressed at zero gap balance the barrier, or break under it", "[law]") {
   const StudiedLaw rcc = law("rcc", {"normal_stiffness=1e8", "work_of_adhesion=1"});
-  const double gap = figure(study_bond_law(rcc, {}).figures, "rest gap");
+  const double gap = quantity_of(study_bond_law(rcc, {}).quantities, "rest gap");
   CHECK(-rcc.pair.at(gap).slope == Approx(1e8 * gap));
-  CHECK_FALSE(std::isfinite(figure(study_bond_law(law("bonded", {"peak_traction=1e4"}), {}).figures, "rest gap")));
+  CHECK_FALSE(std::isfinite(quantity_of(study_bond_law(law("bonded", {"peak_traction=1e4"}), {}).quantities, "rest gap")));
 }
 
-TEST_CASE("what breaks at once, and what never falls", "[law]") {
+TEST_CASE("the softening range of brittle laws is the opening, and that of rising tractions is empty", "[law]") {
   const BondStudy brittle = study_bond_law(law("bonded", {"peak_traction=1e4"}), {});
-  CHECK(figure(brittle.figures, "way per step") == Approx(1e-7).epsilon(0.01));
-  CHECK(fall_of({{0, 0}, {1, 1}, {2, 2}}).way() == 0);
-  CHECK(fall_of({{0, 0}, {1, 1}, {3, 0}}).way() == Approx(1.6));
-  CHECK(fall_of({}).way() == 0);
+  CHECK(quantity_of(brittle.quantities, "way per step") == Approx(1e-7).epsilon(0.01));
+  CHECK(softening_range({{0, 0}, {1, 1}, {2, 2}}).width() == 0);
+  CHECK(softening_range({{0, 0}, {1, 1}, {3, 0}}).width() == Approx(1.6));
+  CHECK(softening_range({}).width() == 0);
 }
 
-TEST_CASE("the contact distance gives way to laws of a smaller scale, unless it is given", "[law]") {
+TEST_CASE("the default contact distance shrinks below the peak of a short-range law", "[law]") {
   const StudiedLaw small = law("dugdale", {"peak_traction=1 MPa", "work_of_adhesion=1"});  // to 1 um
   CHECK(small.contact_distance == Approx(4e-7));
   CHECK(law("dugdale", {"peak_traction=1 kPa", "work_of_adhesion=10"}).contact_distance == 1e-3);
@@ -155,12 +155,12 @@ TEST_CASE("the contact distance gives way to laws of a smaller scale, unless it 
   CHECK_THROWS_WITH(laws_of(source), Catch::Contains("within the contact distance 0.001 m"));
   source.contact_distance = 2e-7;
   source.barrier_stiffness = 100;
-  const double soft = study_gap_law(laws_of(source).at(0), {}).figures.at(7).value;
+  const double soft = study_gap_law(laws_of(source).at(0), {}).quantities.at(7).value;
   source.barrier_stiffness = 1e5;
-  CHECK(soft > study_gap_law(laws_of(source).at(0), {}).figures.at(7).value);  // a stiffer barrier takes more of the work
+  CHECK(soft > study_gap_law(laws_of(source).at(0), {}).quantities.at(7).value);  // a stiffer barrier makes the well shallower
 }
 
-TEST_CASE("pictures of laws have axes with units, and what they are to show", "[law]") {
+TEST_CASE("plots of laws have axes with units and all curves", "[law]") {
   const auto gap = law_plots("fang", study_gap_law(law("fang", {"peak_traction=1e4"}), {}));
   REQUIRE(gap.contains("traction"));
   CHECK(gap.at("traction").x_unit == "m");
@@ -168,7 +168,7 @@ TEST_CASE("pictures of laws have axes with units, and what they are to show", "[
   CHECK(gap.at("traction").curves.size() == 2);
   CHECK(gap.at("energy").y_unit == "J/m^2");
   const auto bonds = law_plots("rcc", study_bond_law(law("rcc", {"normal_stiffness=1e8", "work_of_adhesion=1", "viscosity=0.01", "healing=1e-4"}), {}));
-  CHECK(bonds.size() == 7);  // it holds at 45 degrees, and not across
+  CHECK(bonds.size() == 7);  // traction at 45 degrees, none across
   for (const char* name : {"traction", "energy", "intensity", "unloading", "rate", "healing"}) {
     INFO(name);
     REQUIRE(bonds.contains(name));

@@ -1,0 +1,65 @@
+#include "framework/law/scene_requirements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/plot/axis_unit.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double softening_start = 0.9, softening_end = 0.1;  // tractions, of the peak
+constexpr double mesh_size_per_zone = 1.0 / 3;
+constexpr double step_per_softening = 0.1;  // displacement per step over the softening range
+// Largest change of the gap across an element, in ranges (framework/checks/resolution.hpp).
+constexpr double gap_change_per_range = 0.25;
+// Softening range over the opening; a smaller one is brittle: no step resolves it.
+constexpr double brittle_softening = 0.01;
+
+}  // namespace
+
+SofteningRange softening_range(const std::vector<std::pair<double, double>>& traction) {
+  double peak = 0;
+  for (const auto& [x, y] : traction) peak = std::max(peak, y);
+  SofteningRange softening;
+  for (size_t i = 0; i + 1 < traction.size() && peak > 0; ++i) {
+    const double x = traction[i].first, y = traction[i].second, next = traction[i + 1].first, below = traction[i + 1].second;
+    const auto crossed = [&](double level) { return y >= level && below < level ? x + (next - x) * (y - level) / (y - below) : 0; };
+    if (const double at = crossed(softening_start * peak); at > 0) softening.from = at;
+    if (const double at = crossed(softening_end * peak); at > 0) softening.to = at;
+  }
+  return softening.to > softening.from ? softening : SofteningRange{};
+}
+
+void add_scene_requirements(const StudiedLaw& studied, const StudySettings& settings, const SofteningRange& softening, std::vector<KeyQuantity>& quantities) {
+  const double peak = studied.law().peak_traction(), work = studied.law().work_of_adhesion();
+  if (peak > 0 && work > 0 && std::isfinite(work)) {
+    const double per_young = work / (peak * peak);
+    if (studied.young > 0) {
+      const double zone = studied.young * per_young;
+      quantities.push_back({"process zone", zone, "m", fmt::format("E W / sigma^2 with E = {}", with_axis_unit(studied.young, "Pa"))});
+      quantities.push_back({"mesh size", mesh_size_per_zone * zone, "m", "for peeling and tearing: a third of the process zone; at most all of it"});
+    } else {
+      quantities.push_back({"process zone per modulus", per_young, "m/Pa", "W / sigma^2; with --young the process zone and the mesh size"});
+    }
+  }
+  if (studied.gap)
+    quantities.push_back({"gap change across an element", gap_change_per_range * studied.gap->range(), "m",
+                       "at most: a quarter of the range; where surfaces are curved or tilted"});
+  if (softening.width() > 0) {
+    const bool brittle = softening.width() < brittle_softening * softening.to;
+    quantities.push_back({"way per step", step_per_softening * (brittle ? softening.to : softening.width()), "m",
+                       brittle ? "at most: a tenth of the critical opening; the failure is brittle, and no step resolves it"
+                               : "at most: a tenth of the displacement over which the traction falls from 0.9 to 0.1 of its peak"});
+    if (settings.speed) {
+      const double step = quantities.back().value / *settings.speed;
+      quantities.push_back({"time step", step, "s", fmt::format("at most, at {}", with_axis_unit(*settings.speed, "m/s"))});
+    }
+  }
+  if (studied.bond && std::isfinite(studied.bond->longest_step()))
+    quantities.push_back({"longest time step", studied.bond->longest_step(), "s", "explicit integration: with longer steps, force and work of the failure are wrong"});
+}
+
+}  // namespace tack
