@@ -37,7 +37,7 @@ PairConfigs::PairConfigs(const SceneConfig& scene, const Value& root, const Obje
       if (names.contains(group))
         throw InputError(fmt::format("object '{}' is in a group '{}', which is the name of an object; name the group otherwise", o.name, group));
   for (int i = 0; i < static_cast<int>(entries_.size()); ++i) read(i);
-  for (int i = 0; i < static_cast<int>(entries_.size()); ++i) spread(i);
+  for (int i = 0; i < static_cast<int>(entries_.size()); ++i) assign_to_pairs(i);
 }
 
 std::string PairConfigs::location(int entry) const {
@@ -82,33 +82,33 @@ void PairConfigs::read(int i) {
                                pair.between[0].object, pair.between[1].object));
 }
 
-void PairConfigs::spread(int i) {
-  if (entries_[i].parts > 0) return;
+void PairConfigs::assign_to_pairs(int i) {
+  if (entries_[i].region_count > 0) return;
   for (const auto& [a, b] : classes_.examples())
-    if (meant(i, a, b)) take(i, a, b);
+    if (matches(i, a, b)) assign(i, a, b);
 }
 
-std::vector<int> PairConfigs::of_parts(int a, int b) const {
-  const int whole = of(a, b);
+std::vector<int> PairConfigs::of_regions(int a, int b) const {
+  const int of_objects = of(a, b);
   std::vector<int> found;
   for (int i = 0; i < static_cast<int>(entries_.size()); ++i)
-    if (entries_[i].parts > 0 && meant(i, a, b) && (whole < 0 || entries_[i].rank >= entries_[whole].rank)) found.push_back(i);
+    if (entries_[i].region_count > 0 && matches(i, a, b) && (of_objects < 0 || entries_[i].rank >= entries_[of_objects].rank)) found.push_back(i);
   std::stable_sort(found.begin(), found.end(), [&](int i, int j) {
-    return std::pair(entries_[i].rank, entries_[i].parts) > std::pair(entries_[j].rank, entries_[j].parts);
+    return std::pair(entries_[i].rank, entries_[i].region_count) > std::pair(entries_[j].rank, entries_[j].region_count);
   });
   return found;
 }
 
-void PairConfigs::take(int i, int a, int b) {
-  const int known = of(a, b);
-  if (known >= 0 && entries_[known].rank > entries_[i].rank) return;
-  if (known >= 0 && entries_[known].rank == entries_[i].rank) {
+void PairConfigs::assign(int i, int a, int b) {
+  const int earlier = of(a, b);
+  if (earlier >= 0 && entries_[earlier].rank > entries_[i].rank) return;
+  if (earlier >= 0 && entries_[earlier].rank == entries_[i].rank) {
     const std::string &first = scene_.objects[a].name, &second = scene_.objects[b].name;
     if (names_objects(i)) throw error(i, fmt::format("the pair '{}', '{}' is given twice", first, second));
-    const PairConfig& other = scene_.contact->pairs[known];
+    const PairConfig& other = scene_.contact->pairs[earlier];
     throw error(i, fmt::format("'{}' and '{}' are also a pair of '{}' and '{}'{}; say which holds by an entry that names the two "
                                "objects", first, second, other.between[0].object, other.between[1].object,
-                               location(known).empty() ? "" : fmt::format(" ({})", location(known).substr(0, location(known).size() - 2))));
+                               location(earlier).empty() ? "" : fmt::format(" ({})", location(earlier).substr(0, location(earlier).size() - 2))));
   }
   entry_[classes_.index(a, b)] = entry_[classes_.index(b, a)] = i;
 }

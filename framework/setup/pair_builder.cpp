@@ -18,7 +18,7 @@ constexpr double affine_modulus = 0.01;
 // A soft body faster than its elastic waves presses with about density times speed^2, which the
 // barrier must carry. The barrier takes the body as stiff as that, up to this multiple of its
 // modulus.
-constexpr double most_times = 10;
+constexpr double stiffness_ratio_max = 10;
 // Ranges of safety barriers. A body faster than its waves is crushed on edges and tips, where only
 // safety barriers stop it; there they act over the whole contact distance.
 constexpr double safety_barrier_range = 0.5, safety_barrier_range_of_fast = 1;  // contact distances
@@ -26,7 +26,7 @@ constexpr double safety_barrier_range = 0.5, safety_barrier_range_of_fast = 1;  
 // of a coarse floor (square metres) would stop the edge of a fine mat ten thousand times too hard.
 // Not applied to adhering pairs, which must resist the pull of all vertices around an overlap
 // boundary.
-constexpr double most_uneven = 16;
+constexpr double area_ratio_max = 16;
 
 // Objects are of one class if all entries of pairs match them alike and they have equal stiffness,
 // speed, thickness, prescribed motion and attachments.
@@ -56,10 +56,10 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std
 // ten peaks, so that it is continuous, with a gap of about half the distance. Weaker adhesion
 // changes the pressure by less than a tenth, and a gap of half the distance by less than 0.02
 // distances (the slope of the clamped logarithm there).
-double answered_traction(double adhesion_peak, double resting) {
-  constexpr double felt = 10;          // peaks of the adhesion
+double barrier_traction(double adhesion_peak, double resting) {
+  constexpr double effect_limit = 10;   // peaks of the adhesion
   constexpr double of_adhesion = 0.05;  // as in energies/barrier/clamped_log.cpp
-  return adhesion_peak > 0 ? std::max(adhesion_peak, (resting - felt * adhesion_peak) / of_adhesion) : 0;
+  return adhesion_peak > 0 ? std::max(adhesion_peak, (resting - effect_limit * adhesion_peak) / of_adhesion) : 0;
 }
 
 bool adheres(const ContactConfig& contact) {
@@ -74,50 +74,50 @@ std::vector<double> contact_offsets(const SceneConfig& scene) {
 
 }  // namespace
 
-PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, const RunTimes& times, World& world)
+PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& mean_areas, const RunTimes& times, World& world)
     : scene_(scene), contact_(*scene.contact), root_(root), world_(world), loadings_(loadings(scene, world, times.duration)),
       pressures_(dynamic_pressures(scene, world, loadings_)), sheets_(sheet_stiffnesses(scene, world, loadings_, times.step)),
       resting_(adheres(contact_) ? resting_pressures(scene, world, times.duration) : std::vector<double>(world.bodies.size(), 0)),
-      classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), parts_(scene, configs_, world), table_(classes_, cells),
+      classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), regions_(scene, configs_, world), table_(classes_, mean_areas),
       colliding_(classes_), bonds_(classes_, contact_offsets(scene)) {
   table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
-  if (parts_.any()) table_.set_parts(parts_.of_vertices());
+  if (regions_.any()) table_.set_parts(regions_.vertex_regions());
 }
 
 void PairBuilder::build() {
   const std::set<std::pair<int, int>> all_attached(world_.attached.begin(), world_.attached.end());
   for (const auto& [a, b] : classes_.examples()) {
     const int index = configs_.of(a, b);
-    const std::vector<int> parts = configs_.of_parts(a, b);
+    const std::vector<int> regions = configs_.of_regions(a, b);
     const bool attached = all_attached.contains({a, b});
     if (attached && index >= 0 && contact_.pairs[index].contact && configs_.names_objects(index))
       throw configs_.error(index,
                            fmt::format("'{}' and '{}' touch where one is attached to the other, so there is no contact between "
                                        "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
-    const bool held = !world_.bodies[a].movable && !world_.bodies[b].movable, through = index >= 0 && !contact_.pairs[index].contact;
-    if (!parts.empty()) refuse_parts(a, b, parts, attached || through);
-    if (attached || (held && !contact_.between_held) || through) {
+    const bool prescribed = !world_.bodies[a].movable && !world_.bodies[b].movable, through = index >= 0 && !contact_.pairs[index].contact;
+    if (!regions.empty()) check_regions(a, b, regions, attached || through);
+    if (attached || (prescribed && !contact_.between_held) || through) {
       colliding_.set(a, b, false);
       continue;
     }
     // No law, but the exact check detects a prescribed object driven through another.
-    if (held) continue;
+    if (prescribed) continue;
     table_.set_offset(a, b, offset_of(a, b));
-    set_roles(a, b, index, parts);
+    set_roles(a, b, index, regions);
   }
 }
 
-// apart: the two objects have no contact.
-void PairBuilder::refuse_parts(int a, int b, const std::vector<int>& parts, bool apart) const {
-  for (const int entry : parts) {
+// no_contact: the two objects have no contact.
+void PairBuilder::check_regions(int a, int b, const std::vector<int>& regions, bool no_contact) const {
+  for (const int entry : regions) {
     if (table_.plain_sums) throw configs_.error(entry, "parts of objects have areas, and contact.weights: pair counts close pairs instead; take it away, or name whole objects");
     if (!contact_.pairs[entry].contact)
       throw configs_.error(entry, "what passes through each other does so as a whole; take `contact: false` away, or name whole objects");
-    if (apart && configs_.names_objects(entry))
+    if (no_contact && configs_.names_objects(entry))
       throw configs_.error(entry, fmt::format("'{}' and '{}' are in no contact, where one is attached to the other or their pair says so, and neither are parts of them; take this "
                                               "pair away", world_.bodies[a].name, world_.bodies[b].name));
   }
-  parts_.tell_apart(parts, a, b);
+  regions_.require_distinct(regions, a, b);
 }
 
 std::string PairBuilder::contact_location() const {
@@ -155,25 +155,25 @@ PairMaterials PairBuilder::materials_of(int a, int b) const {
   }
   lower(m.softer_stiffness, m.softer_young);
   const double dynamic = std::max(pressures_[a], pressures_[b]);
-  if (dynamic > 0) m.softer_stiffness = std::clamp(dynamic, m.softer_stiffness, most_times * m.softer_stiffness);
+  if (dynamic > 0) m.softer_stiffness = std::clamp(dynamic, m.softer_stiffness, stiffness_ratio_max * m.softer_stiffness);
   return m;
 }
 
-double PairBuilder::guard_of(int a, int b) const {
+double PairBuilder::safety_barrier_range_of(int a, int b) const {
   if (table_.plain_sums) return 1;
   return contact_.guard.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? safety_barrier_range_of_fast : safety_barrier_range);
 }
 
-PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int part) {
+PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
   PairMaterials materials = materials_of(a, b);
-  const double offset = table_.offset(a, b), guarded = guard_of(a, b), resting = std::max(resting_[a], resting_[b]);
-  const auto key = std::tuple{config, part, materials.softer_young, materials.softer_stiffness, offset, guarded, resting};
+  const double offset = table_.offset(a, b), barrier_range = safety_barrier_range_of(a, b), resting = std::max(resting_[a], resting_[b]);
+  const auto key = std::tuple{config, region, materials.softer_young, materials.softer_stiffness, offset, barrier_range, resting};
   if (const auto found = laws_.find(key); found != laws_.end()) {
     if (found->second.summary >= 0) add_to(world_.adhesion[found->second.summary], a, b);
     return found->second;
   }
   const PairConfig* pair = config >= 0 ? &contact_.pairs[config] : nullptr;
-  PairLaw pressure(offset), guard(offset);
+  PairLaw pressure(offset), barrier_only(offset);
   std::shared_ptr<NormalLaw> adhesion;
   std::shared_ptr<BondLaw> bond;
   try {
@@ -186,33 +186,33 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int part) {
       adhesion->prepare(materials);
       materials.adhesion_peak = dynamic_cast<const AdhesionLaw&>(*adhesion).peak_traction();
     }
-    const BarrierLaw& barrier = pair && pair->barrier ? *pair->barrier : *contact_.barrier;
-    std::shared_ptr<NormalLaw> full = barrier.clone(), close = barrier.clone();
+    const BarrierLaw& barrier_law = pair && pair->barrier ? *pair->barrier : *contact_.barrier;
+    std::shared_ptr<NormalLaw> full = barrier_law.clone(), close = barrier_law.clone();
     PairMaterials of_barrier = materials;
-    of_barrier.adhesion_peak = answered_traction(materials.adhesion_peak, resting);
+    of_barrier.adhesion_peak = barrier_traction(materials.adhesion_peak, resting);
     full->prepare(of_barrier);
-    of_barrier.contact_distance *= guarded;
+    of_barrier.contact_distance *= barrier_range;
     close->prepare(of_barrier);
     pressure.add(full);
-    guard.add(close);
+    barrier_only.add(close);
   } catch (const InputError& error) {
     if (!pair) throw InputError(contact_location() + error.what());
     throw configs_.error(config, error.what());
   }
   if (adhesion) {
     pressure.add(adhesion);
-    if (table_.plain_sums) guard.add(adhesion);
-    report(a, b, part, dynamic_cast<const AdhesionLaw&>(*adhesion), pressure);
+    if (table_.plain_sums) barrier_only.add(adhesion);
+    report(a, b, region, dynamic_cast<const AdhesionLaw&>(*adhesion), pressure);
   }
-  const TangentialLaw along = tangential_of(pair, materials.adhesion_peak);
-  TangentialLaw along_guard = along;
-  if (!table_.plain_sums) along_guard.mu_a = 0;  // safety barrier pairs do not adhere
+  const TangentialLaw tangential = tangential_of(pair, materials.adhesion_peak);
+  TangentialLaw barrier_tangential = tangential;
+  if (!table_.plain_sums) barrier_tangential.mu_a = 0;  // safety barrier pairs do not adhere
   int rule = -1;
   if (bond) {
     rule = bonds_.add(rule_of(*pair, bond, pressure, config));
-    report(a, b, part, *bond);
+    report(a, b, region, *bond);
   }
-  const LawIds ids{table_.add_law(pressure, along), table_.add_law(guard, along_guard),
+  const LawIds ids{table_.add_law(pressure, tangential), table_.add_law(barrier_only, barrier_tangential),
                    adhesion || bond ? static_cast<int>(world_.adhesion.size()) - 1 : -1, rule};
   laws_.emplace(key, ids);
   return ids;
@@ -223,9 +223,9 @@ void PairBuilder::add_to(AdhesionSummary& summary, int a, int b) const {
   summary.kinds.push_back({a, b});
 }
 
-void PairBuilder::report(int a, int b, int part, const AdhesionLaw& adhesion, const PairLaw& law) {
+void PairBuilder::report(int a, int b, int region, const AdhesionLaw& adhesion, const PairLaw& law) {
   const PairLaw::Well well = law.well();
-  world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}}, part,
+  world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}}, region,
                              adhesion.work_of_adhesion(), well.depth, well.gap,
                              adhesion.peak_traction()});
 }
@@ -242,8 +242,8 @@ void PairBuilder::refuse_bond(int a, int b, int config) const {
 
 // Reports bonds, which exist without the barrier and hold from the gap at which they form, or from
 // touching.
-void PairBuilder::report(int a, int b, int part, const BondLaw& bond) {
-  world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}}, part,
+void PairBuilder::report(int a, int b, int region, const BondLaw& bond) {
+  world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}}, region,
                              bond.work_of_adhesion(), bond.work_of_adhesion(), 0, bond.peak_traction()});
 }
 
@@ -259,7 +259,7 @@ BondRule PairBuilder::rule_of(const PairConfig& pair, std::shared_ptr<const Bond
   return {std::move(law), type, on_contact, distance, pair.unstressed == PairConfig::Unstressed::touching, barrier};
 }
 
-PairBuilder::Side PairBuilder::side_of(int a, int b, int config) const {
+PairBuilder::Side PairBuilder::integration_side_of(int a, int b, int config) const {
   if (config < 0) return Side::automatic;
   const std::string& side = contact_.pairs[config].integrate;
   if (side == "automatic") return Side::automatic;
@@ -270,10 +270,10 @@ PairBuilder::Side PairBuilder::side_of(int a, int b, int config) const {
 }
 
 // Returns one side for the two objects: that of the entry that names one.
-PairBuilder::Side PairBuilder::side_of(int a, int b, int config, const std::vector<int>& parts) const {
-  Side found = side_of(a, b, config);
-  for (const int entry : parts) {
-    const Side side = side_of(a, b, entry);
+PairBuilder::Side PairBuilder::integration_side_of(int a, int b, int config, const std::vector<int>& regions) const {
+  Side found = integration_side_of(a, b, config);
+  for (const int entry : regions) {
+    const Side side = integration_side_of(a, b, entry);
     if (found == Side::automatic) found = side;
     if (side == Side::automatic || side == found) continue;
     throw configs_.error(entry, fmt::format("integrate: '{}' and '{}' have one integration side, whatever the part, and another of their pairs names another one; say the same in both, or "
@@ -283,70 +283,70 @@ PairBuilder::Side PairBuilder::side_of(int a, int b, int config, const std::vect
 }
 
 PairBuilder::Roles PairBuilder::roles_of(int a, int b, const LawIds& ids, const Integral& integral) const {
-  const double range = table_.laws()[ids.pressure].range(), range_of_guard = table_.laws()[ids.guard].range();
-  PairRole guard{ids.guard, 1, range_of_guard, false};
-  guard.range_of_parts = integral.range_of_parts;
+  const double range = table_.laws()[ids.pressure].range(), barrier_range = table_.laws()[ids.safety_barrier].range();
+  PairRole barrier_only{ids.safety_barrier, 1, barrier_range, false};
+  barrier_only.range_of_parts = integral.region_range;
   Roles roles;
   // The area of an edge pair is half the mean of its two edges' areas, which count the surface
   // twice.
-  roles.edge = {ids.guard, 0.25, range_of_guard, false};
-  if (!integral.adheres && !table_.plain_sums) roles.edge.most_uneven = most_uneven;
-  roles.thin = {ids.pressure, 1, range};
-  roles.thin.range_of_parts = integral.range_of_parts;
+  roles.edge = {ids.safety_barrier, 0.25, barrier_range, false};
+  if (!integral.adheres && !table_.plain_sums) roles.edge.most_uneven = area_ratio_max;
+  roles.codimensional = {ids.pressure, 1, range};
+  roles.codimensional.range_of_parts = integral.region_range;
   if (table_.plain_sums) {
     roles.first = roles.second = {ids.pressure, 1, range, false};
     return roles;
   }
-  PairRole pressure{ids.pressure, 1, range, true, ids.guard, range_of_guard};
-  pressure.covered = integral.covered;
+  PairRole pressure{ids.pressure, 1, range, true, ids.safety_barrier, barrier_range};
+  pressure.covered = integral.overlap;
   pressure.bonds = integral.bonds;
-  pressure.pulls_too = integral.pulls_too;
-  pressure.range_of_parts = integral.range_of_parts;
+  pressure.pulls_too = integral.gap_adhesion;
+  pressure.range_of_parts = integral.region_range;
   pressure.by_size = a != b && integral.side == Side::automatic && !pressure.covered;
   if (a == b || integral.side == Side::both || pressure.by_size) pressure.share = 0.5;
   else pressure.automatic = integral.side == Side::automatic, pressure.finer = integral.side == Side::finer;
   roles.first = roles.second = pressure;
-  if (a != b && integral.side == Side::first) roles.second = guard;
-  if (a != b && integral.side == Side::second) roles.first = guard;
+  if (a != b && integral.side == Side::first) roles.second = barrier_only;
+  if (a != b && integral.side == Side::second) roles.first = barrier_only;
   return roles;
 }
 
-void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& parts) {
+void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& regions) {
   const auto adheres = [&](int entry) { return entry >= 0 && contact_.pairs[entry].adhesion; };
-  const LawIds whole = laws_of(a, b, config, -1);
-  std::vector<LawIds> of_parts;
-  for (const int entry : parts) of_parts.push_back(laws_of(a, b, entry, static_cast<int>(of_parts.size()) * (a == b ? 2 : 1)));
-  Integral integral{side_of(a, b, config, parts)};
+  const LawIds of_objects = laws_of(a, b, config, -1);
+  std::vector<LawIds> of_regions;
+  for (const int entry : regions) of_regions.push_back(laws_of(a, b, entry, static_cast<int>(of_regions.size()) * (a == b ? 2 : 1)));
+  Integral integral{integration_side_of(a, b, config, regions)};
   // Region interfaces are overlap boundaries: regions are separated by their overlap areas.
-  integral.adheres = adheres(config) || std::any_of(parts.begin(), parts.end(), adheres);
-  integral.covered = a != b && (adheres(config) || !parts.empty());
-  integral.bonds = whole.bond >= 0;
-  integral.pulls_too = adheres(config) && whole.bond < 0;
+  integral.adheres = adheres(config) || std::any_of(regions.begin(), regions.end(), adheres);
+  integral.overlap = a != b && (adheres(config) || !regions.empty());
+  integral.bonds = of_objects.bond >= 0;
+  integral.gap_adhesion = adheres(config) && of_objects.bond < 0;
   std::vector<int> rules;
-  if (whole.bond >= 0) refuse_bond(a, b, config);
-  for (size_t i = 0; i < parts.size(); ++i) {
-    rules.push_back(of_parts[i].bond);
-    if (rules.back() >= 0) refuse_bond(a, b, parts[i]);
+  if (of_objects.bond >= 0) refuse_bond(a, b, config);
+  for (size_t i = 0; i < regions.size(); ++i) {
+    rules.push_back(of_regions[i].bond);
+    if (rules.back() >= 0) refuse_bond(a, b, regions[i]);
     integral.bonds = integral.bonds || rules.back() >= 0;
-    integral.pulls_too = integral.pulls_too || (adheres(parts[i]) && rules.back() < 0);
-    integral.range_of_parts = std::max(integral.range_of_parts, table_.laws()[of_parts[i].pressure].range());
+    integral.gap_adhesion = integral.gap_adhesion || (adheres(regions[i]) && rules.back() < 0);
+    integral.region_range = std::max(integral.region_range, table_.laws()[of_regions[i].pressure].range());
   }
-  if (whole.bond >= 0) bonds_.set(a, b, whole.bond);
-  const Roles roles = roles_of(a, b, whole, integral);
+  if (of_objects.bond >= 0) bonds_.set(a, b, of_objects.bond);
+  const Roles roles = roles_of(a, b, of_objects, integral);
   table_.point(a, b) = roles.first;
   table_.point(b, a) = roles.second;
   table_.set_edge(a, b, roles.edge);
-  table_.set_thin(a, b, roles.thin);
-  integral.range_of_parts = std::max(integral.range_of_parts, roles.thin.range);
+  table_.set_thin(a, b, roles.codimensional);
+  integral.region_range = std::max(integral.region_range, roles.codimensional.range);
   std::vector<int> rules_of_roles;
-  for (size_t i = 0; i < parts.size(); ++i) {
-    const Roles own = roles_of(a, b, of_parts[i], integral);
-    const auto [first, second] = parts_.wanted(parts[i], a, b);
-    table_.add_part(a, b, {first, second, own.first, own.edge, own.thin});
-    table_.add_part(b, a, {second, first, own.second, own.edge, own.thin});
+  for (size_t i = 0; i < regions.size(); ++i) {
+    const Roles own = roles_of(a, b, of_regions[i], integral);
+    const auto [first, second] = regions_.regions_of(regions[i], a, b);
+    table_.add_part(a, b, {first, second, own.first, own.edge, own.codimensional});
+    table_.add_part(b, a, {second, first, own.second, own.edge, own.codimensional});
     rules_of_roles.insert(rules_of_roles.end(), a == b ? 2 : 1, rules[i]);
   }
-  if (integral.bonds && !parts.empty()) bonds_.set_parts(a, b, rules_of_roles);
+  if (integral.bonds && !regions.empty()) bonds_.set_parts(a, b, rules_of_roles);
 }
 
 }  // namespace tack

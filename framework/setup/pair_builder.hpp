@@ -12,15 +12,15 @@
 #include "framework/contact/pair_table.hpp"
 #include "framework/scene/pair_configs.hpp"
 #include "framework/setup/loading.hpp"
-#include "framework/setup/surface_parts.hpp"
+#include "framework/setup/surface_regions.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
 
 namespace tack {
 
 class PairBuilder {
  public:
-  // cells: mean tributary area of a surface vertex, per object [m^2]. times: of the run.
-  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells,
+  // mean_areas: mean tributary area of a surface vertex, per object [m^2]. times: of the run.
+  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& mean_areas,
               const RunTimes& times, World& world);
 
   void build();
@@ -31,7 +31,7 @@ class PairBuilder {
 
  private:
   struct LawIds {
-    int pressure, guard;
+    int pressure, safety_barrier;
     int summary = -1;  // of world.adhesion; -1: without adhesion
     int bond = -1;     // of the bond table; -1: without bonds
   };
@@ -40,31 +40,31 @@ class PairBuilder {
   // Settings of two objects that do not depend on the region.
   struct Integral {
     Side side = Side::automatic;
-    bool adheres = false, covered = false, bonds = false, pulls_too = false;
-    double range_of_parts = 0;
+    bool adheres = false, overlap = false, bonds = false, gap_adhesion = false;
+    double region_range = 0;
   };
   struct Roles {
-    PairRole first, second, edge, thin;  // first, second: roles of the points of either object
+    PairRole first, second, edge, codimensional;  // first, second: roles of the points of either object
   };
 
   std::string contact_location() const;
   TangentialLaw tangential_of(const PairConfig* pair, double peak_traction) const;
   double offset_of(int a, int b) const;
   PairMaterials materials_of(int a, int b) const;
-  double guard_of(int a, int b) const;
-  LawIds laws_of(int a, int b, int config, int part);
+  double safety_barrier_range_of(int a, int b) const;
+  LawIds laws_of(int a, int b, int config, int region);
   void add_to(AdhesionSummary& summary, int a, int b) const;
-  void report(int a, int b, int part, const AdhesionLaw& adhesion, const PairLaw& law);
-  void report(int a, int b, int part, const BondLaw& bond);
+  void report(int a, int b, int region, const AdhesionLaw& adhesion, const PairLaw& law);
+  void report(int a, int b, int region, const BondLaw& bond);
   bool has_surface(int object) const;
   void refuse_bond(int a, int b, int config) const;
-  void refuse_parts(int a, int b, const std::vector<int>& parts, bool apart) const;
+  void check_regions(int a, int b, const std::vector<int>& regions, bool no_contact) const;
   BondRule rule_of(const PairConfig& pair, std::shared_ptr<const BondLaw> law,
                    const PairLaw& barrier, int config);
-  Side side_of(int a, int b, int config) const;
-  Side side_of(int a, int b, int config, const std::vector<int>& parts) const;
+  Side integration_side_of(int a, int b, int config) const;
+  Side integration_side_of(int a, int b, int config, const std::vector<int>& regions) const;
   Roles roles_of(int a, int b, const LawIds& ids, const Integral& integral) const;
-  void set_roles(int a, int b, int config, const std::vector<int>& parts);
+  void set_roles(int a, int b, int config, const std::vector<int>& regions);
 
   const SceneConfig& scene_;
   const ContactConfig& contact_;
@@ -77,7 +77,7 @@ class PairBuilder {
   const std::vector<double> resting_;
   ObjectClasses classes_;
   PairConfigs configs_;
-  SurfaceParts parts_;
+  SurfaceRegions regions_;
   PairTable table_;
   CollidingObjects colliding_;
   BondTable bonds_;

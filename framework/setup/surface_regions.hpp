@@ -14,28 +14,28 @@
 
 namespace tack {
 
-class SurfaceParts {
+class SurfaceRegions {
  public:
-  SurfaceParts(const SceneConfig& scene, const PairConfigs& configs, const World& world);
+  SurfaceRegions(const SceneConfig& scene, const PairConfigs& configs, const World& world);
 
   bool any() const { return next_ > 0; }
-  const std::vector<RegionSet>& of_vertices() const { return of_vertices_; }
+  const std::vector<RegionSet>& vertex_regions() const { return vertex_regions_; }
   // Returns the regions of a and of b in which an entry holds; 0: anywhere.
-  std::array<RegionSet, 2> wanted(int entry, int a, int b) const;
+  std::array<RegionSet, 2> regions_of(int entry, int a, int b) const;
   // Throws InputError if two of these entries of a and b are equally specific where they overlap.
-  void tell_apart(const std::vector<int>& entries, int a, int b) const;
+  void require_distinct(const std::vector<int>& entries, int a, int b) const;
 
  private:
   RegionSet add(int entry, const PairSide& side);
   // Returns true if a triangle of the body (an edge or point, if it has none) is in all these
   // regions.
-  bool holds(const Body& body, RegionSet parts) const;
+  bool has_element_in(const Body& body, RegionSet regions) const;
 
   const SceneConfig& scene_;
   const PairConfigs& configs_;
   const World& world_;
   int next_ = 0;                              // first free bit
-  std::vector<RegionSet> of_vertices_;          // empty without regions
+  std::vector<RegionSet> vertex_regions_;        // empty without regions
   std::vector<std::array<RegionSet, 2>> sides_;  // per entry
 };
 
