@@ -6,7 +6,7 @@
 //   partial steps  a step that contains the start or the end of a span belongs to the side that
 //                  has the larger share of it
 //   carrier        another object: the motion is given in its frame and followed by its rigid
-//                  motion (carried_motion.hpp)
+//                  motion (relative_motion.hpp)
 #pragma once
 
 #include <limits>

@@ -8,7 +8,7 @@
 
 namespace tack {
 
-void note_following_load(FollowingLoad& load, World& world) {
+void register_following_load(FollowingLoad& load, World& world) {
   if (const auto* chamber = dynamic_cast<const VolumeTerm*>(&load)) {
     for (const VolumeTerm* other : world.chambers)
       if (other->label() == chamber->label())
@@ -26,7 +26,7 @@ void add_loads(const SceneConfig& scene, const Value& root, World& world) {
       with_source_location(object ? entry_of(object->find("loads"), j) : nullptr, [&] {
         const Load& load = *scene.objects[i].loads[j];
         if (auto term = load.make_term(world.bodies[i], world.rest, world.mass)) {
-          note_following_load(*term, world);
+          register_following_load(*term, world);
           world.load_terms.push_back(std::move(term));
           return;
         }

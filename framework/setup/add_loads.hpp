@@ -12,6 +12,6 @@ void add_loads(const SceneConfig& scene, const Value& root, World& world);
 
 // Records a term of the world that is a load, so that its work is reported. Throws InputError for a
 // name that is in use.
-void note_following_load(FollowingLoad& load, World& world);
+void register_following_load(FollowingLoad& load, World& world);
 
 }  // namespace tack

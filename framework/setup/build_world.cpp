@@ -10,17 +10,18 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/core/damping_terms.hpp"
+#include "framework/load/following_load.hpp"
 #include "framework/rod/rod_frames.hpp"
 #include "framework/scene/energy_with_unknowns.hpp"
 #include "framework/setup/add_loads.hpp"
+#include "framework/setup/adjust_overclosures.hpp"
 #include "framework/setup/affine_bodies.hpp"
-#include "framework/setup/carried_motion.hpp"
 #include "framework/setup/contact_support.hpp"
 #include "framework/setup/initial_state.hpp"
 #include "framework/setup/interaction_builder.hpp"
 #include "framework/setup/named_selections.hpp"
-#include "framework/setup/push_out.hpp"
 #include "framework/setup/refined_surface.hpp"
+#include "framework/setup/relative_motion.hpp"
 #include "framework/setup/remesh_checks.hpp"
 #include "framework/setup/rod_twists.hpp"
 #include "framework/setup/spins.hpp"
@@ -38,7 +39,7 @@
 namespace tack {
 namespace {
 
-Mesh placed(Mesh mesh, const ObjectConfig& object) {
+Mesh placed_mesh(Mesh mesh, const ObjectConfig& object) {
   object.placement.apply(mesh);
   validate_mesh(mesh, fmt::format("object '{}'", object.name));
   return mesh;
@@ -67,15 +68,15 @@ Mesh with_elements(Mesh mesh, const ObjectConfig& object, MeshDigest& digest) {
 }
 
 // Returns the mesh of a remeshed object, with the scene's groups selected again.
-Mesh mesh_of(const FlowedMesh& anew, const ObjectConfig& object, const SceneConfig& scene) {
-  Mesh mesh = anew.mesh;
+Mesh mesh_of(const FlowedMesh& remeshed, const ObjectConfig& object, const SceneConfig& scene) {
+  Mesh mesh = remeshed.mesh;
   for (const auto* names : {&object.selections, &scene.selections})
     for (const NamedSelection& named : *names) mesh.tags.erase(named.name);
   return mesh;
 }
 
 // Appends a mesh to the world as a body.
-void add_body(const ObjectConfig& object, const Mesh& mesh, const FlowedMesh* anew, World& world) {
+void add_body(const ObjectConfig& object, const Mesh& mesh, const FlowedMesh* remeshed, World& world) {
   Body body;
   body.name = object.name;
   body.first_vertex = static_cast<int>(world.rest.size()) / 3;
@@ -92,9 +93,9 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, const FlowedMesh* an
   body.tets = shifted(mesh.tets);
   body.elements = object.elements;
   const Surface surface = extract_surface(mesh);
-  body.triangles = shifted(anew ? anew->surface : surface.triangles);
+  body.triangles = shifted(remeshed ? remeshed->surface : surface.triangles);
   body.flows = object.remesh.has_value();
-  if (anew) body.references = anew->references;
+  if (remeshed) body.references = remeshed->references;
   body.sheet.assign(body.triangles.begin() + surface.first_sheet, body.triangles.end());
   if (object.shell) {
     if (body.sheet.empty())
@@ -119,14 +120,14 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, const FlowedMesh* an
   world.bodies.push_back(std::move(body));
 }
 
-void hold_vertices(const SceneConfig& scene, int index, World& world) {
+void prescribe_motions(const SceneConfig& scene, int index, World& world) {
   const ObjectConfig& object = scene.objects[index];
   for (size_t i = 0; i < object.motion.size(); ++i) {
     const std::string name = fmt::format("motion {} ({}) of '{}'", i, object.motion[i]->type(), object.name);
-    auto carried = carried_motion(*object.motion[i], name, object.name, scene);
-    const Motion& motion = carried ? *carried : *object.motion[i];
+    auto relative = relative_motion(*object.motion[i], name, object.name, scene);
+    const Motion& motion = relative ? *relative : *object.motion[i];
     std::vector<int> vertices = select(object.motion[i]->selection(), world.selection_context(index));
-    if (object.remesh) keep_on_surface(name, world.bodies[index], vertices);
+    if (object.remesh) drop_interior_vertices(name, world.bodies[index], vertices);
     if (motion.partial() && object.body) {
       if (static_cast<int>(vertices.size()) != world.bodies[index].vertex_count)
         throw InputError(fmt::format("{}: holds some directions of a part of an affine body; select all of it, or hold "
@@ -134,9 +135,9 @@ void hold_vertices(const SceneConfig& scene, int index, World& world) {
       vertices = world.bodies[index].frame;
     }
     world.prescribed_motion.add({&motion, vertices, name});
-    hold_twists(motion, vertices, name, index, world);
-    hold_spins(motion, vertices, name, index, world);
-    if (carried) world.own_motions.push_back(std::move(carried));
+    prescribe_twists(motion, vertices, name, index, world);
+    fix_spins(motion, vertices, name, index, world);
+    if (relative) world.own_motions.push_back(std::move(relative));
   }
   Body& body = world.bodies[index];
   body.movable = false;
@@ -167,19 +168,19 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
     throw InputError(fmt::format("object '{}' can move but has no energies; give it a material "
                                  "(energies: [...]), make it an affine body (body: affine) or fix it (motion: [fixed])", object.name));
   for (const auto& energy : object.energies) {
-    std::optional<Body> cut;
-    if (energy->selection()) cut = selected_elements(*energy->selection(), {body, world.rest});
-    const Body& acted_on = cut ? *cut : body;
-    const auto* asking = dynamic_cast<const EnergyWithUnknowns*>(energy.get());
-    std::unique_ptr<Term> term = asking ? asking->make_with_unknowns(acted_on, world.rest, unknowns_of(index, world)) : energy->make_term(acted_on, world.rest);
-    energy->add_mass(acted_on, world.rest, world.mass);
+    std::optional<Body> selected;
+    if (energy->selection()) selected = selected_elements(*energy->selection(), {body, world.rest});
+    const Body& selected_body = selected ? *selected : body;
+    const auto* with_unknowns = dynamic_cast<const EnergyWithUnknowns*>(energy.get());
+    std::unique_ptr<Term> term = with_unknowns ? with_unknowns->make_with_unknowns(selected_body, world.rest, unknowns_of(index, world)) : energy->make_term(selected_body, world.rest);
+    energy->add_mass(selected_body, world.rest, world.mass);
     ++body.energy;
     if (!term) continue;
     if (object.damping && object.damping->stiffness > 0)
       world.damping_terms.push_back(stiffness_damping(*term, object.damping->stiffness));
     world.elastic_terms.push_back(std::move(term));
   }
-  weigh_spins(index, world);
+  add_spin_masses(index, world);
   if (mass_damping) {
     world.damping_terms.push_back(std::make_unique<MassDamping>(body.first_vertex, body.vertex_count, world.mass, object.damping->mass));
     for (const UnknownGroup& group : world.unknowns)
@@ -213,7 +214,7 @@ void start_state(const SceneConfig& scene, World& world) {
     if (body.rod)
       for (int e = 0; e < body.rod->count(); ++e)
         if (const int v = body.rod->twists()[e]; world.dofs.moves(v)) s.v(3 * v) = body.rod->radius() * object.spin.dot(body.rod->tangent(e, s.x));
-    start_spins(object.spin, static_cast<int>(i), world, s.v);
+    set_spin_velocities(object.spin, static_cast<int>(i), world, s.v);
     for (const int v : world.vertices_of(static_cast<int>(i))) {
       if (world.is_number(v)) continue;
       if (world.dofs.moves(v)) vertex(s.v, v) = object.velocity + object.spin.cross(Vec3(vertex(s.x, v) - centre));
@@ -231,7 +232,7 @@ void for_each_object(const SceneConfig& scene, const Value& root, const Action& 
 }
 
 // Returns the record of a scene with friction of mu = 0: its forces are zero.
-ForceRecord no_friction() {
+ForceRecord zero_friction_record() {
   ForceRecord force{"friction", Acting::tangential, {"friction", "adhesion"}};
   force.add = [](const VecX&, std::string_view, VecX&) {};
   force.between = [](const VecX&, std::string_view, ObjectPair) { return Vec3(Vec3::Zero()); };
@@ -239,14 +240,14 @@ ForceRecord no_friction() {
   return force;
 }
 
-bool names_friction(const SceneConfig& scene) {
+bool has_friction(const SceneConfig& scene) {
   if (!scene.contact) return false;
   const auto& pairs = scene.contact->pairs;
   return scene.contact->friction || std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.friction.has_value(); });
 }
 
 // Publishes friction before damping, the order in which dissipation is summed.
-void publish(World& world, bool friction_named) {
+void publish(World& world, bool friction_record) {
   for (const auto& term : world.elastic_terms) world.records.publish(*term);
   if (!world.gravity.isZero())
     world.records.add(EnergyRecord{"gravity", EnergyKind::weight, [&world](const VecX& x) { return weight_of_free_vertices(world, x); }});
@@ -255,7 +256,7 @@ void publish(World& world, bool friction_named) {
   if (world.rim) world.records.publish(*world.rim);
   if (world.bonds) world.records.publish(*world.bonds);
   if (world.friction) world.records.publish(*world.friction);
-  else if (friction_named) world.records.add(no_friction());
+  else if (friction_record) world.records.add(zero_friction_record());
   for (const auto& term : world.damping_terms) world.records.publish(*term);
 }
 
@@ -282,16 +283,16 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     const auto shape = mesh_of_shape(*object.shape);
     Mesh mesh = shape->mesh;
     digests.push_back(digest_of(mesh));
-    mesh = with_elements(placed(std::move(mesh), object), object, digests.back());
+    mesh = with_elements(placed_mesh(std::move(mesh), object), object, digests.back());
     if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
     meshes.push_back(std::move(mesh));
     notes.push_back(shape->notes);
   });
-  world->start_notes = push_out(scene, root, meshes);
+  world->start_notes = adjust_overclosures(scene, root, meshes);
   for_each_object(scene, root, [&](size_t i) {
-    const auto anew = flowed.find(scene.objects[i].name);
-    if (anew == flowed.end()) add_body(scene.objects[i], meshes[i], nullptr, *world);
-    else add_body(scene.objects[i], mesh_of(anew->second, scene.objects[i], scene), &anew->second, *world);
+    const auto remeshed = flowed.find(scene.objects[i].name);
+    if (remeshed == flowed.end()) add_body(scene.objects[i], meshes[i], nullptr, *world);
+    else add_body(scene.objects[i], mesh_of(remeshed->second, scene.objects[i], scene), &remeshed->second, *world);
     world->bodies.back().digest = digests[i];
     world->bodies.back().from_file = scene.objects[i].shape->reads_files();
     world->bodies.back().notes = std::move(notes[i]);
@@ -309,7 +310,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   add_named_selections(scene, root, *world);
   for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
   for_each_object(scene, root, [&](size_t i) { add_spins(scene.objects[i], static_cast<int>(i), *world); });
-  for_each_object(scene, root, [&](size_t i) { hold_vertices(scene, static_cast<int>(i), *world); });
+  for_each_object(scene, root, [&](size_t i) { prescribe_motions(scene, static_cast<int>(i), *world); });
   for (const Dependence& d : world->bindings.lasting()) world->prescribed_motion.follow(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
     with_source_location(root.find("objects"), [] {
@@ -358,11 +359,11 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (world->rim) world->participants.add(world->rim.get());
   if (world->bonds) world->participants.add(world->bonds.get());
   if (world->friction) world->participants.add(world->friction.get());
-  if (remeshes(scene)) {
+  if (any_remeshed(scene)) {
     world->remeshed = std::make_unique<RemeshedEnergy>();
     world->participants.add(world->remeshed.get());
   }
-  publish(*world, names_friction(scene));
+  publish(*world, has_friction(scene));
   if (world->remeshed) world->remeshed->publish(world->records);
   check_remeshing(scene, root, *world);
   return world;

@@ -86,11 +86,11 @@ std::vector<int> rigid_groups(const World& world) {
   for (int v = 0; v < world.dofs.vertex_count(); ++v) groups.push_back(world.prescribed_motion.rigid_group(v));
   int next = static_cast<int>(world.prescribed_motion.assignments().size()) + 1;
   for (const AffineFrame& body : world.bindings.frames()) {
-    const bool held = std::all_of(body.carried.begin(), body.carried.end(),
+    const bool rigid = std::all_of(body.carried.begin(), body.carried.end(),
                                   [&](const AffineFrame::Carried& c) { return groups[c.vertex] >= 0; });
     ++next;
     for (const AffineFrame::Carried& c : body.carried)
-      if (!held) groups[c.vertex] = next;
+      if (!rigid) groups[c.vertex] = next;
   }
   for (const Dependence& d : world.bindings.lasting()) {
     const int group = groups[d.on.front().first];

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int load_samples = 16;  // sampling times of the loads over the duration
 
-double area_of_shadow(const Body& body, const VecX& rest) {
+double mean_projected_area(const Body& body, const VecX& rest) {
   double area = 0;
   for (const Triangle& t : body.triangles) {
     area += triangle_area(vertex(rest, t[0]), vertex(rest, t[1]), vertex(rest, t[2]));
@@ -69,7 +69,7 @@ std::vector<double> resting_pressures(const SceneConfig& scene, const World& wor
     if (!body.movable) continue;
     double mass = 0;
     for (const int v : world.vertices_of(static_cast<int>(i))) mass += world.gravitational_mass(v);
-    if (const double area = area_of_shadow(body, world.rest); area > 0)
+    if (const double area = mean_projected_area(body, world.rest); area > 0)
       pressures[i] = to_two_digits((forces[i] + mass * scene.gravity.norm()) / area);
   }
   return pressures;

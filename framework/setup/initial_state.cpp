@@ -62,7 +62,7 @@ std::vector<const ObjectConfig*> chosen(const StartConfig& start, const InitialS
 }
 
 // Copies the history arrays whose names begin with the object's.
-void take_history(const ObjectConfig& object, const InitialStateFromRun& earlier, State& state) {
+void copy_history(const ObjectConfig& object, const InitialStateFromRun& earlier, State& state) {
   const std::string prefix = object.name + "/";
   bool any = false;
   for (auto it = earlier.history.lower_bound(prefix); it != earlier.history.end() && it->first.starts_with(prefix); ++it) {
@@ -76,21 +76,21 @@ void take_history(const ObjectConfig& object, const InitialStateFromRun& earlier
 }
 
 // New indices of the earlier state's vertices and objects; -1: not chosen.
-struct Places {
+struct NewIndices {
   std::vector<int> vertices, objects;
 };
 
 // Copies keyed history: entries of a point and another object, both chosen, renumbered.
-void take_keyed(const InitialStateFromRun& earlier, const Places& places, State& state) {
+void copy_keyed_history(const InitialStateFromRun& earlier, const NewIndices& indices, State& state) {
   for (const auto& [name, there] : earlier.history) {
     const bool keyed = !there.keys.empty() && static_cast<int>(there.keys.size()) == there.entries();
     if (!keyed) continue;
     std::vector<std::pair<std::array<int, 2>, int>> kept;  // new key, entry in the earlier state
     for (int i = 0; i < there.entries(); ++i) {
       const auto& [vertex, object] = there.keys[i];
-      if (vertex < 0 || object < 0 || vertex >= static_cast<int>(places.vertices.size()) || object >= static_cast<int>(places.objects.size()))
+      if (vertex < 0 || object < 0 || vertex >= static_cast<int>(indices.vertices.size()) || object >= static_cast<int>(indices.objects.size()))
         throw InputError(fmt::format("{}: its history '{}' does not fit its objects; write it anew", earlier.file, name));
-      if (places.vertices[vertex] >= 0 && places.objects[object] >= 0) kept.push_back({{places.vertices[vertex], places.objects[object]}, i});
+      if (indices.vertices[vertex] >= 0 && indices.objects[object] >= 0) kept.push_back({{indices.vertices[vertex], indices.objects[object]}, i});
     }
     if (kept.empty()) continue;
     std::sort(kept.begin(), kept.end());
@@ -104,7 +104,7 @@ void take_keyed(const InitialStateFromRun& earlier, const Places& places, State&
 }
 
 // Copies unknowns and history of interactions whose objects are all chosen.
-void take_interactions(const std::map<std::string, StateObject>& here, const std::vector<const ObjectConfig*>& objects, const StartConfig& start,
+void copy_interactions(const std::map<std::string, StateObject>& here, const std::vector<const ObjectConfig*>& objects, const StartConfig& start,
                        const InitialStateFromRun& earlier, World& world) {
   const auto taken = [&](int body) {
     return std::any_of(objects.begin(), objects.end(), [&](const ObjectConfig* object) { return object->name == world.bodies[body].name; });
@@ -165,24 +165,24 @@ std::string start_from_run(const StartConfig& start, const InitialStateFromRun& 
   const std::map<std::string, StateObject> here = state_objects(world);
   State& s = world.start;
   const std::vector<const ObjectConfig*> objects = chosen(start, earlier, scene);
-  Places places{std::vector<int>(static_cast<size_t>(earlier.x.size() / 3), -1), std::vector<int>(earlier.order.size(), -1)};
+  NewIndices indices{std::vector<int>(static_cast<size_t>(earlier.x.size() / 3), -1), std::vector<int>(earlier.order.size(), -1)};
   for (const ObjectConfig* object : objects) {
     if (const auto at = std::find(earlier.order.begin(), earlier.order.end(), object->name); at != earlier.order.end())
-      places.objects[static_cast<size_t>(at - earlier.order.begin())] = world.body_index(object->name);
+      indices.objects[static_cast<size_t>(at - earlier.order.begin())] = world.body_index(object->name);
     const StateObject& now = here.at(object->name);
     const StateObject& then = checked(object->name, earlier, now);
     for (size_t k = 0; k < now.vertices.size(); ++k) {
       const int v = now.vertices[k], w = then.vertices[k];
       vertex(s.x, v) = vertex(earlier.x, w);
-      places.vertices[w] = v;
+      indices.vertices[w] = v;
       const bool moves = start.velocities && world.dofs.moves(v);
       vertex(s.v, v) = moves ? Vec3(vertex(earlier.v, w)) : Vec3::Zero();
       vertex(s.a, v) = moves ? Vec3(vertex(earlier.a, w)) : Vec3::Zero();
     }
-    take_history(*object, earlier, s);
+    copy_history(*object, earlier, s);
   }
-  take_keyed(earlier, places, s);
-  take_interactions(here, objects, start, earlier, world);
+  copy_keyed_history(earlier, indices, s);
+  copy_interactions(here, objects, start, earlier, world);
   for (VecX* field : {&s.x, &s.v, &s.a}) world.dofs.follow(*field);
   return fmt::format("{} of {} objects start as they were in {} (t = {:.6g} s)", objects.size(), scene.objects.size(), earlier.file, earlier.time);
 }

@@ -133,7 +133,7 @@ void InteractionBuilder::join(int body, int other) {
 
 void InteractionBuilder::take(std::unique_ptr<Term> term) {
   acting_.terms.push_back(term.get());
-  if (auto* load = dynamic_cast<FollowingLoad*>(term.get())) note_following_load(*load, world_);
+  if (auto* load = dynamic_cast<FollowingLoad*>(term.get())) register_following_load(*load, world_);
   world_.elastic_terms.push_back(std::move(term));
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 // The largest speed that one collision gives a body, over the speed of what hits it: an elastic
 // collision of a heavy body with a light one at rest.
-constexpr double thrown = 2;
+constexpr double speed_ratio_max = 2;
 constexpr int motion_samples = 32;   // of a prescribed motion, over the duration
 
 bool is_named(const ObjectConfig& object, const std::string& name) {
@@ -73,7 +73,7 @@ class MeetingSearch {
       }
       found.bodies[of_root].push_back(i);
     }
-    for_each_overlap(all_reaches(), [&](int a, int b) {
+    for_each_overlap(search_boxes(), [&](int a, int b) {
       if (!movable(b)) std::swap(a, b);
       if (!movable(a) && movable(b) && displacement_[a] > 0) found.pushed.emplace_back(a, b);
     });
@@ -84,7 +84,6 @@ class MeetingSearch {
   std::vector<Loading> loadings() {
     std::vector<Eigen::AlignedBox3d> boxes(count_);
     std::vector<Loading> groups(count_);
-    const std::vector<Eigen::AlignedBox3d> reaches = all_reaches();
     for (int i = 0; i < count_; ++i) {
       if (!movable(i)) continue;
       boxes[root(i)].extend(boxes_[i]);
@@ -92,7 +91,7 @@ class MeetingSearch {
       for (const int v : world_.vertices_of(i))
         if (world_.prescribed_motion.ever_free(v)) groups[root(i)].weight += world_.gravitational_mass(v) * scene_.gravity.norm();
     }
-    for_each_overlap(reaches, [&](int a, int b) {
+    for_each_overlap(search_boxes(), [&](int a, int b) {
       if (!movable(a) && movable(b)) boxes[root(b)].extend(boxes_[a]);
       if (!movable(b) && movable(a)) boxes[root(a)].extend(boxes_[b]);
     });
@@ -147,17 +146,17 @@ class MeetingSearch {
     }
   }
 
-  std::vector<Eigen::AlignedBox3d> all_reaches() {
+  std::vector<Eigen::AlignedBox3d> search_boxes() {
     const double contact = scene_.contact ? scene_.contact->contact_distance : 0, fall = scene_.gravity.norm() * duration_ * duration_ / 2;
-    std::vector<Eigen::AlignedBox3d> reaches = boxes_;
+    std::vector<Eigen::AlignedBox3d> boxes = boxes_;
     for (int i = 0; i < count_; ++i) {
       const int group = root(i);
       double by = displacement_[group] + contact + scene_.objects[i].contact_offset + world_.bodies[i].radius;
-      if (movable(i)) by += driven_[group] ? std::numeric_limits<double>::infinity() : std::max(diagonal(i), thrown * (speed_[group] * duration_ + fall));
-      reaches[i].min().array() -= by;
-      reaches[i].max().array() += by;
+      if (movable(i)) by += driven_[group] ? std::numeric_limits<double>::infinity() : std::max(diagonal(i), speed_ratio_max * (speed_[group] * duration_ + fall));
+      boxes[i].min().array() -= by;
+      boxes[i].max().array() += by;
     }
-    return reaches;
+    return boxes;
   }
 
   template <class Act>
@@ -172,7 +171,7 @@ class MeetingSearch {
 
   bool join_overlapping() {
     bool changed = false;
-    for_each_overlap(all_reaches(), [&](int a, int b) { changed = meet(a, b) || changed; });
+    for_each_overlap(search_boxes(), [&](int a, int b) { changed = meet(a, b) || changed; });
     return changed;
   }
 

@@ -18,7 +18,7 @@ void add_group(Body& body, const std::string& name, std::vector<int> vertices) {
   body.tags[name] = std::move(vertices);
 }
 
-void add_of_object(const ObjectConfig& object, const Value* value, const VecX& rest, Body& body) {
+void add_object_selections(const ObjectConfig& object, const Value* value, const VecX& rest, Body& body) {
   for (size_t i = 0; i < object.selections.size(); ++i) {
     const NamedSelection& named = object.selections[i];
     try {
@@ -48,7 +48,7 @@ void add_named_selections(const SceneConfig& scene, const Value& root, World& wo
   const Value* objects = root.find("objects");
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const Value* object = entry_of(objects, i);
-    add_of_object(scene.objects[i], object, world.rest, world.bodies[i]);
+    add_object_selections(scene.objects[i], object, world.rest, world.bodies[i]);
   }
   for (size_t i = 0; i < scene.selections.size(); ++i) {
     const NamedSelection& named = scene.selections[i];

@@ -22,7 +22,7 @@ std::string interaction_on(const ObjectConfig& object, const SceneConfig& scene)
   return "";
 }
 
-bool is_carrier(const ObjectConfig& object, const SceneConfig& scene) {
+bool has_attached_objects(const ObjectConfig& object, const SceneConfig& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const ObjectConfig& other) {
     return std::any_of(other.attach.begin(), other.attach.end(), [&](const AttachConfig& attach) { return attach.to == object.name; });
   });
@@ -38,7 +38,7 @@ std::string obstacle(const ObjectConfig& object, const Body& body, const SceneCo
   if (object.elements != Elements::linear) return "its elements are not linear; take `elements` away, or `remesh`";
   if (object.surface) return "contact sees a finer surface of it; use finer cells and take `surface` away";
   if (!object.attach.empty()) return "it is attached to another object; hold it by contact, or take `remesh` away";
-  if (is_carrier(object, scene)) return "another object is attached to it; hold that by contact or motions, or take `remesh` away";
+  if (has_attached_objects(object, scene)) return "another object is attached to it; hold that by contact or motions, or take `remesh` away";
   if (const std::string type = interaction_on(object, scene); !type.empty())
     return fmt::format("the interaction {} acts on it, and takes its tets for lasting; take one of the two away", type);
   if (object.energies.size() != 1 || object.energies.front()->selection())
@@ -51,7 +51,7 @@ std::string obstacle(const ObjectConfig& object, const Body& body, const SceneCo
 
 }  // namespace
 
-void keep_on_surface(const std::string& motion, const Body& body, std::vector<int>& vertices) {
+void drop_interior_vertices(const std::string& motion, const Body& body, std::vector<int>& vertices) {
   std::vector<char> outside(static_cast<size_t>(body.vertex_count), 0);
   for (const Triangle& t : body.triangles)
     for (const int v : t) outside[v - body.first_vertex] = 1;
@@ -63,7 +63,7 @@ void keep_on_surface(const std::string& motion, const Body& body, std::vector<in
   std::erase_if(vertices, inside);
 }
 
-bool remeshes(const SceneConfig& scene) {
+bool any_remeshed(const SceneConfig& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(), [](const ObjectConfig& object) { return object.remesh.has_value(); });
 }
 

@@ -14,7 +14,7 @@ constexpr double strain = 1e-3, radius = 0.1;      // of the tension; radius in 
 
 // Returns false for sheets stretched by motions, attachments, loads or interactions, which press
 // with the strength of their material.
-bool is_left_alone(const ObjectConfig& object, const SceneConfig& scene) {
+bool is_unconstrained(const ObjectConfig& object, const SceneConfig& scene) {
   return object.motion.empty() && object.attach.empty() && object.loads.empty() && scene.interactions.empty();
 }
 
@@ -35,7 +35,7 @@ double sheet_stiffness(const ObjectConfig& object, const Body& body, const Loadi
 std::vector<double> sheet_stiffnesses(const SceneConfig& scene, const World& world, const std::vector<Loading>& loadings, double step) {
   std::vector<double> stiffnesses;
   for (size_t i = 0; i < world.bodies.size(); ++i)
-    stiffnesses.push_back(is_left_alone(scene.objects[i], scene) ? sheet_stiffness(scene.objects[i], world.bodies[i], loadings[i], world, step) : 0);
+    stiffnesses.push_back(is_unconstrained(scene.objects[i], scene) ? sheet_stiffness(scene.objects[i], world.bodies[i], loadings[i], world, step) : 0);
   return stiffnesses;
 }
 

@@ -24,9 +24,9 @@ std::vector<int> arcs_of(int index, const World& world) {
 double gyration_of(const Body& body) { return std::sqrt(0.4) * body.radius; }
 
 // Motion of the arcs of fixed particles: no rotation.
-class Unturned : public Motion {
+class FixedArcs : public Motion {
  public:
-  explicit Unturned(const Motion& motion) : Motion(motion.from(), motion.until()) {}
+  explicit FixedArcs(const Motion& motion) : Motion(motion.from(), motion.until()) {}
   void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double, VecX& x) const override {
     for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
   }
@@ -49,23 +49,23 @@ void add_spins(const ObjectConfig& object, int index, World& world) {
   Unknowns(world, body.name, index).numbers(arcs_name, 3 * static_cast<int>(body.points.size()), gyration_of(body));
 }
 
-void weigh_spins(int index, World& world) {
+void add_spin_masses(int index, World& world) {
   const std::vector<int> arcs = arcs_of(index, world);
   for (size_t i = 0; i < arcs.size(); ++i) world.mass(arcs[i]) = world.mass(world.bodies[index].points[i / 3]);
 }
 
-void hold_spins(const Motion& motion, const std::vector<int>& vertices, const std::string& name, int index, World& world) {
+void fix_spins(const Motion& motion, const std::vector<int>& vertices, const std::string& name, int index, World& world) {
   if (motion.partial()) return;
   const std::vector<int> arcs = arcs_of(index, world);
-  std::vector<int> held;
+  std::vector<int> fixed_arcs;
   for (size_t i = 0; i < arcs.size(); ++i)
-    if (std::binary_search(vertices.begin(), vertices.end(), world.bodies[index].points[i / 3])) held.push_back(arcs[i]);
-  if (held.empty()) return;
-  world.own_motions.push_back(std::make_unique<Unturned>(motion));
-  world.prescribed_motion.add({world.own_motions.back().get(), std::move(held), name + ", the rotation of its particles"});
+    if (std::binary_search(vertices.begin(), vertices.end(), world.bodies[index].points[i / 3])) fixed_arcs.push_back(arcs[i]);
+  if (fixed_arcs.empty()) return;
+  world.own_motions.push_back(std::make_unique<FixedArcs>(motion));
+  world.prescribed_motion.add({world.own_motions.back().get(), std::move(fixed_arcs), name + ", the rotation of its particles"});
 }
 
-void start_spins(const Vec3& angular_velocity, int index, const World& world, VecX& v) {
+void set_spin_velocities(const Vec3& angular_velocity, int index, const World& world, VecX& v) {
   const std::vector<int> arcs = arcs_of(index, world);
   for (size_t i = 0; i < arcs.size(); ++i)
     if (world.dofs.moves(arcs[i])) v(3 * arcs[i]) = gyration_of(world.bodies[index]) * angular_velocity(static_cast<int>(i % 3));

@@ -13,13 +13,13 @@ namespace tack {
 // Appends the arcs of the particles of body `index`, if they roll.
 void add_spins(const ObjectConfig& object, int index, World& world);
 // Gives the arcs of body `index` the masses of its particles.
-void weigh_spins(int index, World& world);
+void add_spin_masses(int index, World& world);
 // Fixes the arcs of those particles of body `index` that are in `vertices`, unless `motion` is
 // partial: only particles fixed in all directions do not rotate.
-void hold_spins(const Motion& motion, const std::vector<int>& vertices, const std::string& name,
+void fix_spins(const Motion& motion, const std::vector<int>& vertices, const std::string& name,
                 int index, World& world);
 // Sets the velocities of the arcs of body `index` for an initial angular velocity [rad/s].
-void start_spins(const Vec3& angular_velocity, int index, const World& world, VecX& v);
+void set_spin_velocities(const Vec3& angular_velocity, int index, const World& world, VecX& v);
 
 // Returns the rolling bodies. Throws InputError for an object that cannot roll: without
 // contact_offset, or with rods of non-circular section.

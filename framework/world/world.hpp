@@ -78,7 +78,7 @@ struct World {
   /// Step metrics that the stepper reports of the last step.
   std::vector<StepMetric> step_metrics;
   State start;
-  /// Moved objects (push_out.hpp) and objects with an initial state from a run (initial_state.hpp).
+  /// Moved objects (adjust_overclosures.hpp) and objects with an initial state from a run (initial_state.hpp).
   std::vector<std::string> start_notes;
 
   int body_index(const std::string& name) const;  ///< -1 if there is none

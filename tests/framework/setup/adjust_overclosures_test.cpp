@@ -1,6 +1,6 @@
 // Initial overclosures: objects are moved as little as possible, or the message names the blocking
 // object.
-#include "framework/setup/push_out.hpp"
+#include "framework/setup/adjust_overclosures.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "framework/setup/carried_motion.hpp"
+#include "framework/setup/relative_motion.hpp"
 
 #include <fmt/format.h>
 
@@ -12,16 +12,16 @@ namespace tack {
 namespace {
 
 // The motion relative to its carrier, then the motions of all carriers in turn.
-class CarriedMotion : public Motion {
+class RelativeMotion : public Motion {
  public:
-  CarriedMotion(const Motion& own, std::vector<const Motion*> carriers)
+  RelativeMotion(const Motion& own, std::vector<const Motion*> carriers)
       : Motion(own.from(), own.until()), own_(own), carriers_(std::move(carriers)) {
-    if (from() > 0) seized_ = carried(from()).inverse();
+    if (from() > 0) start_inverse_ = carrier_map(from()).inverse();
   }
   void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t, VecX& x) const override {
     own_.place(vertices, rest, anchor, t, x);
     // A vertex that is prescribed later moves with the carrier from its position then.
-    const RigidMap map = carried(t) * seized_;
+    const RigidMap map = carrier_map(t) * start_inverse_;
     for (const int v : vertices) vertex(x, v) = map(vertex(x, v));
   }
   std::vector<double> corners() const override {
@@ -38,7 +38,7 @@ class CarriedMotion : public Motion {
   bool rigid() const override { return own_.rigid(); }
 
  private:
-  RigidMap carried(double t) const {
+  RigidMap carrier_map(double t) const {
     RigidMap map;
     for (const Motion* carrier : carriers_) map = *carrier->pose(t) * map;
     return map;
@@ -46,7 +46,7 @@ class CarriedMotion : public Motion {
 
   const Motion& own_;
   std::vector<const Motion*> carriers_;
-  RigidMap seized_;
+  RigidMap start_inverse_;
 };
 
 std::string time_of(double t) { return std::isfinite(t) ? fmt::format("{} s", t) : "the end"; }
@@ -73,7 +73,7 @@ const Motion& carrier_of(const Motion& motion, const std::string& who, const Sce
 
 }  // namespace
 
-std::unique_ptr<Motion> carried_motion(const Motion& motion, const std::string& name, const std::string& object, const SceneConfig& scene) {
+std::unique_ptr<Motion> relative_motion(const Motion& motion, const std::string& name, const std::string& object, const SceneConfig& scene) {
   if (motion.carrier().empty()) return nullptr;
   std::vector<const Motion*> carriers;
   std::vector<std::string> passed = {object};
@@ -83,7 +83,7 @@ std::unique_ptr<Motion> carried_motion(const Motion& motion, const std::string& 
     passed.push_back(at->carrier());
     carriers.push_back(&carrier_of(*at, name, scene));
   }
-  return std::make_unique<CarriedMotion>(motion, std::move(carriers));
+  return std::make_unique<RelativeMotion>(motion, std::move(carriers));
 }
 
 }  // namespace tack

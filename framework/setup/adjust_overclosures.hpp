@@ -19,7 +19,7 @@ namespace tack {
 // Moves the meshes, one per object. Returns one line per moved object; for more than ten, the
 // largest displacement and the number. Does nothing without contact.push_out. Throws InputError, at
 // the location of the later object, with two objects that still overlap and the reason.
-std::vector<std::string> push_out(const SceneConfig& scene, const Value& root,
+std::vector<std::string> adjust_overclosures(const SceneConfig& scene, const Value& root,
                                   std::vector<Mesh>& meshes);
 
 }  // namespace tack
