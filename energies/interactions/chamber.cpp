@@ -51,7 +51,7 @@ class ChamberBetween : public Interaction {
         return speed * open / chamber.volume(x);
       });
     }
-    if (term->stores()) builder.remembers("chamber", 2, 1);
+    if (term->stores()) builder.add_history("chamber", 2, 1);
     builder.add(std::move(term));
   }
 

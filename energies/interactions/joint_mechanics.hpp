@@ -101,7 +101,7 @@ struct MechanicsKeys {
   void build(InteractionBuilder& builder, const std::array<int, Coordinate::arity>& vertices,
              double effort) const {
     const auto coordinate = std::make_shared<JointCoordinate<Coordinate>>(
-        vertices, start, builder.remembers(U.what, 1, 1));
+        vertices, start, builder.add_history(U.what, 1, 1));
     auto limit = std::make_unique<JointLimitTerm<Coordinate>>(coordinate);
     if (limits) {
       // 1/2 + ln 2.

@@ -55,9 +55,9 @@ struct RopeEnd {
   }
   std::vector<int> vertices(InteractionBuilder& builder) const {
     if (!at && !select) throw InputError("rope: give the place of the end, `at`, or vertices of an object, `select`");
-    if (object.empty()) return {builder.fixed(*at)};
+    if (object.empty()) return {builder.fixed_vertex(*at)};
     const int body = builder.body(object);
-    if (!select) return {builder.anchor(body, *at)};
+    if (!select) return {builder.attachment_point(body, *at)};
     return tack::select(*select, builder.world().selection_context(body));
   }
 };

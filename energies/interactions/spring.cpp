@@ -29,7 +29,7 @@ class Spring : public Interaction {
   void build(InteractionBuilder& builder) const override {
     const std::vector<int> from = builder.vertices(from_), to = builder.vertices(to_);
     const VecX& rest = builder.rest();
-    auto term = std::make_unique<SpringTerm>(builder.remembers("broken", 1, static_cast<int>(from.size())));
+    auto term = std::make_unique<SpringTerm>(builder.add_history("broken", 1, static_cast<int>(from.size())));
     for (const Edge& ends : nearest_ends(from, to, rest, fmt::format("spring '{}'", builder.name()))) {
       SpringTerm::Spring spring{stiffness_, length_.value_or(length_of(ends, rest))};
       if (breaking_force_) spring.strength = *breaking_force_;

@@ -23,9 +23,9 @@ void AttachConfig::fields(Fields& f) {
 
 namespace {
 
-constexpr double of_size = 1e-3;   // default of `within`, as a fraction of the other object's size
+constexpr double distance_per_size = 1e-3;  // default of `within`, as a fraction of the other object's size
 
-int target_index(const AttachConfig& attach, int own, const World& world, const std::string& name) {
+int host_index(const AttachConfig& attach, int own, const World& world, const std::string& name) {
   const int index = world.index_of(attach.to, name + ": ");
   if (index == own) throw InputError(fmt::format("{}: an object cannot be attached to itself", name));
   return index;
@@ -35,13 +35,13 @@ int target_index(const AttachConfig& attach, int own, const World& world, const 
 
 void add_attachments(const SceneConfig& scene, int index, World& world) {
   const ObjectConfig& object = scene.objects[index];
-  std::vector<int> taken;
+  std::vector<int> attached;
   for (size_t i = 0; i < object.attach.size(); ++i) {
     const AttachConfig& attach = object.attach[i];
     const std::string name = fmt::format("attach {} of '{}'", i, object.name);
-    const int to = target_index(attach, index, world, name);
-    const Embedding target(world, to);
-    const double within = attach.within.value_or(of_size * target.size());
+    const int to = host_index(attach, index, world, name);
+    const Embedding host(world, to);
+    const double within = attach.within.value_or(distance_per_size * host.size());
     Tie tie{name, {}, 0, attach.until.value_or(std::numeric_limits<double>::infinity())};
     double closest = std::numeric_limits<double>::infinity();
     for (const int v : select(*attach.select, world.selection_context(index))) {
@@ -49,19 +49,19 @@ void add_attachments(const SceneConfig& scene, int index, World& world) {
       if (world.prescribed_motion.ever_fixed(v))
         throw InputError(fmt::format("{}: vertex {} is held by a motion as well; take it out of one of the two selections",
                                      name, local));
-      if (std::find(taken.begin(), taken.end(), v) != taken.end())
+      if (std::find(attached.begin(), attached.end(), v) != attached.end())
         throw InputError(fmt::format("{}: vertex {} is attached twice; take it out of one of the selections", name, local));
-      taken.push_back(v);
-      Embedding::Attachment place = target.of(vertex(world.rest, v));
-      if (place.distance > within || place.off > Embedding::touching * target.size())
+      attached.push_back(v);
+      Embedding::Attachment attachment = host.of(vertex(world.rest, v));
+      if (attachment.distance > within || attachment.off > Embedding::touching * host.size())
         throw InputError(fmt::format("{}: vertex {} is {:.4g} m away from '{}'{}; move the objects together (place), select "
-                                     "fewer vertices{}", name, local, place.distance, attach.to,
-                                     place.distance > within ? "" : ", which has no tets to follow beyond its surface",
-                                     place.distance > within ? " or raise `within`" : ""));
-      closest = std::min(closest, place.distance);
-      tie.dependences.push_back({v, std::move(place.on)});
+                                     "fewer vertices{}", name, local, attachment.distance, attach.to,
+                                     attachment.distance > within ? "" : ", which has no tets to follow beyond its surface",
+                                     attachment.distance > within ? " or raise `within`" : ""));
+      closest = std::min(closest, attachment.distance);
+      tie.dependences.push_back({v, std::move(attachment.on)});
     }
-    if (closest <= Embedding::touching * target.size()) world.attached.emplace_back(std::min(index, to), std::max(index, to));
+    if (closest <= Embedding::touching * host.size()) world.attached.emplace_back(std::min(index, to), std::max(index, to));
     world.bindings.add(std::move(tie));
   }
 }

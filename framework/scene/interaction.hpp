@@ -37,7 +37,7 @@ class Interaction : public Component {
   virtual std::vector<std::string> objects() const = 0;
   /// Returns true if these objects keep their placement, so that contact.push_out does not move
   /// them.
-  virtual bool places() const { return true; }
+  virtual bool keeps_placement() const { return true; }
   /// Requests all parts of the interaction from the builder. Throws InputError; the caller adds the
   /// source location.
   virtual void build(InteractionBuilder& builder) const = 0;

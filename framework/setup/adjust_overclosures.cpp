@@ -48,7 +48,7 @@ class OverclosureAdjustment {
       for (const AttachConfig& attach : object.attach) constrained.insert(attach.to);
     }
     for (const auto& interaction : scene.interactions) {
-      if (!interaction->places()) continue;
+      if (!interaction->keeps_placement()) continue;
       for (const std::string& name : interaction->objects())
         for (const ObjectConfig& object : scene.objects)
           if (named_as(object, name) != NamedAs::not_at_all) constrained.insert(object.name);

@@ -47,35 +47,35 @@ std::vector<int> InteractionBuilder::vertices(const ObjectVertices& of) const {
   return select(*of.select, world_.selection_context(body(of.object)));
 }
 
-int InteractionBuilder::anchor(int body, const Vec3& at) {
-  const Embedding carrier(world_, body);
-  const Embedding::Attachment place = carrier.of(at);
+int InteractionBuilder::attachment_point(int body, const Vec3& at) {
+  const Embedding embedding(world_, body);
+  const Embedding::Attachment attachment = embedding.of(at);
   const std::string& object = world_.bodies[body].name;
-  if (place.on.empty())
+  if (attachment.on.empty())
     throw InputError(fmt::format("interaction '{}': '{}' has neither tets nor triangles that could carry a point along; choose vertices of it", name(), object));
-  if (place.off > Embedding::touching * carrier.size())
+  if (attachment.off > Embedding::touching * embedding.size())
     throw InputError(fmt::format("interaction '{}': the point ({:.6g}, {:.6g}, {:.6g}) m is {:.4g} m away from '{}', which has no tets that could carry it "
-                                 "beyond its surface; choose one on it", name(), at.x(), at.y(), at.z(), place.off, object));
+                                 "beyond its surface; choose one on it", name(), at.x(), at.y(), at.z(), attachment.off, object));
   Unknowns own = unknowns();
   const int v = own.places("anchor", std::vector{at})[0];
   if (const std::vector<int>& frame = world_.bodies[body].frame; frame.empty()) {
-    own.follow({v, place.on});
+    own.follow({v, attachment.on});
   } else {
     std::array<double, 4> weights{};
-    for (const auto& [on, weight] : place.on) weights[static_cast<size_t>(std::find(frame.begin(), frame.end(), on) - frame.begin())] = weight;
+    for (const auto& [on, weight] : attachment.on) weights[static_cast<size_t>(std::find(frame.begin(), frame.end(), on) - frame.begin())] = weight;
     world_.bindings.carry(frame[0], {v, weights});
   }
   return v;
 }
 
-int InteractionBuilder::fixed(const Vec3& at) {
+int InteractionBuilder::fixed_vertex(const Vec3& at) {
   Unknowns own = unknowns();
   const std::vector<int> v = own.places("fixed", std::vector{at});
   own.fix(v);
   return v[0];
 }
 
-void InteractionBuilder::tie(Dependences dependences, double from, double until) {
+void InteractionBuilder::make_dependent(Dependences dependences, double from, double until) {
   for (const Dependence& d : dependences)
     if (world_.prescribed_motion.ever_fixed(d.vertex)) {
       const int i = world_.body_of(d.vertex);
@@ -87,7 +87,7 @@ void InteractionBuilder::tie(Dependences dependences, double from, double until)
 
 namespace {
 
-int idle_relations(const std::vector<Joint>& joints, const World& world) {
+int redundant_relation_count(const std::vector<Joint>& joints, const World& world) {
   const std::vector<char> free(static_cast<size_t>(world.rest.size() / 3), 1);
   return solve_joints(joints, world.bindings.frames(), free, world.bindings.unjoined_at(free, std::vector<char>(world.bindings.ties().size(), 0))).idle;
 }
@@ -96,8 +96,8 @@ int idle_relations(const std::vector<Joint>& joints, const World& world) {
 void refuse_duplicate(const Joint& joint, const World& world) {
   for (const Joint& other : world.bindings.joints()) {
     if (!std::is_permutation(joint.bodies.begin(), joint.bodies.end(), other.bodies.begin(), other.bodies.end())) continue;
-    const int says = static_cast<int>(joint.relations.size() - joint.places.size());
-    if (idle_relations({other, joint}, world) - idle_relations({other}, world) >= says)
+    const int relation_count = static_cast<int>(joint.relations.size() - joint.places.size());
+    if (redundant_relation_count({other, joint}, world) - redundant_relation_count({other}, world) >= relation_count)
       throw InputError(fmt::format("joint '{}' joins what '{}' joins already; take one of them away", joint.name, other.name));
   }
 }
@@ -127,17 +127,17 @@ void InteractionBuilder::add(Joint joint) {
   world_.bindings.add(std::move(joint));
 }
 
-void InteractionBuilder::join(int body, int other) {
+void InteractionBuilder::exclude_contact(int body, int other) {
   if (body != other) world_.attached.emplace_back(std::min(body, other), std::max(body, other));
 }
 
-void InteractionBuilder::take(std::unique_ptr<Term> term) {
+void InteractionBuilder::add_term(std::unique_ptr<Term> term) {
   acting_.terms.push_back(term.get());
   if (auto* load = dynamic_cast<FollowingLoad*>(term.get())) register_following_load(*load, world_);
   world_.elastic_terms.push_back(std::move(term));
 }
 
-std::string InteractionBuilder::remembers(const std::string& what, int width, int entries) {
+std::string InteractionBuilder::add_history(const std::string& what, int width, int entries) {
   acting_.memory.push_back({name() + "/" + what, width, entries});
   return acting_.memory.back().name;
 }

@@ -37,37 +37,37 @@ class InteractionBuilder {
   std::vector<int> vertices(const ObjectVertices& of) const;  ///< global, ascending, at least one
   /// Adds a vertex at position `at` [m] that moves with a body (embedding.hpp), and returns its
   /// index.
-  int anchor(int body, const Vec3& at);
+  int attachment_point(int body, const Vec3& at);
 
   /// Adds a fixed vertex at position `at` [m], for attachments to space, and returns its index.
-  int fixed(const Vec3& at);
+  int fixed_vertex(const Vec3& at);
 
   /// Unknowns of the interaction.
   Unknowns unknowns() { return Unknowns(world_, acting_.name); }
   /// Makes vertices dependent from time `from` until `until` [s]. No motion may prescribe them.
-  void tie(Dependences dependences, double from = 0,
+  void make_dependent(Dependences dependences, double from = 0,
            double until = std::numeric_limits<double>::infinity());
   /// Adds a joint: relations that hold exactly and throughout (joint_relations.hpp). Sets its
   /// name. At least one of its bodies must be affine and free to move.
   void add(Joint joint);
   /// Excludes contact between the two bodies, for the whole run.
-  void join(int body, int other);
+  void exclude_contact(int body, int other);
 
   /// Adds a term that takes part in every step of the run.
   template <class T>
   T& add(std::unique_ptr<T> term) {
     T& added = *term;
-    take(std::move(term));
+    add_term(std::move(term));
     return added;
   }
   /// Declares an array of the history that one of its terms keeps, and returns its name. `start:`
   /// copies declared arrays.
-  std::string remembers(const std::string& what, int width, int entries);
+  std::string add_history(const std::string& what, int width, int entries);
 
   ActingInteraction finish();
 
  private:
-  void take(std::unique_ptr<Term> term);
+  void add_term(std::unique_ptr<Term> term);
 
   const SceneConfig& scene_;
   World& world_;

@@ -79,14 +79,14 @@ class Jack : public Interaction {
     f.flag("free", free_, "contact.push_out may move its objects");
   }
   std::vector<std::string> objects() const override { return between_; }
-  bool places() const override { return !free_; }
+  bool keeps_placement() const override { return !free_; }
   void build(InteractionBuilder& builder) const override {
     const int a = builder.body(between_.at(0)), b = builder.body(between_.at(1));
-    const int from = builder.anchor(a, at_), to = builder.anchor(b, at_);
-    if (joined_) builder.join(a, b);
-    if (tied_) return builder.tie({{to, {{from, 1.0}}}});
+    const int from = builder.attachment_point(a, at_), to = builder.attachment_point(b, at_);
+    if (joined_) builder.exclude_contact(a, b);
+    if (tied_) return builder.make_dependent({{to, {{from, 1.0}}}});
     const Numbers n = builder.unknowns().numbers("way", 1, scale_, 0, mass_);
-    auto jack = std::make_unique<JackTerm>(builder.remembers("steps", 1, 1));
+    auto jack = std::make_unique<JackTerm>(builder.add_history("steps", 1, 1));
     jack->add({from, to, n.vertices[0]}, {stiffness_});
     builder.add(std::move(jack));
     if (prescribed_) return builder.unknowns().prescribe(n, std::array{0}, Schedule({{0, 0}, {0.1, goal_}}));
