@@ -24,7 +24,7 @@ void add_triangles(const ContactSystem& system, const BondTable& table, std::vec
   };
   for (const OverlapFacets& pair : system.overlap().parts()) {
     if (!table.bonds(pair.a, pair.b)) continue;
-    const double share = system.pairs().point(pair.a, pair.b).share;
+    const double share = system.pairs().point(pair.a, pair.b).area_factor;
     for (const OverlapTriangle& t : pair.whole)
       for (int i = 0; i < 3; ++i) {
         Vec3 inside = Vec3::Constant(1.0 / 6);
@@ -34,7 +34,7 @@ void add_triangles(const ContactSystem& system, const BondTable& table, std::vec
   }
   for (const ContactSample& s : system.overlap().samples()) {
     const int a = mesh.vertex_object[mesh.triangles[s.triangle][0]];
-    if (table.bonds(a, s.object)) add(s.triangle, s.inside, s.object, system.pairs().point(a, s.object).share * s.area, false);
+    if (table.bonds(a, s.object)) add(s.triangle, s.inside, s.object, system.pairs().point(a, s.object).area_factor * s.area, false);
   }
 }
 
@@ -56,8 +56,8 @@ void add_vertices(const ContactSystem& system, const BondTable& table, const std
   std::vector<char> wanted(barriers.size(), 0);
   const PairTable& pairs = system.pairs();
   for (const auto& [a, b] : pairs.classes().examples())
-    for (int part = -1; part < pairs.parts(a, b); ++part)
-      if (table.between(a, b, part) >= 0) wanted[pairs.thin(a, b, part).law] = 1;
+    for (int part = -1; part < pairs.region_pair_count(a, b); ++part)
+      if (table.between(a, b, part) >= 0) wanted[pairs.codimensional(a, b, part).law] = 1;
   const ContactPoints points = contact_points({system, barriers, wanted, x});
   for_each_record(points, [&](const auto& point) {
     if (point.kind() != PointKind::vertex || !(point.area > 0) || !table.bonds(point.object, point.opposite)) return;

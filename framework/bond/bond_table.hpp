@@ -37,7 +37,7 @@ class BondTable {
   void set(int a, int b, int rule) {
     rule_[classes_.index(a, b)] = rule_[classes_.index(b, a)] = rule;
   }
-  // Sets the rules of the regions of two objects (PairTable::part), in their order.
+  // Sets the rules of the regions of two objects (PairTable::region_pair), in their order.
   void set_parts(int a, int b, const std::vector<int>& rules) {
     of_parts_.resize(classes_.entries());
     of_parts_[classes_.index(a, b)] = of_parts_[classes_.index(b, a)] = rules;
@@ -72,8 +72,8 @@ inline int rule_of(const Bond& bond, const BondTable& table, const PairTable& pa
   const Triangle& anchor = mesh.triangles[bond.anchor];
   return table.between(bond.a, bond.b,
                        bond.triangle < 0
-                           ? pairs.part(bond.a, bond.b, std::array{bond.vertices[0]}, anchor)
-                           : pairs.part(bond.a, bond.b, mesh.triangles[bond.triangle], anchor));
+                           ? pairs.region_pair(bond.a, bond.b, std::array{bond.vertices[0]}, anchor)
+                           : pairs.region_pair(bond.a, bond.b, mesh.triangles[bond.triangle], anchor));
 }
 
 }  // namespace tack

@@ -126,7 +126,7 @@ void BondTerm::make_bonds(const VecX& x) {
   std::erase_if(sites, [&](const BondSite& site) {
     const int a = object[site.vertex];
     // The rule among regions depends on the opposite triangle, which is not known yet.
-    if (!system_.pairs().has_parts(a, site.object) && !may_bond(table_.between(a, site.object, -1), a, site.object)) return true;
+    if (!system_.pairs().has_regions(a, site.object) && !may_bond(table_.between(a, site.object, -1), a, site.object)) return true;
     const auto here = bonded.find(whose(site.triangle, site.vertex, site.object));
     if (here == bonded.end()) return false;
     return !site.whole || std::any_of(here->second.begin(), here->second.end(), [&](const Bond* b) {

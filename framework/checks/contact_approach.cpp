@@ -124,7 +124,7 @@ bool ContactApproach::looked_at(const Objects& objects) const {
   if (a == b || !((soft_[a] && (soft_[b] || firm_[b])) || (firm_[a] && soft_[b]))) return false;
   const PairTable& pairs = world_.contact->pairs();
   const auto adheres = [&](int law) { return law >= 0 && !wanted_[law]; };
-  for (int part = -1; part < pairs.parts(a, b); ++part)
+  for (int part = -1; part < pairs.region_pair_count(a, b); ++part)
     if (adheres(pairs.point(a, b, part).law) || adheres(pairs.point(b, a, part).law)) return false;
   return true;
 }
@@ -159,7 +159,7 @@ void ContactApproach::look(const VecX& x) {
     if (force <= pressed.force) continue;
     const PairTable& pairs = world_.contact->pairs();
     const auto [a, b] = objects;
-    const double range = std::max(pairs.point(a, b).reach(), pairs.point(b, a).reach()), distance = range - pairs.offset(a, b);
+    const double range = std::max(pairs.point(a, b).range_max(), pairs.point(b, a).range_max()), distance = range - pairs.offset(a, b);
     const PressedZone zone = pressed_zone(points);
     const bool curved = zone.curved > least_curved * distance;
     pressed = {force, curved ? range - zone.gap : 0, curved ? of_flattening * zone.flattened : 0, distance};

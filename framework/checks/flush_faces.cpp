@@ -52,8 +52,8 @@ class FlushFaces {
   // otherwise.
   const PairLaw* slippery(int a, int b) const {
     const PairTable& pairs = world_.contact->pairs();
-    if (pairs.has_parts(a, b)) return nullptr;
-    const int law = pairs.thin(a, b).law;
+    if (pairs.has_regions(a, b)) return nullptr;
+    const int law = pairs.codimensional(a, b).law;
     if (law < 0 || pairs.tangential(law).acts()) return nullptr;
     for (const auto& part : pairs.laws()[law].laws())
       if (dynamic_cast<const NormalAdhesion*>(part.get())) return nullptr;

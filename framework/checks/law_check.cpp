@@ -170,8 +170,8 @@ LawCheck check_laws(const World& world) {
   for (const AdhesionSummary& pair : world.adhesion) {
     const PairTable& table = world.contact->pairs();
     const auto& [a, b] = pair.kinds.front();
-    LawCheck check = check_pair(table.laws()[table.thin(a, b, pair.part).law]);
-    if (const int rule = world.bonds ? world.bonds->table().between(a, b, pair.part) : -1; rule >= 0) {
+    LawCheck check = check_pair(table.laws()[table.codimensional(a, b, pair.region_pair).law]);
+    if (const int rule = world.bonds ? world.bonds->table().between(a, b, pair.region_pair) : -1; rule >= 0) {
       const BondLaw& law = *world.bonds->table().rules()[rule].law;
       append(check, check_law(law));
       for (const std::string& doubt : law.doubts()) check.doubtful.push_back(doubt);

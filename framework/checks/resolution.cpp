@@ -136,7 +136,7 @@ class Warnings {
     for (const int i : {a, b})
       if (const double own = young_of(scene_.objects[i]); own > 0) young = young > 0 ? std::min(young, own) : own;
     const double zone = young * adhesion.work_of_adhesion / (adhesion.peak_traction * adhesion.peak_traction);
-    const double range = world_.contact->pairs().point(a, b, adhesion.part).range - world_.contact->pairs().offset(a, b);
+    const double range = world_.contact->pairs().point(a, b, adhesion.region_pair).range - world_.contact->pairs().offset(a, b);
     for (const int i : a == b ? std::vector{a} : std::vector{a, b}) {
       const SurfaceMeasure& m = measures_[i];
       const std::string& name = world_.bodies[i].name;
@@ -171,7 +171,7 @@ class Warnings {
   }
 
   void body(int i) {
-    const double range = world_.contact->pairs().point(i, i).reach() - world_.contact->pairs().offset(i, i), distance = scene_.contact->contact_distance;
+    const double range = world_.contact->pairs().point(i, i).range_max() - world_.contact->pairs().offset(i, i), distance = scene_.contact->contact_distance;
     const SurfaceMeasure& m = measures_[i];
     const std::string& name = world_.bodies[i].name;
     if (!world_.bodies[i].movable) return;

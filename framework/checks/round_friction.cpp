@@ -57,11 +57,11 @@ double friction_between(const PairTable& pairs, int a, int b) {
     for (const int law : {role.law, role.safety_barrier})
       if (law >= 0) mu = std::max(mu, pairs.tangential(law).mu);
   };
-  for (int part = -1; part < pairs.parts(a, b); ++part) {
+  for (int part = -1; part < pairs.region_pair_count(a, b); ++part) {
     take(pairs.point(a, b, part));
     take(pairs.point(b, a, part));
     take(pairs.edge(a, b, part));
-    take(pairs.thin(a, b, part));
+    take(pairs.codimensional(a, b, part));
   }
   return mu;
 }

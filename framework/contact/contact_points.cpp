@@ -23,16 +23,16 @@ ContactPoint<4> edge_point(const ContactPointsRequest& request, const ContactSte
 }
 
 void add_laws_of_area(const PairTable& pairs, int a, int b, std::vector<char>& laws) {
-  for (int part = -1; part < pairs.parts(a, b); ++part) {
-    for (const PairRole* role : {&pairs.point(a, b, part), &pairs.point(b, a, part)})
-      if (role->law >= 0 && (role->facing || pairs.plain_sums)) laws[role->law] = 1;
-    if (const int thin = pairs.thin(a, b, part).law; thin >= 0) laws[thin] = 1;
+  for (int region_pair = -1; region_pair < pairs.region_pair_count(a, b); ++region_pair) {
+    for (const PairRole* role : {&pairs.point(a, b, region_pair), &pairs.point(b, a, region_pair)})
+      if (role->law >= 0 && (role->carries_pressure || pairs.plain_sums)) laws[role->law] = 1;
+    if (const int codimensional = pairs.codimensional(a, b, region_pair).law; codimensional >= 0) laws[codimensional] = 1;
   }
 }
 
 // Marks each cut-down law for which the whole law that it replaces is marked, and no other one.
 std::vector<char> with_cut_down(const PairTable& pairs, std::vector<char> laws) {
-  for (size_t law = 0; law < laws.size(); ++law) laws[law] = laws[pairs.whole(static_cast<int>(law))];
+  for (size_t law = 0; law < laws.size(); ++law) laws[law] = laws[pairs.original_law(static_cast<int>(law))];
   return laws;
 }
 

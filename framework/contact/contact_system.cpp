@@ -40,7 +40,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
                              PhaseClock& clock)
     : surface_(std::move(surface)), pairs_(std::move(pairs)), colliding_(colliding), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
-  range_ = std::max(range_, pairs_.bond_reach());
+  range_ = std::max(range_, pairs_.bond_range());
   const double mean_edge = mean_edge_of(surface_);
   skin_ = skin_of(mean_edge, range_);
   radii_ = pair_radii(surface_, pairs_);
@@ -64,7 +64,7 @@ void ContactSystem::remember(const History& history) {
     turned_before_.emplace();
     for (int a = 0; a < pairs_.objects(); ++a)
       for (int b = a + 1; b < pairs_.objects(); ++b)
-        if (pairs_.point(a, b).automatic && ((*all)[a * pairs_.objects() + b] != 0) != pairs_.finer(a, b)) turned_before_->emplace_back(a, b);
+        if (pairs_.point(a, b).by_overlap && ((*all)[a * pairs_.objects() + b] != 0) != pairs_.finer(a, b)) turned_before_->emplace_back(a, b);
   }
   if (const auto turned = history.find(turned_sides_name); turned != history.end()) {
     turned_before_.emplace();
@@ -77,7 +77,7 @@ void ContactSystem::remember(const History& history) {
   for (const auto& [vertex, other] : sides->second.keys) {
     const int integrates = surface_.mesh.vertex_object[vertex];
     const std::pair<int, int> pair = std::minmax(integrates, other);
-    if (pairs_.point(pair.first, pair.second).automatic && pairs_.finer(pair.first, pair.second) != (integrates == pair.first)) turned_before_->push_back(pair);
+    if (pairs_.point(pair.first, pair.second).by_overlap && pairs_.finer(pair.first, pair.second) != (integrates == pair.first)) turned_before_->push_back(pair);
   }
   std::sort(turned_before_->begin(), turned_before_->end());
 }
@@ -89,13 +89,13 @@ void ContactSystem::commit(const VecX& x, History& history) const {
   for (const LaggedWeight& s : narrow_phase_->held_shares()) {
     const Triangle& t = surface_.mesh.triangles[s.triangle];
     const auto [a, b, c] = corners(x, t);
-    const double range = pairs_.thin(surface_.mesh.vertex_object[s.point], surface_.mesh.vertex_object[t[0]]).reach();
+    const double range = pairs_.codimensional(surface_.mesh.vertex_object[s.point], surface_.mesh.vertex_object[t[0]]).range_max();
     if (point_triangle_distance(vertex(x, s.point), a, b, c) < range * range) shares.push_back(s);
   }
   store_weights(shares, surface_.mesh, history);
   history.erase(former_sides_name);
   history.erase(turned_sides_name);
-  if (!pairs_.any_automatic()) return;
+  if (!pairs_.any_by_overlap()) return;
   HistoryArray& sides = history[sides_name] = {1, {}, {}};
   if (turned_sides().empty()) return;
   std::vector<int> first_vertex(pairs_.objects(), -1);

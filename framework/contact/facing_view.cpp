@@ -69,8 +69,8 @@ void FacingViewer::consider(const Viewpoint& from, int triangle, double nearer) 
   const SurfaceTopology& topology = held_.topology();
   const int feature = static_cast<int>(type);  // three vertices, three edges, the face
   const bool goes_on = type == PointTriangleType::P_T ||
-                       (feature < 3 ? topology.smooth_vertex(t[feature]) && (!part_ || part_->around(topology, t[feature]))
-                                    : topology.smooth_edge(triangle, feature - 3) && (!part_ || part_->beyond(topology, triangle, feature - 3)));
+                       (feature < 3 ? topology.smooth_vertex(t[feature]) && (!region_ || region_->surrounds_vertex(topology, t[feature]))
+                                    : topology.smooth_edge(triangle, feature - 3) && (!region_ || region_->surrounds_edge(topology, triangle, feature - 3)));
   const double beyond = goes_on ? 0 : std::sqrt(std::max(0.0, squared - height * height));
   seen_.push_back({normal, area, squared, beyond, triangle});
 }

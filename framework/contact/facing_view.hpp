@@ -53,7 +53,7 @@ class FacingViewer {
   FacingViewer(const CollisionMesh& mesh, const LaggedSurface& held) : mesh_(mesh), held_(held) {}
 
   // Restricts the view to a region, which ends at its interfaces; null: the whole surface.
-  void look_at(const SurfaceRegion* part) { part_ = part; }
+  void look_at(const SurfaceRegion* region) { region_ = region; }
 
   Viewpoint vertex_view(int vertex_index) const;
   // One of position x inside a triangle, which stands for the given area.
@@ -92,7 +92,7 @@ class FacingViewer {
 
   const CollisionMesh& mesh_;
   const LaggedSurface& held_;
-  const SurfaceRegion* part_ = nullptr;
+  const SurfaceRegion* region_ = nullptr;
   std::vector<Seen> seen_;
 };
 

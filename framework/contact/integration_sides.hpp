@@ -50,7 +50,7 @@ class IntegrationSides {
   void hold(Pairs pairs) { held_ = std::move(pairs); }
   // Returns whether the points of a integrate against b.
   bool integrates(int a, int b) const {
-    if (!pairs_.point(a, b).automatic) return pairs_.presses(a, b);
+    if (!pairs_.point(a, b).by_overlap) return pairs_.may_carry_pressure(a, b);
     return pairs_.finer(a, b) != holds(turned_, std::minmax(a, b));
   }
 

@@ -103,14 +103,14 @@ class SampleSearch : StencilSearch {
   void search(int i) {
     const ContactSample& sample = samples_[i];
     const Triangle& own = mesh_.triangles[sample.triangle];
-    const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object, sample.part);
+    const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object, sample.region_pair);
     triangles_.clear();
     for (int k = pieces_.pieces[i].begin; k < pieces_.pieces[i].end; ++k) triangles_.push_back(mesh_.triangles[pieces_.triangles[k]]);
     const Vec3 p = point_inside(x_, own, sample.inside);
     for (const PointFeature& f : features_.reduce(x_, p, triangles_, {}, {}, role.range, false)) {
       const auto [a, b, c] = own;
       const auto& v = f.vertices;
-      const double weight = role.share * sample.area * f.multiplicity;
+      const double weight = role.area_factor * sample.area * f.multiplicity;
       switch (f.count()) {
         case 1: keep<3>(found_.sample_point, {{a, b, c, v[0]}, role.law, weight, sample.inside, i}); break;
         case 2: keep<3>(found_.sample_edge, {{a, b, c, v[0], v[1]}, role.law, weight, sample.inside, i}); break;
@@ -126,7 +126,7 @@ class SampleSearch : StencilSearch {
 
 const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, const Edge& a, const Edge& b) {
   const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
-  return pairs.edge(object, other, pairs.part(object, other, a, b));
+  return pairs.edge(object, other, pairs.region_pair(object, other, a, b));
 }
 
 // Returns the area of a pair of edges. An edge without width has no area, and does not count here.
@@ -151,7 +151,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
     if (box_gaps(ca, cb).maxCoeff() >= range) continue;  // their boxes are too far apart already
     if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < range * range)) continue;
     if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
-    const double weight = role.share * shared_area(surface.edge_area[ia], surface.edge_area[ib], role.most_uneven);
+    const double weight = role.area_factor * shared_area(surface.edge_area[ia], surface.edge_area[ib], role.area_ratio_max);
     found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, weight});
   }
 }
@@ -163,7 +163,7 @@ void search_crossings(const ContactSurface& surface, const PairTable& pairs, con
   for (const auto& [edges, area] : crossings) {
     const Edge &a = mesh.edges[edges[0]], &b = mesh.edges[edges[1]];
     const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
-    const PairRole& role = pairs.thin(object, other, pairs.part(object, other, a, b));
+    const PairRole& role = pairs.codimensional(object, other, pairs.region_pair(object, other, a, b));
     const int law = object == other && surface.rest_gaps ? surface.rest_gaps->law_of_edges(role.law, a, b) : role.law;
     const double range = law == role.law ? role.range : surface.rest_gaps->range(law);
     const auto ca = corners(x, a), cb = corners(x, b);
@@ -190,7 +190,7 @@ NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, 
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
   const int own = surface_.mesh.vertex_object[group.point];
-  return pairs_.point(own, group.object).law >= 0 && pairs_.presses(own, group.object) &&
+  return pairs_.point(own, group.object).law >= 0 && pairs_.may_carry_pressure(own, group.object) &&
          !held_.topology().triangles_at(group.point).empty();
 }
 

@@ -69,8 +69,8 @@ class PairForces {
 
  private:
   double energy(int triangle, int other, double distance) const {
-    const PairRole& role = table_.point(a_, b_, table_.part(a_, b_, mesh_.triangles[triangle], mesh_.triangles[other]));
-    return role.share * std::min(0.0, table_.laws()[role.law].at(distance).value);
+    const PairRole& role = table_.point(a_, b_, table_.region_pair(a_, b_, mesh_.triangles[triangle], mesh_.triangles[other]));
+    return role.area_factor * std::min(0.0, table_.laws()[role.law].at(distance).value);
   }
   void act(int v, const Vec3& force) {
     vertex(sum_, v) += force;

@@ -17,17 +17,17 @@ struct ClassRange {
 
 double surface_range(const PairTable& pairs, int a, int b) {
   double range = 0;
-  for (int part = -1; part < pairs.parts(a, b); ++part)
-    for (const PairRole* role : {&pairs.point(a, b, part), &pairs.point(b, a, part), &pairs.edge(a, b, part), &pairs.thin(a, b, part)})
-      range = std::max({range, role->reach(), role->safety_barrier_range, role->bonds ? pairs.bond_reach() : 0});
+  for (int region_pair = -1; region_pair < pairs.region_pair_count(a, b); ++region_pair)
+    for (const PairRole* role : {&pairs.point(a, b, region_pair), &pairs.point(b, a, region_pair), &pairs.edge(a, b, region_pair), &pairs.codimensional(a, b, region_pair)})
+      range = std::max({range, role->range_max(), role->safety_barrier_range, role->bonds ? pairs.bond_range() : 0});
   return range;
 }
 
 double edge_range(const ContactSurface& surface, const PairTable& pairs, int a, int b) {
   const bool rods = surface.rod_width[a] > 0 && surface.rod_width[b] > 0;
   double range = 0;
-  for (int part = -1; part < pairs.parts(a, b); ++part)
-    range = std::max({range, pairs.edge(a, b, part).range, rods ? pairs.thin(a, b, part).reach() : 0});
+  for (int region_pair = -1; region_pair < pairs.region_pair_count(a, b); ++region_pair)
+    range = std::max({range, pairs.edge(a, b, region_pair).range, rods ? pairs.codimensional(a, b, region_pair).range_max() : 0});
   return range;
 }
 

@@ -36,28 +36,28 @@ namespace tack {
 
 // Interaction of the points of one object with the surface of another, or of the edges of both.
 struct PairRole {
-  int law = -1;          // index into the laws; -1: no interaction
-  double share = 0;      // factor on the tributary area of the point (or edge pair)
-  double range = 0;      // of the law [m]
+  int law = -1;            // index into the laws; -1: no interaction
+  double area_factor = 0;  // factor on the tributary area of the point (or edge pair)
+  double range = 0;        // of the law [m]
   // The point carries contact pressure: its weight is its projected tributary area towards the
   // other surface.
-  bool facing = false;
+  bool carries_pressure = false;
   int safety_barrier = -1;          // law of safety-barrier pairs; -1: none
   double safety_barrier_range = 0;  // m
-  // Pressure only while this side is the integration side by overlap (integration_sides.hpp).
-  bool automatic = false;
-  bool finer = false;      // pressure only if this side has the finer surface
-  // Both sides carry pressure, with weights by the sizes of their cells; none beyond an overlap
-  // boundary.
+  // Pressure only while this side is the secondary side by overlap (integration_sides.hpp).
+  bool by_overlap = false;
+  bool only_if_finer = false;  // pressure only if this side has the finer surface
+  // Both sides carry pressure, with weights by the areas per vertex; none past an overlap boundary.
   bool by_size = false;
-  bool covered = false;    // integrates over the overlap alone (surface_overlap.hpp)
-  bool bonds = false;      // some or all of the overlap bonds (framework/bond)
-  bool pulls_too = false;  // with bonds: other regions adhere by a law of the gap
-  double range_of_parts = 0;  // largest range of laws between regions of the two objects [m]
+  bool overlap_only = false;          // integrates over the overlap alone (surface_overlap.hpp)
+  bool bonds = false;                 // some or all of the overlap bonds (framework/bond)
+  bool adheres_beside_bonds = false;  // some regions bond, others adhere by a law of the gap
+  double region_range_max = 0;        // largest range of laws between regions of the objects [m]
   // Largest ratio of the areas of two edges: a larger area is cut to that ratio.
-  double most_uneven = std::numeric_limits<double>::infinity();
+  double area_ratio_max = std::numeric_limits<double>::infinity();
 
-  double reach() const { return std::max(range, range_of_parts); }
+  // Returns the largest range of the law and of the laws between regions [m].
+  double range_max() const { return std::max(range, region_range_max); }
 };
 
 // A set of regions, one bit per region.
@@ -65,8 +65,8 @@ using RegionSet = std::uint64_t;
 
 // Roles between elements in regions of the first object and elements in regions of the second.
 struct RegionRoles {
-  RegionSet first = 0, second = 0;  // the elements lie in all of these
-  PairRole point, edge, thin;       // as in PairTable; point: of points of the first object
+  RegionSet first = 0, second = 0;      // the elements lie in all of these
+  PairRole point, edge, codimensional;  // as in PairTable; point: of points of the first object
 };
 
 // Table over classes of objects: a role set for two objects holds for all objects of their classes.
@@ -74,40 +74,41 @@ class PairTable {
  public:
   explicit PairTable(int objects)
       : PairTable(ObjectClasses::single(objects), std::vector<double>(objects, 0.0)) {}
-  // cells: per object, the mean tributary area of its surface vertices [m^2].
-  PairTable(ObjectClasses classes, std::vector<double> cells)
-      : classes_(std::move(classes)),
-        cells_(std::move(cells)),
-        point_(classes_.entries()),
-        edge_(classes_.entries()),
-        thin_(classes_.entries()),
+  // mean_tributary_areas: per object, of its surface vertices [m^2].
+  PairTable(ObjectClasses classes, std::vector<double> mean_tributary_areas)
+      : classes_(std::move(classes)), mean_tributary_areas_(std::move(mean_tributary_areas)),
+        point_(classes_.entries()), edge_(classes_.entries()), codimensional_(classes_.entries()),
         offset_(classes_.entries(), 0.0) {}
 
   const ObjectClasses& classes() const { return classes_; }
   int objects() const { return classes_.objects(); }
-  double cell(int object) const { return cells_[object]; }
+  // Mean tributary area of the surface vertices of an object [m^2].
+  double mean_tributary_area(int object) const { return mean_tributary_areas_[object]; }
   // Returns whether the surface of a is the finer one; of two equal ones that of the first object
   // is.
-  bool finer(int a, int b) const { return a < b ? cells_[a] <= cells_[b] : cells_[a] < cells_[b]; }
-  // Returns whether points of a carry pressure, or may: if the role is automatic, overlaps decide.
-  bool presses(int a, int b) const {
+  bool finer(int a, int b) const {
+    const double area_a = mean_tributary_area(a), area_b = mean_tributary_area(b);
+    return a < b ? area_a <= area_b : area_a < area_b;
+  }
+  // Returns whether points of a carry pressure, or may: with `by_overlap`, overlap areas decide.
+  bool may_carry_pressure(int a, int b) const {
     const PairRole& role = point(a, b);
-    return role.facing && (!role.finer || finer(a, b));
+    return role.carries_pressure && (!role.only_if_finer || finer(a, b));
   }
   int add_law(PairLaw law, const TangentialLaw& tangential = {}) {
     laws_.push_back(std::move(law));
     tangential_.push_back(tangential);
-    whole_.push_back(static_cast<int>(laws_.size()) - 1);
-    return whole_.back();
+    original_law_.push_back(static_cast<int>(laws_.size()) - 1);
+    return original_law_.back();
   }
   // Adds a law that replaces `law` where an object is close to itself at rest (rest_gaps.hpp).
   int add_cut_down(int law, PairLaw cut_down) {
     const int added = add_law(std::move(cut_down), TangentialLaw(tangential_[law]));
-    whole_[added] = law;
+    original_law_[added] = law;
     return added;
   }
   // Returns the law that a cut-down law replaces; any other law itself.
-  int whole(int law) const { return whole_[law]; }
+  int original_law(int law) const { return original_law_[law]; }
   const std::vector<PairLaw>& laws() const { return laws_; }
   const TangentialLaw& tangential(int law) const { return tangential_[law]; }
   bool any_tangential() const {
@@ -116,52 +117,53 @@ class PairTable {
   }
 
   // of_vertex: regions per vertex; empty: no object has regions.
-  void set_parts(std::vector<RegionSet> of_vertex) { part_of_vertex_ = std::move(of_vertex); }
-  const std::vector<RegionSet>& part_sets() const { return part_of_vertex_; }
-  static constexpr int most_parts = 64;
+  void set_regions(std::vector<RegionSet> of_vertex) { regions_of_vertex_ = std::move(of_vertex); }
+  const std::vector<RegionSet>& region_sets() const { return regions_of_vertex_; }
+  static constexpr int region_count_max = 64;
   // Adds roles of points of a towards b; the first that applies holds. Roles of b towards a are
   // added by a call of their own.
-  void add_part(int a, int b, RegionRoles roles) {
-    if (parts_.empty()) parts_.resize(classes_.entries());
+  void add_region_roles(int a, int b, RegionRoles roles) {
+    if (region_roles_.empty()) region_roles_.resize(classes_.entries());
     largest_edge_range_ = std::max(largest_edge_range_, roles.edge.range);
-    parts_[classes_.index(a, b)].push_back(std::move(roles));
+    region_roles_[classes_.index(a, b)].push_back(std::move(roles));
   }
-  bool has_parts(int a, int b) const {
-    return !parts_.empty() && !parts_[classes_.index(a, b)].empty();
+  bool has_regions(int a, int b) const {
+    return !region_roles_.empty() && !region_roles_[classes_.index(a, b)].empty();
   }
-  int parts(int a, int b) const {
-    return parts_.empty() ? 0 : static_cast<int>(parts_[classes_.index(a, b)].size());
+  int region_pair_count(int a, int b) const {
+    return region_roles_.empty() ? 0 : static_cast<int>(region_roles_[classes_.index(a, b)].size());
   }
   // Returns the regions of an element: those of all of its vertices.
   template <std::size_t K>
-  RegionSet parts_of(const std::array<int, K>& vertices) const {
+  RegionSet regions_of(const std::array<int, K>& vertices) const {
     RegionSet all = ~RegionSet(0);
-    for (const int v : vertices) all &= part_of_vertex_[v];
+    for (const int v : vertices) all &= regions_of_vertex_[v];
     return all;
   }
-  // Returns the index of the region roles between two elements of a and b; -1: roles of the
-  // objects.
+  // Returns the region pair of two elements of a and b: the index of their region roles; -1: the
+  // roles of the objects hold.
   template <std::size_t K, std::size_t L>
-  int part(int a, int b, const std::array<int, K>& of_a, const std::array<int, L>& of_b) const {
-    if (!has_parts(a, b)) return -1;
-    const RegionSet first = parts_of(of_a), second = parts_of(of_b);
-    const std::vector<RegionRoles>& all = parts_[classes_.index(a, b)];
+  int region_pair(int a, int b, const std::array<int, K>& of_a,
+                  const std::array<int, L>& of_b) const {
+    if (!has_regions(a, b)) return -1;
+    const RegionSet first = regions_of(of_a), second = regions_of(of_b);
+    const std::vector<RegionRoles>& all = region_roles_[classes_.index(a, b)];
     for (std::size_t i = 0; i < all.size(); ++i)
       if ((first & all[i].first) == all[i].first && (second & all[i].second) == all[i].second)
         return static_cast<int>(i);
     return -1;
   }
-  const RegionRoles& part_roles(int a, int b, int part) const {
-    return parts_[classes_.index(a, b)][part];
+  const RegionRoles& region_roles(int a, int b, int region_pair) const {
+    return region_roles_[classes_.index(a, b)][region_pair];
   }
-  const PairRole& point(int a, int b, int part) const {
-    return part < 0 ? point(a, b) : part_roles(a, b, part).point;
+  const PairRole& point(int a, int b, int region_pair) const {
+    return region_pair < 0 ? point(a, b) : region_roles(a, b, region_pair).point;
   }
-  const PairRole& edge(int a, int b, int part) const {
-    return part < 0 ? edge(a, b) : part_roles(a, b, part).edge;
+  const PairRole& edge(int a, int b, int region_pair) const {
+    return region_pair < 0 ? edge(a, b) : region_roles(a, b, region_pair).edge;
   }
-  const PairRole& thin(int a, int b, int part) const {
-    return part < 0 ? thin(a, b) : part_roles(a, b, part).thin;
+  const PairRole& codimensional(int a, int b, int region_pair) const {
+    return region_pair < 0 ? codimensional(a, b) : region_roles(a, b, region_pair).codimensional;
   }
 
   // Points of object a against the surface of object b.
@@ -174,11 +176,12 @@ class PairTable {
   }
   const PairRole& edge(int a, int b) const { return edge_[classes_.index(a, b)]; }
   double largest_edge_range() const { return largest_edge_range_; }
-  // The whole law between rods and particles of a and anything of b, or the other way; symmetric.
-  void set_thin(int a, int b, const PairRole& role) {
-    thin_[classes_.index(a, b)] = thin_[classes_.index(b, a)] = role;
+  // Roles between rods and particles of a and all primitives of b, or the other way; symmetric.
+  // They carry pressure.
+  void set_codimensional(int a, int b, const PairRole& role) {
+    codimensional_[classes_.index(a, b)] = codimensional_[classes_.index(b, a)] = role;
   }
-  const PairRole& thin(int a, int b) const { return thin_[classes_.index(a, b)]; }
+  const PairRole& codimensional(int a, int b) const { return codimensional_[classes_.index(a, b)]; }
 
   // Offset: the sum of half thicknesses of two surfaces [m].
   void set_offset(int a, int b, double offset) {
@@ -188,23 +191,23 @@ class PairTable {
   double offset(int a, int b) const { return offset_[classes_.index(a, b)]; }
   double largest_offset() const { return largest_offset_; }
   // Largest distance at which sites bond, offsets included [m].
-  void set_bond_reach(double reach) { bond_reach_ = std::max(bond_reach_, reach); }
-  double bond_reach() const { return bond_reach_; }
+  void set_bond_range(double range) { bond_range_ = std::max(bond_range_, range); }
+  double bond_range() const { return bond_range_; }
 
-  bool any_automatic() const {
+  bool any_by_overlap() const {
     return std::any_of(point_.begin(), point_.end(),
-                       [](const PairRole& role) { return role.automatic; });
+                       [](const PairRole& role) { return role.by_overlap; });
   }
-  bool any_covered() const {
+  bool any_overlap_only() const {
     return std::any_of(point_.begin(), point_.end(),
-                       [](const PairRole& role) { return role.covered; });
+                       [](const PairRole& role) { return role.overlap_only; });
   }
 
-  // Returns whether any pair adheres by a law of the gap over its overlap: then it has
+  // Returns whether any pair adheres by a law of the gap over its overlap, and has
   // overlap-boundary forces.
-  bool any_rim() const {
+  bool any_overlap_boundary() const {
     return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) {
-      return role.covered && (!role.bonds || role.pulls_too);
+      return role.overlap_only && (!role.bonds || role.adheres_beside_bonds);
     });
   }
 
@@ -213,15 +216,15 @@ class PairTable {
 
  private:
   ObjectClasses classes_;
-  std::vector<double> cells_;  // m^2
+  std::vector<double> mean_tributary_areas_;  // per object [m^2]
   std::vector<PairLaw> laws_;
   std::vector<TangentialLaw> tangential_;  // per law
-  std::vector<int> whole_;                 // per law: the law that it replaces
-  std::vector<PairRole> point_, edge_, thin_;
-  std::vector<RegionSet> part_of_vertex_;
-  std::vector<std::vector<RegionRoles>> parts_;  // empty without any
-  std::vector<double> offset_;  // m
-  double largest_edge_range_ = 0, largest_offset_ = 0, bond_reach_ = 0;  // m
+  std::vector<int> original_law_;          // per law: the law that it replaces
+  std::vector<PairRole> point_, edge_, codimensional_;
+  std::vector<RegionSet> regions_of_vertex_;            // empty: no object has regions
+  std::vector<std::vector<RegionRoles>> region_roles_;  // empty: no object has regions
+  std::vector<double> offset_;                          // m
+  double largest_edge_range_ = 0, largest_offset_ = 0, bond_range_ = 0;  // m
 };
 
 }  // namespace tack

@@ -35,11 +35,11 @@ class PieceMaker {
  private:
   void make(const PointGroup& group) {
     const int own = mesh_.vertex_object[group.point];
-    part_ = nearest_part(group, own);
-    const PairRole& role = r_.pairs.point(own, group.object, part_);
+    region_pair_ = nearest_region_pair(group, own);
+    const PairRole& role = r_.pairs.point(own, group.object, region_pair_);
     if (role.law < 0) return;
     if (r_.pairs.plain_sums) {
-      add_all(group, {role.law, role.range, role.share * whole(group.point)});
+      add_all(group, {role.law, role.range, role.area_factor * whole(group.point)});
       return;
     }
     if (!topology().triangles_at(group.point).empty()) {
@@ -82,20 +82,20 @@ class PieceMaker {
   };
 
   // That of what is nearest of the group.
-  int nearest_part(const PointGroup& group, int own) const {
-    if (!r_.pairs.has_parts(own, group.object)) return -1;
+  int nearest_region_pair(const PointGroup& group, int own) const {
+    if (!r_.pairs.has_regions(own, group.object)) return -1;
     const VecX& x = r_.held.x();
     const std::array point{group.point};
     double nearest = std::numeric_limits<double>::infinity();
-    int part = -1;
+    int region_pair = -1;
     const auto look = [&](const auto& element) {
       const double squared = squared_distance(corners(x, point), corners(x, element));
-      if (squared < nearest) nearest = squared, part = r_.pairs.part(own, group.object, point, element);
+      if (squared < nearest) nearest = squared, region_pair = r_.pairs.region_pair(own, group.object, point, element);
     };
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) look(mesh_.triangles[triangle(i)]);
     for (int i = group.edge_begin; i < group.edge_end; ++i) look(mesh_.edges[rod(i)]);
     for (int i = group.other_begin; i < group.other_end; ++i) look(std::array{particle(i)});
-    return part;
+    return region_pair;
   }
 
   const SurfaceTopology& topology() const { return r_.held.topology(); }
@@ -104,7 +104,7 @@ class PieceMaker {
   }
   // Returns the safety barrier of a side that carries pressure, or the law of one that does not.
   static Guard guard_of(const PairRole& role) {
-    if (role.facing) return {role.safety_barrier, role.safety_barrier_range};
+    if (role.carries_pressure) return {role.safety_barrier, role.safety_barrier_range};
     return {role.law, role.range};
   }
   int triangle(int i) const { return r_.candidates.point_triangle[i][1]; }
@@ -184,7 +184,7 @@ class PieceMaker {
   // Adds the pieces of rods and particles. They integrate, so that vertices of surfaces carry none
   // of that pressure.
   void add_rods_and_particles(const PointGroup& group, const PairRole& role) {
-    const PairRole& thin = r_.pairs.thin(mesh_.vertex_object[group.point], group.object, part_);
+    const PairRole& thin = r_.pairs.codimensional(mesh_.vertex_object[group.point], group.object, region_pair_);
     const double presses = topology().thin(group.point) ? thin_area(group) : 0;
     if (presses > 0) {
       begin(group, {thin.law, thin.range, presses});
@@ -211,7 +211,7 @@ class PieceMaker {
   // b^4). Uniform meshes count the overlap once together, a finer mesh nearly all of it. A coarse
   // point, which may stand for more than the overlap, counts little.
   double share(const PairRole& role, int point, const SeenPiece& piece) const {
-    if (!role.by_size) return role.share;
+    if (!role.by_size) return role.area_factor;
     const double own = r_.held.cell(point, piece.normal), opposite = piece.cell;
     return opposite > 0 ? 1 / (1 + std::pow(own / opposite, 4)) : 0;
   }
@@ -224,7 +224,7 @@ class PieceMaker {
   // By the triangle that leads a piece.
   const PairRole& role_towards(const PointGroup& group, const SeenPiece& piece) const {
     const int own = mesh_.vertex_object[group.point];
-    return r_.pairs.point(own, group.object, r_.pairs.part(own, group.object, std::array{group.point}, mesh_.triangles[piece.triangle]));
+    return r_.pairs.point(own, group.object, r_.pairs.region_pair(own, group.object, std::array{group.point}, mesh_.triangles[piece.triangle]));
   }
 
   void add_pressure(const PointGroup& group, const PairRole& role) {
@@ -237,7 +237,7 @@ class PieceMaker {
       areas[k] = pressure_area(view.pieces[k], role, parts[k]);
     }
     const Viewpoint from = viewer_.vertex_view(group.point);
-    const double reach = std::max(role.reach(), guard.law >= 0 ? guard.range : 0);
+    const double reach = std::max(role.range_max(), guard.law >= 0 ? guard.range : 0);
     // A sheet that bends sharply faces its neighbours, nearer than it is thick.
     const bool thick = within_object(group) && r_.pairs.offset(group.object, group.object) > 0;
     near_.clear();
@@ -266,7 +266,7 @@ class PieceMaker {
   // Adds the pieces of a vertex of a rod, or of a particle. The safety barrier acts towards
   // triangles for which its weight is small.
   void add_thin(const PointGroup& group, const PairRole& role) {
-    const PairRole& pressure = r_.pairs.thin(mesh_.vertex_object[group.point], group.object, part_);
+    const PairRole& pressure = r_.pairs.codimensional(mesh_.vertex_object[group.point], group.object, region_pair_);
     const double area = r_.held.thin(group.point);
     triangles_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) triangles_.push_back(triangle(i));
@@ -340,7 +340,7 @@ class PieceMaker {
   SortedCursor<GroupView> views_, later_views_;
   SortedCursor<PointGroup> earlier_groups_;
   PointPieces out_;
-  int part_ = -1;                   // of what is nearest of a group, by the laws that hold
+  int region_pair_ = -1;                   // of what is nearest of a group, by the laws that hold
   std::vector<NearTriangle> near_;  // of a group
   std::vector<int> triangles_;      // likewise
   std::vector<Triangle> near_triangles_;

@@ -23,7 +23,7 @@ void add_line(const CollisionMesh& mesh, const LaggedSurface& held, int triangle
 
 }  // namespace
 
-void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held, const SurfaceRegion* part, int triangle, const Vec3& p,
+void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held, const SurfaceRegion* region, int triangle, const Vec3& p,
                    std::vector<ClipLine>& lines) {
   const Triangle& t = mesh.triangles[triangle];
   const PointTriangleType type =
@@ -31,14 +31,14 @@ void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held, const 
   const int feature = static_cast<int>(type);  // three vertices, three edges, the face
   const SurfaceTopology& topology = held.topology();
   if (feature >= 6) return;
-  const auto goes_on = [&](int of, int side) { return topology.smooth_edge(of, side) && (!part || part->beyond(topology, of, side)); };
+  const auto goes_on = [&](int of, int side) { return topology.smooth_edge(of, side) && (!region || region->surrounds_edge(topology, of, side)); };
   if (feature >= 3) {
     if (!goes_on(triangle, feature - 3)) add_line(mesh, held, triangle, feature - 3, lines);
     return;
   }
   const int corner = t[feature];
   for (const int near : topology.triangles_at(corner)) {
-    if (!(held.normal(near).dot(held.normal(triangle)) > least_cosine) || (part && !part->has(near))) continue;
+    if (!(held.normal(near).dot(held.normal(triangle)) > least_cosine) || (region && !region->contains(near))) continue;
     for (int side = 0; side < 3; ++side) {
       const bool at_corner = mesh.triangles[near][side] == corner || mesh.triangles[near][(side + 1) % 3] == corner;
       if (at_corner && !goes_on(near, side)) add_line(mesh, held, near, side, lines);

@@ -26,8 +26,9 @@ using ClipPolygon = std::vector<ClipCorner>;
 
 // Appends the lines of creases and boundaries in which the closest point of a triangle to p lies,
 // and of the interfaces of its region (part; null: none).
-void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held, const SurfaceRegion* part,
-                    int triangle, const Vec3& p, std::vector<ClipLine>& lines);
+void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held,
+                    const SurfaceRegion* region, int triangle, const Vec3& p,
+                    std::vector<ClipLine>& lines);
 
 // Returns the polygons of a piece of the triangle `own`; piece: barycentric coordinates of its
 // corners.

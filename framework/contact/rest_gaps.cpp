@@ -24,10 +24,10 @@ double own_reach(const ContactSurface& surface, const PairTable& pairs, int obje
   const auto add = [&](int law) {
     if (law >= 0) reach = std::max(reach, pairs.laws()[law].offset() + pairs.laws()[law].barrier_range());
   };
-  for (int part = -1; part < pairs.parts(object, object); ++part) {
-    const PairRole& point = pairs.point(object, object, part);
-    for (const int law : {point.law, point.safety_barrier, pairs.edge(object, object, part).law}) add(law);
-    if (surface.rod_width[object] > 0) reach = std::max(reach, pairs.thin(object, object, part).range);
+  for (int region_pair = -1; region_pair < pairs.region_pair_count(object, object); ++region_pair) {
+    const PairRole& point = pairs.point(object, object, region_pair);
+    for (const int law : {point.law, point.safety_barrier, pairs.edge(object, object, region_pair).law}) add(law);
+    if (surface.rod_width[object] > 0) reach = std::max(reach, pairs.codimensional(object, object, region_pair).range);
   }
   return reach;
 }
@@ -96,9 +96,9 @@ void RestGaps::add_laws(PairTable& pairs) {
   std::vector<char> own(laws_, 0);
   for (const auto& [a, b] : pairs.classes().examples()) {
     if (a != b || reach_[a] == 0) continue;
-    for (int part = -1; part < pairs.parts(a, a); ++part) {
-      const PairRole& point = pairs.point(a, a, part);
-      for (const int law : {point.law, point.safety_barrier, pairs.edge(a, a, part).law, pairs.thin(a, a, part).law})
+    for (int region_pair = -1; region_pair < pairs.region_pair_count(a, a); ++region_pair) {
+      const PairRole& point = pairs.point(a, a, region_pair);
+      for (const int law : {point.law, point.safety_barrier, pairs.edge(a, a, region_pair).law, pairs.codimensional(a, a, region_pair).law})
         if (law >= 0) own[law] = 1;
     }
   }

@@ -181,11 +181,11 @@ void RodOverlaps::add(int first, int second, const LaggedSurface& held, Found& f
   const CollisionMesh& mesh = surface_.mesh;
   const Edge &ea = mesh.edges[first], &eb = mesh.edges[second];
   const int object_a = mesh.vertex_object[ea[0]], object_b = mesh.vertex_object[eb[0]];
-  const PairRole& role = pairs_.thin(object_a, object_b);
-  if (role.law < 0 || rest_neighbours(surface_, ea, eb, role.reach())) return;
+  const PairRole& role = pairs_.codimensional(object_a, object_b);
+  if (role.law < 0 || rest_neighbours(surface_, ea, eb, role.range_max())) return;
   const auto a = corners(held.x(), ea), b = corners(held.x(), eb);
   const auto [on_first, on_second, distance] = nearest_points(a, b);
-  if (!(distance > 0) || distance > reach * role.reach()) return;
+  if (!(distance > 0) || distance > reach * role.range_max()) return;
   const Vec3 n = (on_first - on_second) / distance, along_a = a[1] - a[0], along_b = b[1] - b[0];
   const double width_a = surface_.rod_width[object_a], width_b = surface_.rod_width[object_b];
   const double part = crossing_part(along_a.cross(along_b).norm() / (along_a.norm() * along_b.norm()));

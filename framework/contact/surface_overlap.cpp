@@ -46,10 +46,10 @@ struct SurfaceOverlap::Found {
   std::vector<int> around;  // what those that wait refer to
 
   // All or cells of a triangle.
-  void wait(int triangle, int object, int depth, const std::vector<int>& near, const std::vector<TriangleDivision::Left>& left, int part = -1) {
+  void wait(int triangle, int object, int depth, const std::vector<int>& near, const std::vector<TriangleDivision::Left>& left, int region_pair = -1) {
     const int begin = static_cast<int>(around.size());
     around.insert(around.end(), near.begin(), near.end());
-    for (const auto& [cell, away] : left) waiting.push_back({triangle, object, depth, cell, begin, static_cast<int>(around.size()), away, part});
+    for (const auto& [cell, away] : left) waiting.push_back({triangle, object, depth, cell, begin, static_cast<int>(around.size()), away, region_pair});
   }
 };
 
@@ -67,7 +67,7 @@ struct SurfaceOverlap::Chunk {
 };
 
 SurfaceOverlap::SurfaceOverlap(const ContactSurface& surface, const PairTable& pairs, const LaggedSurface& held)
-    : surface_(surface), pairs_(pairs), held_(held), first_triangle_(pairs.objects() + 1, 0), wanted_(pairs.any_covered()) {
+    : surface_(surface), pairs_(pairs), held_(held), first_triangle_(pairs.objects() + 1, 0), wanted_(pairs.any_overlap_only()) {
   for (const Triangle& t : surface.mesh.triangles) ++first_triangle_[surface.mesh.vertex_object[t[0]] + 1];
   for (int a = 0; a < pairs.objects(); ++a) first_triangle_[a + 1] += first_triangle_[a];
 }
@@ -104,11 +104,11 @@ bool SurfaceOverlap::one_law(const std::vector<GroupView>& views, int triangle, 
   const CollisionMesh& mesh = surface_.mesh;
   const Triangle& own = mesh.triangles[triangle];
   const int of = mesh.vertex_object[own[0]];
-  if (!pairs_.has_parts(of, object)) return true;
+  if (!pairs_.has_regions(of, object)) return true;
   const auto opposite = [&](int i) -> const Triangle& { return mesh.triangles[views[at[i].view].view.pieces[at[i].piece].triangle]; };
-  const int part = pairs_.part(of, object, own, opposite(0));
+  const int region_pair = pairs_.region_pair(of, object, own, opposite(0));
   for (int i = 0; i < 3; ++i)
-    if (pairs_.part(of, object, own, opposite(i)) != part || pairs_.part(of, object, std::array{own[i]}, opposite(i)) != part) return false;
+    if (pairs_.region_pair(of, object, own, opposite(i)) != region_pair || pairs_.region_pair(of, object, std::array{own[i]}, opposite(i)) != region_pair) return false;
   return true;
 }
 
@@ -128,11 +128,11 @@ void SurfaceOverlap::capture(const std::vector<GroupView>& views, IntegrationSid
                                         [](const GroupView& v, int point) { return v.point < point; });
     for (auto view = first; view != views.end() && view->point == lead; ++view) {
       const PairRole& role = pairs_.point(object, view->object);
-      if (!role.automatic) continue;
+      if (!role.by_overlap) continue;
       const auto at = corners(views, t, view->object);
       if (!covered(views, t, at)) continue;
       const SeenPiece& piece = view->view.pieces[at[0].piece];
-      if (piece.distance >= role.reach()) continue;
+      if (piece.distance >= role.range_max()) continue;
       IntegrationSides::Capture& capture = sides.capture(object, view->object);
       capture.area += held_.area(t) * held_.cosine(t, piece.normal);
       ++capture.triangles;
@@ -181,11 +181,11 @@ void SurfaceOverlap::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_pha
     for (const Opposite& other : chunk.opposite) {
       if (!own.overlaps(other.reached)) continue;
       const PairRole& role = pairs_.point(mesh.vertex_object[mesh.triangles[t][0]], other.object);
-      const double reach = 2 * role.reach();
+      const double reach = 2 * role.range_max();
       Found& found = other.found[chunk.index];
       const auto at = corners(views, t, other.object);
       const bool whole = covered(views, t, at) && one_law(views, t, other.object, at), small = 2 * held_.area(t) <= reach * reach;
-      if (whole && (small || role.bonds || even_gap(t, at, views, role.reach()))) {
+      if (whole && (small || role.bonds || even_gap(t, at, views, role.range_max()))) {
         take_covered(t, reach, role.bonds, at, views, found);
         found.known.push_back(t);
         continue;
@@ -210,18 +210,18 @@ std::vector<int> SurfaceOverlap::facing(int triangle, std::span<const int> other
 }
 
 // others: of that object.
-std::vector<SurfaceOverlap::FacedPart> SurfaceOverlap::faced_parts(int triangle, int object, std::span<const int> others) const {
+std::vector<SurfaceOverlap::FacedRegion> SurfaceOverlap::faced_regions(int triangle, int object, std::span<const int> others) const {
   const CollisionMesh& mesh = surface_.mesh;
   const std::vector<int> faced = facing(triangle, others);
   const int own = mesh.vertex_object[mesh.triangles[triangle][0]];
-  std::vector<FacedPart> found;
-  if (!pairs_.has_parts(own, object)) found.push_back({std::nullopt, faced});
+  std::vector<FacedRegion> found;
+  if (!pairs_.has_regions(own, object)) found.push_back({std::nullopt, faced});
   else
-    for (int part = -1; part < pairs_.parts(own, object); ++part) {
-      const SurfaceRegion seen(pairs_, mesh, triangle, object, part);
-      std::vector<int> of_part;
-      std::copy_if(faced.begin(), faced.end(), std::back_inserter(of_part), [&](int t) { return seen.has(t); });
-      if (!of_part.empty()) found.push_back({seen, std::move(of_part)});
+    for (int region_pair = -1; region_pair < pairs_.region_pair_count(own, object); ++region_pair) {
+      const SurfaceRegion seen(pairs_, mesh, triangle, object, region_pair);
+      std::vector<int> of_region;
+      std::copy_if(faced.begin(), faced.end(), std::back_inserter(of_region), [&](int t) { return seen.contains(t); });
+      if (!of_region.empty()) found.push_back({seen, std::move(of_region)});
     }
   return found;
 }
@@ -229,7 +229,7 @@ std::vector<SurfaceOverlap::FacedPart> SurfaceOverlap::faced_parts(int triangle,
 // near: triangles of any object, ascending.
 SurfaceOverlap::Around SurfaceOverlap::find_around(int triangle, int object, const std::vector<int>& near) const {
   const CollisionMesh& mesh = surface_.mesh;
-  const double range = pairs_.point(mesh.vertex_object[mesh.triangles[triangle][0]], object).reach();
+  const double range = pairs_.point(mesh.vertex_object[mesh.triangles[triangle][0]], object).range_max();
   Around around{{}, 2 * range, true, false};
   const auto first = std::lower_bound(near.begin(), near.end(), first_triangle_[object]);
   const auto last = std::lower_bound(first, near.end(), first_triangle_[object + 1]);
@@ -251,18 +251,18 @@ SurfaceOverlap::Around SurfaceOverlap::find_around(int triangle, int object, con
 void SurfaceOverlap::divide_or_wait(int triangle, int object, const Around& around, TriangleDivision& division, Found& found) const {
   const PairRole& role = pairs_.point(surface_.mesh.vertex_object[surface_.mesh.triangles[triangle][0]], object);
   // Samples are no larger than the reach, as what they stand for has about one gap; where it varies, than the range.
-  const int depth = TriangleDivision::depth_of(held_.area(triangle), around.parallel ? 2 * role.reach() : role.reach());
-  if (around.nearest > role.reach() && !role.bonds)
+  const int depth = TriangleDivision::depth_of(held_.area(triangle), around.parallel ? 2 * role.range_max() : role.range_max());
+  if (around.nearest > role.range_max() && !role.bonds)
     return found.wait(triangle, object, depth, around.triangles, {{TriangleDivision::all, around.nearest - role.reach()}});
-  for (const FacedPart& faced : faced_parts(triangle, object, around.triangles)) {
+  for (const FacedRegion& faced : faced_regions(triangle, object, around.triangles)) {
     std::vector<TriangleDivision::Left> left;
-    division.divide({triangle, object, role.reach(), depth}, faced.triangles, faced.seen(), role.bonds ? std::span<const int>() : around.triangles, found.samples, found.parts, left);
-    if (!left.empty()) found.wait(triangle, object, depth, around.triangles, left, faced.number());
+    division.divide({triangle, object, role.range_max(), depth}, faced.triangles, faced.seen(), role.bonds ? std::span<const int>() : around.triangles, found.samples, found.parts, left);
+    if (!left.empty()) found.wait(triangle, object, depth, around.triangles, left, faced.region_pair());
   }
 }
 
 bool SurfaceOverlap::weighs(int a, int b, const IntegrationSides& sides) const {
-  return pairs_.point(a, b).covered && sides.integrates(a, b);
+  return pairs_.point(a, b).overlap_only && sides.integrates(a, b);
 }
 
 double SurfaceOverlap::unknown_area(int vertex_index, int object, const Vec3& normal) const {
@@ -296,7 +296,7 @@ std::vector<std::array<int, 2>> SurfaceOverlap::near_objects(const IntegrationSi
   std::vector<std::array<int, 2>> found;
   const auto take = [&](int a, int b) {
     Aabb reached = boxes[b];
-    reached.inflate(2 * pairs_.point(a, b).reach());
+    reached.inflate(2 * pairs_.point(a, b).range_max());
     if (weighs(a, b, sides) && boxes[a].overlaps(reached)) found.push_back({a, b});
   };
   for (size_t i = 0; i < order.size(); ++i)
@@ -327,7 +327,7 @@ void SurfaceOverlap::weigh(const IntegrationSides& sides, const BroadPhase& broa
       const int b = near[last][1];
       all[last].resize(chunk_count(n));
       opposite.push_back({b, boxes[b], all[last].data()});
-      opposite.back().reached.inflate(2 * pairs_.point(a, b).reach());
+      opposite.back().reached.inflate(2 * pairs_.point(a, b).range_max());
     }
     for (int c = 0; c < chunk_count(n); ++c)
       chunks.push_back({opposite, c, begin + c * chunk_size, begin + std::min(n, (c + 1) * chunk_size)});

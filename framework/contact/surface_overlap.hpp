@@ -34,12 +34,12 @@ class TriangleDivision;
 // A quadrature point inside a triangle.
 struct ContactSample {
   int triangle;
-  Vec3 inside;   // its barycentric coordinates
-  int object;    // opposite
-  Vec3 normal;   // unit, of the opposite surface, towards the point
-  double area;   // projected along that normal [m^2]
-  int cell;      // the cell of the triangle that it represents
-  int part;      // the opposite region (PairTable::part)
+  Vec3 inside;      // its barycentric coordinates
+  int object;       // opposite
+  Vec3 normal;      // unit, of the opposite surface, towards the point
+  double area;      // projected along that normal [m^2]
+  int cell;         // the cell of the triangle that it represents
+  int region_pair;  // the opposite region (PairTable::region_pair)
 };
 
 class SurfaceOverlap {
@@ -79,10 +79,10 @@ class SurfaceOverlap {
   // least.
   struct Waiting {
     int triangle, object;
-    int depth, cell;  // triangle_division.hpp
-    int begin, end;  // into around_
-    double away;     // distance beyond the range [m]
-    int part = -1;   // the opposite region, if it is a cell
+    int depth, cell;       // triangle_division.hpp
+    int begin, end;        // into around_
+    double away;           // distance beyond the range [m]
+    int region_pair = -1;  // the opposite region, if it is a cell
   };
   // The deferred triangles of object a towards object b.
   struct WaitingPair {
@@ -98,11 +98,11 @@ class SurfaceOverlap {
   };
   // The triangles of an object that a triangle faces, and the region between which the same laws
   // hold; no region: all that it faces.
-  struct FacedPart {
-    std::optional<SurfaceRegion> part;
+  struct FacedRegion {
+    std::optional<SurfaceRegion> region;
     std::vector<int> triangles;
-    const SurfaceRegion* seen() const { return part ? &*part : nullptr; }
-    int number() const { return part ? part->part() : -1; }
+    const SurfaceRegion* seen() const { return region ? &*region : nullptr; }
+    int region_pair() const { return region ? region->region_pair() : -1; }
   };
   // Triangles of object a whose overlap with object b is known.
   struct KnownPair {
@@ -132,7 +132,8 @@ class SurfaceOverlap {
   void divide_or_wait(int triangle, int object, const Around& around, TriangleDivision& division,
                       Found& found) const;
   std::vector<int> facing(int triangle, std::span<const int> others) const;
-  std::vector<FacedPart> faced_parts(int triangle, int object, std::span<const int> others) const;
+  std::vector<FacedRegion> faced_regions(int triangle, int object,
+                                         std::span<const int> others) const;
   std::vector<int> divide(const std::vector<int>& numbers);
   void add_waiting(int a, int b, std::span<const Waiting> some, const std::vector<int>& around);
   std::vector<int> insert(std::vector<ContactSample>& added);

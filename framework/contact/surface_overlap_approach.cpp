@@ -56,7 +56,7 @@ std::vector<int> SurfaceOverlap::approach(const VecX& x) {
   std::vector<char> come(waiting_.size(), 0);
   for_each(static_cast<int>(pairs.size()), [&](int i) {
     const WaitingPair& pair = waiting_pairs_[pairs[i]];
-    const double range = pairs_.point(pair.a, pair.b).reach();
+    const double range = pairs_.point(pair.a, pair.b).range_max();
     for (int k = pair.begin; k < pair.end; ++k) {
       Waiting& w = waiting_[k];
       if (w.begin == w.end) continue;
@@ -88,14 +88,14 @@ std::vector<int> SurfaceOverlap::divide(const std::vector<int>& numbers) {
     TriangleDivision division(surface_.mesh, held_);
     for (int i = first; i < last; ++i) {
       Waiting& w = waiting_[numbers[i]];
-      const std::vector<FacedPart> parts = faced_parts(w.triangle, w.object, std::span(around_).subspan(w.begin, w.end - w.begin));
+      const std::vector<FacedRegion> parts = faced_regions(w.triangle, w.object, std::span(around_).subspan(w.begin, w.end - w.begin));
       w.end = w.begin;  // it waits no more
-      const TriangleDivision::What what{w.triangle, w.object, pairs_.point(own(w.triangle), w.object).reach(), w.depth};
-      for (const FacedPart& faced : parts)
+      const TriangleDivision::What what{w.triangle, w.object, pairs_.point(own(w.triangle), w.object).range_max(), w.depth};
+      for (const FacedRegion& faced : parts)
         if (w.cell == TriangleDivision::all) {
           std::vector<TriangleDivision::Left> none;
           division.divide(what, faced.triangles, faced.seen(), {}, found[c].samples, found[c].parts, none);
-        } else if (faced.number() == w.part) division.divide_cell(what, w.cell, faced.triangles, faced.seen(), found[c].samples, found[c].parts);
+        } else if (faced.region_pair() == w.region_pair) division.divide_cell(what, w.cell, faced.triangles, faced.seen(), found[c].samples, found[c].parts);
     }
   }, few);
   std::vector<ContactSample> added;
@@ -106,7 +106,7 @@ std::vector<int> SurfaceOverlap::divide(const std::vector<int>& numbers) {
 // Cells of one triangle may come one after another.
 std::vector<int> SurfaceOverlap::insert(std::vector<ContactSample>& added) {
   const auto key = [&](const ContactSample& s) {
-    return std::array{surface_.mesh.vertex_object[surface_.mesh.triangles[s.triangle][0]], s.object, s.triangle, s.cell, s.part};
+    return std::array{surface_.mesh.vertex_object[surface_.mesh.triangles[s.triangle][0]], s.object, s.triangle, s.cell, s.region_pair};
   };
   const auto before = [&](const ContactSample& a, const ContactSample& b) { return key(a) < key(b); };
   std::sort(added.begin(), added.end(), before);

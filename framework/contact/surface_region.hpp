@@ -11,32 +11,30 @@ namespace tack {
 
 class SurfaceRegion {
  public:
-  // own: the triangle on the other object; object: the object of the region.
-  SurfaceRegion(const PairTable& pairs, const CollisionMesh& mesh, int own, int object, int part)
-      : pairs_(pairs),
-        mesh_(mesh),
-        own_(mesh.triangles[own]),
-        a_(mesh.vertex_object[own_[0]]),
-        b_(object),
-        part_(part) {}
+  // own: the triangle on the other object. object: the object of the region.
+  SurfaceRegion(const PairTable& pairs, const CollisionMesh& mesh, int own, int object,
+                int region_pair)
+      : pairs_(pairs), mesh_(mesh), own_(mesh.triangles[own]), a_(mesh.vertex_object[own_[0]]),
+        b_(object), region_pair_(region_pair) {}
 
-  int part() const { return part_; }
-  bool has(int triangle) const {
-    return pairs_.part(a_, b_, own_, mesh_.triangles[triangle]) == part_;
+  int region_pair() const { return region_pair_; }
+  bool contains(int triangle) const {
+    return pairs_.region_pair(a_, b_, own_, mesh_.triangles[triangle]) == region_pair_;
   }
-  // Returns whether the region holds all triangles around a vertex, and around side i of a
-  // triangle.
-  bool around(const SurfaceTopology& topology, int vertex_index) const {
+  // Returns whether the region contains all triangles at a vertex.
+  bool surrounds_vertex(const SurfaceTopology& topology, int vertex_index) const {
     const auto at = topology.triangles_at(vertex_index);
-    return std::all_of(at.begin(), at.end(), [this](int t) { return has(t); });
+    return std::all_of(at.begin(), at.end(), [this](int t) { return contains(t); });
   }
-  bool beyond(const SurfaceTopology& topology, int triangle, int i) const {
+  // Returns whether the region contains all triangles at an edge: side `side` of a triangle.
+  bool surrounds_edge(const SurfaceTopology& topology, int triangle, int side) const {
     const Triangle& t = mesh_.triangles[triangle];
-    const int other_end = t[(i + 1) % 3];
-    const auto at = topology.triangles_at(t[i]);
+    const int other_end = t[(side + 1) % 3];
+    const auto at = topology.triangles_at(t[side]);
     return std::all_of(at.begin(), at.end(), [&](int near) {
       const Triangle& corners = mesh_.triangles[near];
-      return std::find(corners.begin(), corners.end(), other_end) == corners.end() || has(near);
+      return std::find(corners.begin(), corners.end(), other_end) == corners.end() ||
+             contains(near);
     });
   }
 
@@ -44,7 +42,7 @@ class SurfaceRegion {
   const PairTable& pairs_;
   const CollisionMesh& mesh_;
   const Triangle own_;
-  int a_, b_, part_;
+  int a_, b_, region_pair_;
 };
 
 }  // namespace tack

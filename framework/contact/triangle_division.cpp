@@ -137,7 +137,7 @@ void TriangleDivision::gather(const Corners& c, int cell, const std::vector<int>
   // The strip along a rim that only the slack covers is no sample.
   const double strip = slack_ * size_ / (1 << sample_depth_);
   if (!(own.area > 4 * strip) || !(own.normal.norm() > accuracy * own.area)) return;
-  out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area, cell, seen_ ? seen_->part() : -1});
+  out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area, cell, seen_ ? seen_->region_pair() : -1});
   parts_->parts.push_back({triangle_, own.leader, own.area, own.distance / own.area});
 }
 

@@ -35,10 +35,10 @@ std::vector<StudiedLaw> laws_of_scene(Value root, const LawSource& source) {
     const auto& [a, b] = adhesion.kinds.front();
     const PairTable& table = world.contact->pairs();
     StudiedLaw law;
-    law.pair = table.laws()[table.thin(a, b, adhesion.part).law];
+    law.pair = table.laws()[table.codimensional(a, b, adhesion.region_pair).law];
     for (const auto& term : law.pair.laws())
       if (auto gap = std::dynamic_pointer_cast<const NormalAdhesion>(term)) law.gap = std::move(gap);
-    if (const int rule = world.bonds ? world.bonds->table().between(a, b, adhesion.part) : -1; rule >= 0) law.bond = world.bonds->table().rules()[rule].law;
+    if (const int rule = world.bonds ? world.bonds->table().between(a, b, adhesion.region_pair) : -1; rule >= 0) law.bond = world.bonds->table().rules()[rule].law;
     law.name = fmt::format("{} of {}", law.law().type(), adhesion.names());
     law.contact_distance = built.experiment().contact->contact_distance;
     law.young = source.young.value_or(softer_young(built.experiment(), adhesion.kinds.front()));

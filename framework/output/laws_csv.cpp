@@ -44,11 +44,11 @@ void write_laws(const std::filesystem::path& path, const World& world) {
   for (const AdhesionSummary& pair : world.adhesion) {
     const PairTable& table = world.contact->pairs();
     const auto& [a, b] = pair.kinds.front();
-    if (const int rule = world.bonds ? world.bonds->table().between(a, b, pair.part) : -1; rule >= 0) {
+    if (const int rule = world.bonds ? world.bonds->table().between(a, b, pair.region_pair) : -1; rule >= 0) {
       text += rows_of(pair.names(), *world.bonds->table().rules()[rule].law);
       continue;
     }
-    text += rows_of(pair.names(), table.laws()[table.thin(a, b, pair.part).law], pair.peak_traction);
+    text += rows_of(pair.names(), table.laws()[table.codimensional(a, b, pair.region_pair).law], pair.peak_traction);
   }
   replace_file(path, text);
 }

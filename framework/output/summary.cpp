@@ -28,7 +28,7 @@ OrderedJson adhesion_json(const std::vector<AdhesionSummary>& pairs) {
                     {"effective", finite(a.effective)},
                     {"rest_gap", finite(a.rest_gap)},
                     {"peak_traction", finite(a.peak_traction)}});
-    if (a.part >= 0) list.back()["parts"] = true;
+    if (a.region_pair >= 0) list.back()["parts"] = true;
   }
   return list;
 }

@@ -96,7 +96,7 @@ void both_ways(const Cut& cut, const Act& act) {
 
 PairTable table_of(const PairTable& all, const Cut& cut) {
   std::vector<double> cells;
-  for (int i = 0; i < cut.objects(); ++i) cells.push_back(all.cell(cut.body(i)));
+  for (int i = 0; i < cut.objects(); ++i) cells.push_back(all.mean_tributary_area(cut.body(i)));
   PairTable own(ObjectClasses::single(cut.objects()), std::move(cells));
   own.plain_sums = all.plain_sums;
   for (size_t law = 0; law < all.laws().size(); ++law)
@@ -104,12 +104,12 @@ PairTable table_of(const PairTable& all, const Cut& cut) {
   both_ways(cut, [&](int i, int j) {
     own.point(i, j) = all.point(cut.body(i), cut.body(j));
     own.set_edge(i, j, all.edge(cut.body(i), cut.body(j)));
-    own.set_thin(i, j, all.thin(cut.body(i), cut.body(j)));
+    own.set_codimensional(i, j, all.codimensional(cut.body(i), cut.body(j)));
     own.set_offset(i, j, all.offset(cut.body(i), cut.body(j)));
-    if (i != j || own.parts(i, j) == 0)
-      for (int part = 0; part < all.parts(cut.body(i), cut.body(j)); ++part) own.add_part(i, j, all.part_roles(cut.body(i), cut.body(j), part));
+    if (i != j || own.region_pair_count(i, j) == 0)
+      for (int part = 0; part < all.region_pair_count(cut.body(i), cut.body(j)); ++part) own.add_region_roles(i, j, all.region_roles(cut.body(i), cut.body(j), part));
   });
-  if (!all.part_sets().empty()) own.set_parts(cut.part(all.part_sets()));
+  if (!all.region_sets().empty()) own.set_regions(cut.part(all.region_sets()));
   return own;
 }
 

@@ -35,8 +35,8 @@ void count_candidates(const CollisionMesh& mesh, const Candidates& candidates, C
 // The edges of a pair have the law of its guards, unless all pairs of primitives simply add up.
 bool guards(const PairTable& pairs, int a, int b, int law) {
   if (pairs.plain_sums) return false;
-  for (int part = -1; part < pairs.parts(a, b); ++part)
-    if (pairs.whole(law) == pairs.edge(a, b, part).law) return true;
+  for (int part = -1; part < pairs.region_pair_count(a, b); ++part)
+    if (pairs.original_law(law) == pairs.edge(a, b, part).law) return true;
   return false;
 }
 

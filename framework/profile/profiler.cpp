@@ -150,7 +150,7 @@ std::vector<Reach> Profiler::reaches() const {
     Reach reach{world_.bodies[i].name, length[i] / edges[i]};
     for (const auto& [a, b] : examples)
       if (kind(a) == kind(static_cast<int>(i)) || kind(b) == kind(static_cast<int>(i)))
-        reach.range = std::max({reach.range, pairs.point(a, b).reach(), pairs.point(b, a).reach()});
+        reach.range = std::max({reach.range, pairs.point(a, b).range_max(), pairs.point(b, a).range_max()});
     all.push_back(std::move(reach));
   }
   std::stable_sort(all.begin(), all.end(),

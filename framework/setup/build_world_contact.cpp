@@ -125,7 +125,7 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
-  if (world.contact->pairs().any_rim()) world.rim = std::make_unique<OverlapBoundaryTerm>(*world.contact);
+  if (world.contact->pairs().any_overlap_boundary()) world.rim = std::make_unique<OverlapBoundaryTerm>(*world.contact);
   if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, *world.contact_term, std::move(bonds));
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term, contact_spins(scene, world));

@@ -81,7 +81,7 @@ PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std:
       classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), regions_(scene, configs_, world), table_(classes_, mean_areas),
       colliding_(classes_), bonds_(classes_, contact_offsets(scene)) {
   table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
-  if (regions_.any()) table_.set_parts(regions_.vertex_regions());
+  if (regions_.any()) table_.set_regions(regions_.vertex_regions());
 }
 
 void PairBuilder::build() {
@@ -254,7 +254,7 @@ BondRule PairBuilder::rule_of(const PairConfig& pair, std::shared_ptr<const Bond
                                              distance, 2 * contact_.contact_distance));
   using Bonding = PairConfig::Bonding;
   const bool on_contact = pair.bond == Bonding::on_contact || (pair.bond == Bonding::automatic && law->bonds_on_contact());
-  table_.set_bond_reach(distance + barrier.offset());
+  table_.set_bond_range(distance + barrier.offset());
   const std::string type(law->type());
   return {std::move(law), type, on_contact, distance, pair.unstressed == PairConfig::Unstressed::touching, barrier};
 }
@@ -285,26 +285,26 @@ PairBuilder::Side PairBuilder::integration_side_of(int a, int b, int config, con
 PairBuilder::Roles PairBuilder::roles_of(int a, int b, const LawIds& ids, const Integral& integral) const {
   const double range = table_.laws()[ids.pressure].range(), barrier_range = table_.laws()[ids.safety_barrier].range();
   PairRole barrier_only{ids.safety_barrier, 1, barrier_range, false};
-  barrier_only.range_of_parts = integral.region_range;
+  barrier_only.region_range_max = integral.region_range;
   Roles roles;
   // The area of an edge pair is half the mean of its two edges' areas, which count the surface
   // twice.
   roles.edge = {ids.safety_barrier, 0.25, barrier_range, false};
-  if (!integral.adheres && !table_.plain_sums) roles.edge.most_uneven = area_ratio_max;
+  if (!integral.adheres && !table_.plain_sums) roles.edge.area_ratio_max = area_ratio_max;
   roles.codimensional = {ids.pressure, 1, range};
-  roles.codimensional.range_of_parts = integral.region_range;
+  roles.codimensional.region_range_max = integral.region_range;
   if (table_.plain_sums) {
     roles.first = roles.second = {ids.pressure, 1, range, false};
     return roles;
   }
   PairRole pressure{ids.pressure, 1, range, true, ids.safety_barrier, barrier_range};
-  pressure.covered = integral.overlap;
+  pressure.overlap_only = integral.overlap;
   pressure.bonds = integral.bonds;
-  pressure.pulls_too = integral.gap_adhesion;
-  pressure.range_of_parts = integral.region_range;
-  pressure.by_size = a != b && integral.side == Side::automatic && !pressure.covered;
-  if (a == b || integral.side == Side::both || pressure.by_size) pressure.share = 0.5;
-  else pressure.automatic = integral.side == Side::automatic, pressure.finer = integral.side == Side::finer;
+  pressure.adheres_beside_bonds = integral.gap_adhesion;
+  pressure.region_range_max = integral.region_range;
+  pressure.by_size = a != b && integral.side == Side::automatic && !pressure.overlap_only;
+  if (a == b || integral.side == Side::both || pressure.by_size) pressure.area_factor = 0.5;
+  else pressure.by_overlap = integral.side == Side::automatic, pressure.only_if_finer = integral.side == Side::finer;
   roles.first = roles.second = pressure;
   if (a != b && integral.side == Side::first) roles.second = barrier_only;
   if (a != b && integral.side == Side::second) roles.first = barrier_only;
@@ -336,14 +336,14 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& re
   table_.point(a, b) = roles.first;
   table_.point(b, a) = roles.second;
   table_.set_edge(a, b, roles.edge);
-  table_.set_thin(a, b, roles.codimensional);
+  table_.set_codimensional(a, b, roles.codimensional);
   integral.region_range = std::max(integral.region_range, roles.codimensional.range);
   std::vector<int> rules_of_roles;
   for (size_t i = 0; i < regions.size(); ++i) {
     const Roles own = roles_of(a, b, of_regions[i], integral);
     const auto [first, second] = regions_.regions_of(regions[i], a, b);
-    table_.add_part(a, b, {first, second, own.first, own.edge, own.codimensional});
-    table_.add_part(b, a, {second, first, own.second, own.edge, own.codimensional});
+    table_.add_region_roles(a, b, {first, second, own.first, own.edge, own.codimensional});
+    table_.add_region_roles(b, a, {second, first, own.second, own.edge, own.codimensional});
     rules_of_roles.insert(rules_of_roles.end(), a == b ? 2 : 1, rules[i]);
   }
   if (integral.bonds && !regions.empty()) bonds_.set_parts(a, b, rules_of_roles);

@@ -28,7 +28,7 @@ SurfaceRegions::SurfaceRegions(const SceneConfig& scene, const PairConfigs& conf
 }
 
 RegionSet SurfaceRegions::add(int entry, const PairSide& side) {
-  if (next_ == PairTable::most_parts) throw configs_.error(entry, fmt::format("pairs name more than {} parts of objects; let fewer entries name larger ones", PairTable::most_parts));
+  if (next_ == PairTable::region_count_max) throw configs_.error(entry, fmt::format("pairs name more than {} parts of objects; let fewer entries name larger ones", PairTable::region_count_max));
   vertex_regions_.resize(static_cast<size_t>(world_.rest.size()) / 3, 0);
   const RegionSet bit = RegionSet(1) << next_++;
   try {

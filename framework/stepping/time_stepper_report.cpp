@@ -89,7 +89,7 @@ void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
 void TimeStepper::warn_of_unbonded() {
   for (const int rule : world_.bonds->unbonded())
     for (const AdhesionSummary& pair : world_.adhesion)
-      if (const auto& [a, b] = pair.kinds.front(); world_.bonds->table().between(a, b, pair.part) == rule)
+      if (const auto& [a, b] = pair.kinds.front(); world_.bonds->table().between(a, b, pair.region_pair) == rule)
         warn_({fmt::format("no bonds were made between {}: nothing of them lies opposite the other within {:.6g} m at the start; move them closer, raise "
                            "bond_distance, or let them bond when they meet (bond: on_contact)", pair.names(), world_.bonds->table().rules()[rule].distance)});
 }

@@ -76,7 +76,7 @@ Json adhesion_of(const World& world, int body, double contact_distance) {
   double reach = 0;
   for (int other = 0; other < pairs.objects(); ++other) {
     const double offset = pairs.offset(body, other);
-    for (const PairRole* role : {&pairs.point(body, other), &pairs.point(other, body), &pairs.thin(body, other)}) reach = std::max(reach, role->reach() - offset);
+    for (const PairRole* role : {&pairs.point(body, other), &pairs.point(other, body), &pairs.codimensional(body, other)}) reach = std::max(reach, role->range_max() - offset);
   }
   return reach > contact_distance * (1 + 1e-9) ? Json(reach) : Json();
 }

@@ -98,7 +98,7 @@ void LcpPgsStepper::admit(const World& world, const SceneConfig& scene, const Ti
   refuse_unless(scene.contact->lagging.iterations == 1 && !scene.contact->lagging.until, "finds friction and what presses together, without contact.lagging",
                 "take `lagging` away");
   const PairTable& pairs = world.contact->pairs();
-  refuse_unless(pairs.part_sets().empty(), "has one friction and adhesion for two objects, and contact.pairs names parts of some", "name whole objects");
+  refuse_unless(pairs.region_sets().empty(), "has one friction and adhesion for two objects, and contact.pairs names parts of some", "name whole objects");
   for (size_t i = 0; i < pairs.laws().size(); ++i) {
     refuse_unless(pairs.tangential(static_cast<int>(i)).mu_a == 0, "knows no tangential adhesion beside that of RCC", "take `tangential_adhesion` away");
     for (const auto& law : pairs.laws()[i].laws())

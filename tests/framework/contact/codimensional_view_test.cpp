@@ -96,7 +96,7 @@ TEST_CASE("the far side of a plate is not felt by rods and particles, whatever i
         const Pair pair(solid(fmt::format("{{type: box, size: [0.04, {}, 0.04], cells: [{}, 1, {}]}}", thickness, cells, cells)), rod);
         const double gap = 1.2e-3, height = thickness / 2 + gap;
         const double area = rod ? 2e-3 * 8e-3 : M_PI * 1e-6;
-        const PairLaw& law = pair.world.contact->pairs().laws()[pair.world.contact->pairs().thin(0, 1).law];
+        const PairLaw& law = pair.world.contact->pairs().laws()[pair.world.contact->pairs().codimensional(0, 1).law];
         for (const Vec3& at : {Vec3(0, height, 0), Vec3(3.1e-3, height, 2.2e-3), Vec3(-1e-3, -height, 0.3e-3)})
           CHECK(energy(pair.world, pair.placed(pair.world.rest, at, Vec3::Zero())) == Approx(area * law.at(gap).value).epsilon(1e-6));
       }
@@ -105,7 +105,7 @@ TEST_CASE("the far side of a plate is not felt by rods and particles, whatever i
 TEST_CASE("over the very edge of a face all of it counts, however numbers are rounded", "[contact][thin]") {
   RandomMotions random(7);
   const Pair pair(solid("{type: box, size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}"), false);
-  const PairLaw& law = pair.world.contact->pairs().laws()[pair.world.contact->pairs().thin(0, 1).law];
+  const PairLaw& law = pair.world.contact->pairs().laws()[pair.world.contact->pairs().codimensional(0, 1).law];
   const double gap = 1.2e-3;
   for (int trial = 0; trial < 100; ++trial) {
     const Vec3 turn = random.vector();

@@ -7,10 +7,10 @@ using namespace tack;
 namespace {
 
 // Two objects; the surface of the first is finer.
-PairTable automatic_pair() {
+PairTable pair_by_overlap() {
   PairTable pairs(ObjectClasses::single(2), {1e-6, 2e-6});
   PairRole role{0, 1, 1e-3, true};
-  role.automatic = true;
+  role.by_overlap = true;
   pairs.point(0, 1) = pairs.point(1, 0) = role;
   return pairs;
 }
@@ -29,7 +29,7 @@ bool first_chosen(const PairTable& pairs, IntegrationSides::Capture first, Integ
 }  // namespace
 
 TEST_CASE("integration sides: the side that captures more, the finer one where both capture as much", "[contact]") {
-  const PairTable pairs = automatic_pair();
+  const PairTable pairs = pair_by_overlap();
   CHECK(first_chosen(pairs, {}, {}));
   CHECK(first_chosen(pairs, {1, 2}, {0.8, 200}));
   CHECK_FALSE(first_chosen(pairs, {0.8, 200}, {1, 2}));
@@ -39,7 +39,7 @@ TEST_CASE("integration sides: the side that captures more, the finer one where b
 }
 
 TEST_CASE("integration sides: one is kept while it captures nearly as much", "[contact]") {
-  const PairTable pairs = automatic_pair();
+  const PairTable pairs = pair_by_overlap();
   const IntegrationSides::Pairs second = {{0, 1}};
   CHECK_FALSE(first_chosen(pairs, {1, 8}, {0.75, 8}, second));
   CHECK(first_chosen(pairs, {1, 8}, {0.65, 8}, second));

@@ -65,19 +65,19 @@ TEST_CASE("pair radii: whatever the ranges, the radii of a pair sum up to its ow
         set_range(pairs, a, b, range(random));
         if (range(random) > 0.1) continue;
         pairs.point(a, b).bonds = true;
-        pairs.set_bond_reach(1.2);
+        pairs.set_bond_range(1.2);
         bond = 1.2;
       }
-    PairRole part = pairs.point(1, 4);
-    part.range = 0.9;
-    for (const auto& [a, b] : {std::pair{1, 4}, {4, 1}}) pairs.add_part(a, b, {1, 1, part, pairs.edge(a, b), pairs.thin(a, b)});
+    PairRole role = pairs.point(1, 4);
+    role.range = 0.9;
+    for (const auto& [a, b] : {std::pair{1, 4}, {4, 1}}) pairs.add_region_roles(a, b, {1, 1, role, pairs.edge(a, b), pairs.codimensional(a, b)});
     ContactSurface surface = surface_of(vertices);
     surface.rod_width[2] = surface.rod_width[3] = 0.1;
-    pairs.set_thin(2, 3, {0, 1, 0.7});
+    pairs.set_codimensional(2, 3, {0, 1, 0.7});
     const InflationRadii radii = pair_radii(surface, pairs);
     for (int a = 0; a < 6; ++a)
       for (int b = 0; b < 6; ++b) {
-        double wanted = std::max(pairs.point(a, b).range, pairs.thin(a, b).range);
+        double wanted = std::max(pairs.point(a, b).range, pairs.codimensional(a, b).range);
         if (pairs.point(a, b).bonds) wanted = std::max(wanted, bond);
         if ((a == 1 && b == 4) || (a == 4 && b == 1)) wanted = std::max(wanted, 0.9);
         REQUIRE(radii.surface[a] + radii.surface[b] >= wanted * (1 - 1e-15));

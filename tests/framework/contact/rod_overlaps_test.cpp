@@ -24,7 +24,7 @@ struct Rods {
     PairRole role;
     role.law = 0;
     role.range = range;
-    pairs.set_thin(0, 1, role);
+    pairs.set_codimensional(0, 1, role);
     Candidates candidates;
     for (int e = 0; e < edges_a; ++e)
       for (int f = 0; f < edges_b; ++f) candidates.edge_edge.push_back({e, edges_a + f});

@@ -58,10 +58,10 @@ TEST_CASE("a group that is named integrates, with whatever is in it", "[scene]")
   TestScene scene(boxes(std::string(apart) + "pairs: [{between: [red, \"*\"], integrate: red}]"));
   const PairTable& pairs = scene.world->contact->pairs();
   const auto id = [&](const char* name) { return scene.world->body_index(name); };
-  CHECK(pairs.point(id("a"), id("c")).facing);
-  CHECK_FALSE(pairs.point(id("c"), id("a")).facing);
-  CHECK(pairs.point(id("a"), id("b")).share == 0.5);
-  CHECK(pairs.point(id("b"), id("a")).share == 0.5);
+  CHECK(pairs.point(id("a"), id("c")).carries_pressure);
+  CHECK_FALSE(pairs.point(id("c"), id("a")).carries_pressure);
+  CHECK(pairs.point(id("a"), id("b")).area_factor == 0.5);
+  CHECK(pairs.point(id("b"), id("a")).area_factor == 0.5);
 }
 
 TEST_CASE("pairs that are no use are told", "[scene]") {
@@ -85,7 +85,7 @@ TEST_CASE("parts: which entry holds is told, and what cannot be is refused with 
   const PairTable& pairs = world.contact->pairs();
   const int a = world.body_index("a"), b = world.body_index("b"), c = world.body_index("c");
   // Two parts, then one each in the order of the file; that of a group says less than that of the whole objects.
-  REQUIRE(pairs.parts(a, b) == 3);
+  REQUIRE(pairs.region_pair_count(a, b) == 3);
   const auto mu = [&](int i, int j, int part) { return pairs.tangential(pairs.point(i, j, part).law).mu; };
   for (const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
     CHECK(mu(i, j, 0) == 0.4);
@@ -93,8 +93,8 @@ TEST_CASE("parts: which entry holds is told, and what cannot be is refused with 
     CHECK(mu(i, j, 2) == 0.5);
     CHECK(mu(i, j, -1) == 0.3);
   }
-  CHECK_FALSE(pairs.has_parts(a, c));
-  CHECK(pairs.parts(a, a) == 2);
+  CHECK_FALSE(pairs.has_regions(a, c));
+  CHECK(pairs.region_pair_count(a, a) == 2);
   CHECK_THROWS_WITH(TestScene(with("{between: [{object: red, select: all}, b]}")), Contains(":") && Contains("a part is one of a single object, and 'red' is a group"));
   CHECK_THROWS_WITH(TestScene(with("{between: [{object: \"*\", select: all}, b]}")), Contains("all of them"));
   CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: {type: tag, name: rim}}, b]}")), Contains("has no group 'rim'"));
