@@ -90,7 +90,7 @@ TEST_CASE("weights by size are a partition of unity: both sides together carry t
     Points points(plates({upper, upper}, {lower, lower}));
     PairRole role = pressing();
     role.by_size = true;
-    role.share = 0.5;
+    role.area_factor = 0.5;
     points.pairs.point(0, 1) = points.pairs.point(1, 0) = role;
     const PointPieces pieces = points.make();
     const double first = area(points, pieces, whole_law, 0), second = area(points, pieces, whole_law, 1), ratio = std::pow(double(lower) / upper, 8);

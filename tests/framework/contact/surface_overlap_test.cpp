@@ -32,8 +32,8 @@ struct Overlap {
     x = moved(builder.x(), rotation, offset);
     at = std::make_unique<SurfaceAt>(builder, x);
     PairRole role{pairs.add_law(flat_law(range)), 1, range, true};
-    role.covered = true;
-    role.automatic = setup.automatic;
+    role.overlap_only = true;
+    role.by_overlap = setup.automatic;
     pairs.point(0, 1) = role;
     if (setup.automatic) pairs.point(1, 0) = role;
     sides = std::make_unique<IntegrationSides>(pairs);
