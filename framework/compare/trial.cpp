@@ -74,7 +74,7 @@ LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings, do
   experiment.time.step = settings.step_size;
   if (!settings.time.is_null()) bind(settings.time, experiment.time, "time");
   if (experiment.time.adaptive) experiment.time.duration = until;
-  experiment.time.max_halvings = 0;  // failed solves are counted, not repeated with substeps
+  experiment.time.max_cutbacks = 0;  // failed solves are counted, not repeated with substeps
   return loaded;
 }
 
@@ -149,20 +149,20 @@ const TrialResult& Trial::run(const VecX* guess) {
 }
 
 void Trial::solve_step(const VecX* guess) {
-  std::optional<Attempt> attempt;
+  std::optional<SolveResult> solved;
   {
     const Stopwatch watch(result_);
-    attempt = simulation_.stepper().solve(h_, guess);
+    solved = simulation_.stepper().solve(h_, guess);
   }
-  const MinimizerResult& solve = attempt->result;
+  const MinimizerResult& solve = solved->minimizer;
   result_.iterations = solve.iterations;
   result_.evaluations = solve.line_search_evaluations;
   result_.linear_solves = solve.linear_solves;
-  look_at(attempt->metrics);
-  result_.converged = attempt->failure.empty() && solve.status == MinimizerStatus::converged;
-  result_.status = attempt->failure.empty() ? std::string(to_string(solve.status)) : attempt->failure;
-  result_.complete = attempt->failure.empty() && attempt->x.allFinite();
-  if (result_.complete) simulation_.stepper().commit(attempt->x, h_);
+  look_at(solved->metrics);
+  result_.converged = solved->failure.empty() && solve.status == MinimizerStatus::converged;
+  result_.status = solved->failure.empty() ? std::string(to_string(solve.status)) : solved->failure;
+  result_.complete = solved->failure.empty() && solved->x.allFinite();
+  if (result_.complete) simulation_.stepper().commit(solved->x, h_);
 }
 
 void Trial::solve_run() {

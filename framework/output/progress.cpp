@@ -66,7 +66,7 @@ std::string Progress::line_of(const StepReport& r, double now) const {
   // near itself.
   if (std::isfinite(r.min_gap)) line += fmt::format("  gap {:.3g} m", r.min_gap);
   else if (std::isfinite(r.min_distance)) line += fmt::format("  from itself {:.3g} m", r.min_distance);
-  if (r.halvings > 0) line += fmt::format("  {}", counted(r.halvings, "halving"));
+  if (r.cutbacks > 0) line += fmt::format("  {}", counted(r.cutbacks, "halving"));
   if (!r.converged) line += "  not converged";
   const std::string left = time_left(r, now);
   return left.empty() ? line : line + "  " + left;

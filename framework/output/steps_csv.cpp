@@ -45,7 +45,7 @@ std::vector<double> row_of(const StepReport& r) {
   std::vector<double> row = {double(r.step),
                              r.time,
                              r.step_size,
-                             double(r.halvings),
+                             double(r.cutbacks),
                              double(r.solve.iterations),
                              double(r.solve.linear_solves),
                              double(r.solve.linear_iterations),

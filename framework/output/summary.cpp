@@ -169,7 +169,7 @@ bool RunSummary::add(const Warning& warning) {
 void RunSummary::add(const StepReport& report) {
   ++steps;
   converged_steps += report.converged ? 1 : 0;
-  failed_solves += report.halvings;
+  failed_solves += report.cutbacks;
   repeated_steps += report.repeats;
   smallest_step = std::min(smallest_step, report.step_size);
   largest_step = std::max(largest_step, report.step_size);

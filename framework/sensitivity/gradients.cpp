@@ -49,9 +49,9 @@ void Gradients::start() {
 
 // The potential of a solved step is usually still at the end of the step.
 void Gradients::solved(const SolvedStep& step) {
-  if (step.potential.configuration() != step.attempt.x) {
+  if (step.potential.configuration() != step.result.x) {
     VecX q;
-    run_.world().dofs.gather(step.attempt.x, q);
+    run_.world().dofs.gather(step.result.x, q);
     step.potential.move_to(q);
   }
   system_.begin(step);

@@ -81,7 +81,7 @@ void Neighbour::start() {
 }
 
 void Neighbour::solve(const SolvedStep& step, const VecX& gradient, TangentSystem& system) {
-  stepper_->damp(step.damped);
+  stepper_->use_fallback_integrator(step.damped);
   unknowns_ = step.unknowns;
   h_ = step.h;
   guess(gradient.size(), system.loose());
@@ -92,15 +92,15 @@ void Neighbour::solve(const SolvedStep& step, const VecX& gradient, TangentSyste
   // Lagged quantities that the run re-evaluated at the end of a solve are re-evaluated here at the
   // corresponding end.
   bool settled = true;
-  for (const Attempt::Solved& before : step.attempt.before) {
+  for (const SolveResult::LaggedSolve& before : step.result.earlier_solves) {
     system.begin_solve();
     settled = settle(own, before, system) && settled;
     const VecX& x = own.potential.configuration();
     if (own.impulses) own.impulses->settle(world.friction->lagged_at(x));
     else world.participants.lag(x);
   }
-  if (!step.attempt.before.empty()) system.begin_solve();
-  unsettled_ += !(settle(own, {step.attempt.x, gradient}, system) && settled);
+  if (!step.result.earlier_solves.empty()) system.begin_solve();
+  unsettled_ += !(settle(own, {step.result.x, gradient}, system) && settled);
   end_ = own.potential.configuration();
   if (own.impulses) own.impulses->settle(world.friction->lagged_at(end_));
 }
@@ -115,7 +115,7 @@ void Neighbour::guess(Eigen::Index unknowns, bool loose) {
 }
 
 // Corrects the displacement; returns false if it did not converge.
-bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSystem& system) {
+bool Neighbour::settle(const Step& own, const SolveResult::LaggedSolve& run, TangentSystem& system) {
   VecX end, d;
   built_->world().dofs.gather(run.x, end);
   const VecX guessed = way_;
@@ -164,7 +164,7 @@ bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSyste
 }
 
 void Neighbour::keep(const State& run) {
-  stepper_->follow(end_, h_);
+  stepper_->commit_solution(end_, h_);
   const bool goes_on = h_ == h_last_ && unknowns_ == unknowns_last_;
   older_ = goes_on ? std::move(before_) : VecX();
   before_ = goes_on ? std::move(last_) : VecX();

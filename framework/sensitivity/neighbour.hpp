@@ -49,7 +49,7 @@ class Neighbour {
  private:
   void begin();
   void guess(Eigen::Index unknowns, bool loose);
-  bool settle(const Step& own, const Attempt::Solved& run, TangentSystem& system);
+  bool settle(const Step& own, const SolveResult::LaggedSolve& run, TangentSystem& system);
 
   std::string name_;
   double difference_ = 0;

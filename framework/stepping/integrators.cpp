@@ -156,7 +156,7 @@ class Newmark : public TimeIntegrator {
                    : "what turns or vibrates is too fast for the step: refine time.step";
   }
   // A jump in a script's velocity would ring on for ever.
-  void update_held(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
+  void update_fixed(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
                    VecX& a) const override {
     if (held.empty()) return;
     VecX v_path, a_path;

@@ -18,7 +18,7 @@ struct StepReport {
   int step = 0;          // accepted steps so far, this one included
   double time = 0;       // at the end of the step [s]
   double step_size = 0;  // h [s]; smaller than the scene's after a failed solve
-  int halvings = 0;      // failed solves behind this step
+  int cutbacks = 0;      // failed solves behind this step
   int repeats = 0;       // solves whose error was too large
   std::optional<double> error;  // m: of the step, if sizes follow it (step_control.hpp)
   MinimizerResult solve;

@@ -1,7 +1,7 @@
-// Stepper: solves one step of a world. The time loop (time_stepper.hpp) opens a step, has it
-// attempted, asks for the verdict, and either keeps the result or rolls back and tries half of the
-// step. The integrator derives velocities from positions. The two are independent: the loop does
-// not know how a step is solved, by minimisation or otherwise, nor whether results interpenetrate.
+// Stepper: solves one step of a world. The time loop (time_stepper.hpp) opens a step, has it solved
+// and validated, and either accepts the result or rolls back and solves substeps. The integrator
+// derives velocities from positions. Loop and stepper are independent: the loop does not know how a
+// step is solved, by minimisation or otherwise, nor whether results interpenetrate.
 #pragma once
 
 #include <functional>
@@ -31,50 +31,54 @@ struct StepperContext {
   PhaseClock& clock;
 };
 
-// A step that is to be solved. All participants have begun it
-// (framework/core/step_participant.hpp), and world.dofs has its unknowns.
+// A step to be solved. All participants have begun it (framework/core/step_participant.hpp), and
+// world.dofs has its unknowns.
 struct Step {
-  const State& state;  // where it starts
+  const State& state;  // at the start of the step
   double h;            // s
   TimeIntegrator::Prediction prediction;
-  VecX places;  // 3n [m]: start, with prescribed vertices at their targets
-  const FixedVertices& held;
-  StepPotential& potential;  // its incremental potential, begun at `places`
-  LaggedImpulses* impulses = nullptr;  // of friction, if it lags by a step; may be null
+  VecX targets;  // 3n [m]: positions at the start, with prescribed vertices at their targets
+  const FixedVertices& fixed;
+  StepPotential& potential;            // incremental potential, begun at `targets`
+  LaggedImpulses* impulses = nullptr;  // of friction that lags by a step; null otherwise
 
-  bool has_prescribed_motion() const { return places != state.x; }  // whether a motion moves vertices
+  // Returns whether a prescribed motion moves vertices in the step.
+  bool has_prescribed_motion() const { return targets != state.x; }
 };
 
-// Result of a solve, before it is judged and kept. Steppers leave numbers that they do not have.
-struct Attempt {
-  MinimizerResult result;  // counts over all lag iterations
-  VecX x;                  // 3n [m]; `places` to begin with
-  std::string failure = "";  // why prescribed vertices could not be moved
+// Result of a solve, before it is validated and accepted. A stepper leaves fields that it does not
+// compute.
+struct SolveResult {
+  MinimizerResult minimizer;  // summed over all lag iterations
+  VecX x;                     // 3n [m]; initially Step::targets
+  std::string failure = "";   // why prescribed vertices did not reach their targets
   int lag_iterations = 0;
-  // The solves before the last: their end, where lagged forces were updated (3n), and the remaining
-  // gradient, in the unknowns.
-  struct Solved {
-    VecX x, gradient;
+  // Solution of an earlier lag iteration, where lagged forces were updated.
+  struct LaggedSolve {
+    VecX x;         // 3n
+    VecX gradient;  // remaining gradient by the unknowns
   };
-  std::vector<Solved> before = {};
+  std::vector<LaggedSolve> earlier_solves = {};
   double friction_residual = 0;
   bool lag_converged = true;
   double unbalanced_force = 0, tolerated_force = 0;  // force residual and its limit [N]
-  std::vector<StepMetric> metrics = {};  // the stepper's own
+  std::vector<StepMetric> metrics = {};              // step metrics of the stepper
 };
 
-struct Verdict {
-  std::string wrong;   // "" if the attempt may be kept
-  std::string remedy;  // what users can do about it
-  int intersections = 0, inverted_tets = 0;  // found, for records
-  int parts = 2;           // substeps if it is refused; a power of two
-  std::string told = "";   // warning about an attempt that may be kept
-  bool tolerable = false;  // may be kept at the smallest step size, with a warning
+// Validation of a solve result.
+struct Validation {
+  std::string fault;   // reason to reject the result; "" if it may be accepted
+  std::string remedy;  // advice to users against the fault
+  int intersections = 0, inverted_tets = 0;  // counts found, for records
+  int substeps = 2;          // number of substeps after a rejection; a power of two
+  std::string warning = "";  // about a result that may be accepted
+  bool tolerable = false;    // the result may be accepted at the smallest step size, with a warning
 };
 
 // Observers of a solve.
 struct StepObservers {
-  MinimizerProblem::Observer minimizer, walk;  // every iteration; `walk`: of the continuation
+  MinimizerProblem::Observer minimizer;     // every iteration of the minimisation
+  MinimizerProblem::Observer continuation;  // every iteration of a Dirichlet continuation
   // Every step from x to x + p (3n) that a minimiser requests, and its feasible fraction.
   std::function<void(const VecX& x, const VecX& p, double feasible)> steps;
   bool true_residuals = false;  // MinimizerProblem::true_residuals
@@ -88,24 +92,26 @@ class Stepper : public Component {
   // Throws InputError for a world that it cannot step. Called when a scene is loaded.
   virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/,
                      const TimeConfig& /*time*/) const {}
-  // Returns the stepper's own metrics: those of its attempts, or, before the first attempt, zeros.
+  // Returns the step metrics of the last solve; zeros before the first solve.
   virtual std::vector<StepMetric> metrics() const { return {}; }
-  // Called once, before all functions below.
+  // Prepares a run. Called once, before all functions below.
   virtual void prepare(const StepperContext& context) = 0;
   // Called before a step is opened. new_unknowns: the unknowns of the world have changed.
   virtual void begin(bool /*new_unknowns*/) {}
-  // Solves the step, or says in the attempt that it could not; smaller steps may follow. In a
-  // result that may be kept, vertices with prescribed motion are at their target positions, and all
-  // participants are at attempt.x (move_to). guess: null, or a start (3n) with those vertices at
-  // their target positions, as feasible as the stepper needs it. May throw OutOfTime, for which the
-  // loop sets the status of the result, and SimulationError, which ends the run.
-  virtual void attempt(const Step& step, const VecX* guess, Attempt& attempt) = 0;
-  // Judges an attempt, also one cut short by OutOfTime, but not an interrupted one.
-  virtual Verdict verdict(const Attempt& attempt) = 0;
-  // Called when the latest attempt is kept: stores history for the next step, other than positions.
+  // Solves the step, or sets result.failure; substeps may follow. In an acceptable result, vertices
+  // with prescribed motion are at their target positions, and all participants are at result.x
+  // (move_to).
+  // guess: null, or a start (3n) with those vertices at their target positions, as feasible as the
+  // stepper needs it.
+  // May throw OutOfTime, for which the loop sets the status of the result, and SimulationError,
+  // which ends the run.
+  virtual void solve(const Step& step, const VecX* guess, SolveResult& result) = 0;
+  // Validates a result, also one cut short by OutOfTime, but not an interrupted one.
+  virtual Validation validate(const SolveResult& result) = 0;
+  // Called when the last result is accepted: stores history for the next step, besides positions.
   virtual void commit(History& /*history*/) const {}
-  // Called when bodies are moved by no step: erases the history that commit() stored.
-  virtual void forget(History& /*history*/) const {}
+  // Called when bodies are moved outside of steps: erases the history that commit() stored.
+  virtual void erase_history(History& /*history*/) const {}
 
   void observe(StepObservers observers) { observers_ = std::move(observers); }
 

@@ -21,7 +21,7 @@ struct TimeConfig {
   std::optional<AdaptiveConfig> adaptive;
   double duration = 1;    // s
   std::optional<double> wall_limit;  // s of wall time
-  int max_halvings = 8;
+  int max_cutbacks = 8;
   std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");
   std::unique_ptr<Stepper> stepper = Registry<Stepper>::make("incremental_potential");
   double smallest_step() const;  // of those that adapt [s]

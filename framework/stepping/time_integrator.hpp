@@ -55,7 +55,7 @@ class TimeIntegrator : public Component {
   }
   // Corrects them for vertices that do not follow from forces, if the above carries velocities over
   // from step to step.
-  virtual void update_held(const State& /*old*/, const VecX& /*x*/, double /*h*/,
+  virtual void update_fixed(const State& /*old*/, const VecX& /*x*/, double /*h*/,
                            const std::vector<int>& /*held*/, VecX& /*v*/, VecX& /*a*/) const {}
 };
 

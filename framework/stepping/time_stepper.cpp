@@ -20,7 +20,7 @@
 namespace tack {
 namespace {
 
-constexpr int most_refinements = 3;  // halvings of a step that makes or loses energy
+constexpr int max_refinements = 3;  // halvings of a step that makes or loses energy
 
 // While it lives, nothing is broken off for want of wall time: a step is begun and kept as a whole.
 class DeadlineSuspension {
@@ -49,7 +49,7 @@ std::vector<double> masses_of_bodies(const World& world) {
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver,
                          PhaseClock& clock, WarningFunction warn)
     : world_(world), scene_(scene), time_(time), solver_(solver), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.prescribed_motion, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
+      fixed_(world.prescribed_motion, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
       stepper_(instance_of(*time.stepper)) {
   if (state_.h_next == 0) state_.h_next = time.step;
   refined_ = state_.substeps > 1 || state_.h_max > 0;
@@ -59,13 +59,13 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
     std::copy_if(world.terms.begin(), world.terms.end(), std::back_inserter(dynamic_terms_), [](const Term* term) { return term->dynamic(); });
   const DeadlineSuspension suspension(clock_, time_);
   stepper_->prepare({world, scene, time, solver, clock});
-  const bool anew = state_.a.size() == 0;
-  if (anew) begin_anew();
+  const bool without_history = state_.a.size() == 0;
+  if (without_history) begin_without_history();
   world_.participants.remember(state_.history);
   if (world.friction && scene.contact->lagging.iterations == 1 && !world.records.replaced(*world.friction))
     impulses_.emplace(*world.friction, masses_of_bodies(world), solver.velocity_tolerance());
-  hold(state_.h_next);
-  if (anew) {
+  fix_vertices(state_.h_next);
+  if (without_history) {
     std::vector<int> free;
     for (int b = 0; b < world_.dofs.block_count(); ++b) free.push_back(world_.dofs.vertex_of_block(b));
     set_accelerations(state_.time, free);
@@ -82,15 +82,15 @@ void TimeStepper::begin_records() {
 }
 
 // Makes those the unknowns that are free in the step from now to now + h.
-void TimeStepper::hold(double h) {
-  const bool others = held_.change(state_, state_.time + h / 2);
-  if (others) world_.dofs = held_.dofs();
+void TimeStepper::fix_vertices(double h) {
+  const bool others = fixed_.change(state_, state_.time + h / 2);
+  if (others) world_.dofs = fixed_.dofs();
   stepper_->begin(others);
   if (!others) return;
   ++unknowns_;
   potential_.emplace(world_, clock_);
-  if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.moving() : std::vector<char>());
-  set_accelerations(state_.time, held_.released());
+  if (world_.contact) world_.contact->set_free(fixed_.may_move() ? fixed_.moving() : std::vector<char>());
+  set_accelerations(state_.time, fixed_.released());
 }
 
 double TimeStepper::next_step_size() const {
@@ -124,42 +124,42 @@ bool TimeStepper::velocities_matter() const {
 }
 
 Step TimeStepper::open(double h) {
-  hold(h);
-  Step step{state_, h, integrator_->predict(state_, h), state_.x, held_, *potential_};
+  fix_vertices(h);
+  Step step{state_, h, integrator_->predict(state_, h), state_.x, fixed_, *potential_};
   std::optional<EndVelocity> velocity;
   if (velocities_matter()) velocity = integrator_->end_velocity(state_, h);
   world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr, step.prediction.inertia ? &state_.v : nullptr});
   lag_impulses(step);
-  held_.place(state_.time + h, step.places);
+  fixed_.place(state_.time + h, step.targets);
   if (accounts_) balance_.begin(state_, step.has_prescribed_motion());
-  potential_->begin_step(step.places, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
+  potential_->begin_step(step.targets, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
   return step;
 }
 
-Attempt TimeStepper::solve(double h, const VecX* guess) {
-  Attempt attempt{{}, state_.x};
+SolveResult TimeStepper::solve(double h, const VecX* guess) {
+  SolveResult result{{}, state_.x};
   clock_.deadline().begin_solve(solver_.time_limit());
   try {
     const Step step = open(h);
-    attempt.x = step.places;
-    stepper_->attempt(step, guess, attempt);
+    result.x = step.targets;
+    stepper_->solve(step, guess, result);
   } catch (const OutOfTime&) {
-    attempt.result.status = MinimizerStatus::time_limit;
+    result.minimizer.status = MinimizerStatus::time_limit;
   }
   clock_.deadline().end_solve();
-  return attempt;
+  return result;
 }
 
-Verdict TimeStepper::judge(const Attempt& attempt) {
-  Verdict verdict = stepper_->verdict(attempt);
-  found_.intersections += verdict.intersections;
-  found_.inverted_tets += verdict.inverted_tets;
-  return verdict;
+Validation TimeStepper::validate(const SolveResult& result) {
+  Validation validation = stepper_->validate(result);
+  counts_.intersections += validation.intersections;
+  counts_.inverted_tets += validation.inverted_tets;
+  return validation;
 }
 
-std::string TimeStepper::verdict(const Attempt& attempt) {
-  const Verdict verdict = judge(attempt);
-  return verdict.tolerable ? "" : verdict.wrong;
+std::string TimeStepper::fault(const SolveResult& result) {
+  const Validation validation = validate(result);
+  return validation.tolerable ? "" : validation.fault;
 }
 
 void TimeStepper::check_wall_limit(const std::string& wrong) const {
@@ -170,16 +170,16 @@ void TimeStepper::check_wall_limit(const std::string& wrong) const {
 }
 
 // Treats the held directions of partly held vertices like those of held vertices.
-void TimeStepper::update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const {
+void TimeStepper::update_fixed_directions(const VecX& x, double h, VecX& v, VecX& a) const {
   if (world_.dofs.held_blocks().empty()) return;
   std::vector<int> vertices;
   for (const DofMap::HeldBlock& held : world_.dofs.held_blocks()) vertices.push_back(world_.dofs.vertex_of_block(held.block));
-  VecX v_held = v, a_held = a;
-  integrator_->update_held(state_, x, h, vertices, v_held, a_held);
+  VecX v_fixed = v, a_fixed = a;
+  integrator_->update_fixed(state_, x, h, vertices, v_fixed, a_fixed);
   for (size_t i = 0; i < vertices.size(); ++i) {
     const Mat3& held = world_.dofs.held_blocks()[i].held;
-    vertex(v, vertices[i]) += held * (vertex(v_held, vertices[i]) - vertex(v, vertices[i]));
-    vertex(a, vertices[i]) += held * (vertex(a_held, vertices[i]) - vertex(a, vertices[i]));
+    vertex(v, vertices[i]) += held * (vertex(v_fixed, vertices[i]) - vertex(v, vertices[i]));
+    vertex(a, vertices[i]) += held * (vertex(a_fixed, vertices[i]) - vertex(a, vertices[i]));
   }
 }
 
@@ -190,11 +190,11 @@ void TimeStepper::commit(const VecX& x, double h) {
     contact = dynamic_accelerations(x);
   }
   integrator_->update(state_, x, contact, h, v, a);
-  integrator_->update_held(state_, x, h, held_.vertices(), v, a);
-  update_held_directions(x, h, v, a);
+  integrator_->update_fixed(state_, x, h, fixed_.vertices(), v, a);
+  update_fixed_directions(x, h, v, a);
   world_.dofs.follow(v);
   world_.dofs.follow(a);
-  held_.commit(state_);
+  fixed_.commit(state_);
   state_.x_before = std::exchange(state_.x, x);
   state_.v_before = std::exchange(state_.v, std::move(v));
   state_.a = std::move(a);
@@ -209,10 +209,10 @@ void TimeStepper::commit(const VecX& x, double h) {
   ++state_.step;
 }
 
-void TimeStepper::follow(const VecX& x, double h) {
+void TimeStepper::commit_solution(const VecX& x, double h) {
   if (accounts_) balance_.end(x);
   commit(x, h);
-  if (accounts_) balance_.close(state_, energies_by_term(world_, state_), h, held_.may_move(), *potential_);
+  if (accounts_) balance_.close(state_, energies_by_term(world_, state_), h, fixed_.may_move(), *potential_);
 }
 
 void TimeStepper::set_state(State state) {
@@ -226,13 +226,13 @@ bool TimeStepper::finished() const {
 
 // Commits the attempt. Returns false if it was undone because energy was gained or lost, and
 // smaller steps or another integrator repeat it.
-bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
+bool TimeStepper::accept(const SolveResult& result, double h, StepReport& r) {
   const DeadlineSuspension suspension(clock_, time_);
   const double end = (state_.whole_steps + 1) * time_.step;
   std::optional<State> undo;
   if (integrator_->fallback()) undo = state_;
-  balance_.end(attempt.x);
-  commit(attempt.x, h);
+  balance_.end(result.x);
+  commit(result.x, h);
   if (control_) {
     control_->kept(state_, h);
   } else if (state_.time >= end - 1e-9 * time_.step) {
@@ -243,15 +243,15 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
     }
     state_.h_next = time_.step / state_.substeps;
   }
-  r = report(attempt, h);
-  world_.step_metrics = attempt.metrics;
-  r.flows = balance_.close(state_, r.energies, h, held_.may_move(), *potential_);
+  r = report(result, h);
+  world_.step_metrics = result.metrics;
+  r.flows = balance_.close(state_, r.energies, h, fixed_.may_move(), *potential_);
   const bool free = r.contacts == 0;
   const bool finer = h > smallest_refined() * (1 + 1e-9) && (free || resolves_impact(h));
   if (undo && (r.flows.gained || (finer && balance_.lost()))) {
     state_ = *std::move(undo);
     world_.participants.remember(state_.history);
-    if (finer) refine(h, free);
+    if (finer) request_refinement(h, free);
     else integrator_ = integrator_->fallback();
     return false;
   }
@@ -263,7 +263,7 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
 }
 
 // Smallest size of steps that are refined to conserve energy [s].
-double TimeStepper::smallest_refined() const { return time_.step * std::pow(0.5, std::min(most_refinements, time_.max_halvings)); }
+double TimeStepper::smallest_refined() const { return time_.step * std::pow(0.5, std::min(max_refinements, time_.max_cutbacks)); }
 
 // Returns whether the smallest steps resolve the impact in the present step of size h: the fastest
 // vertex crosses the contact range in at least two of them. Otherwise smaller steps would not help.
@@ -273,7 +273,7 @@ bool TimeStepper::resolves_impact(double h) const {
 
 // Requests smaller steps after one of size h that made or lost energy. An impact passes. A rotation
 // that is too fast for the step lasts: then the steps that follow are smaller, too.
-void TimeStepper::refine(double h, bool lasting) {
+void TimeStepper::request_refinement(double h, bool lasting) {
   state_.h_next = h / 2;
   refined_ = true;
   if (control_) return control_->refined(state_, h, lasting);
@@ -283,40 +283,40 @@ void TimeStepper::refine(double h, bool lasting) {
 }
 
 // Size of the step that substeps divide [s].
-double TimeStepper::whole_step() const { return control_ ? begun_ : time_.step; }
+double TimeStepper::whole_step() const { return control_ ? first_size_ : time_.step; }
 
-double TimeStepper::smallest_tried() const {
-  return (control_ ? std::max(begun_, time_.smallest_step()) : time_.step) * std::pow(0.5, time_.max_halvings);
+double TimeStepper::smallest_size() const {
+  return (control_ ? std::max(first_size_, time_.smallest_step()) : time_.step) * std::pow(0.5, time_.max_cutbacks);
 }
 
 // Returns whether a faulty result is kept with a warning, because no smaller steps are tried.
-bool TimeStepper::tolerates(double h, const Verdict& verdict) const { return verdict.tolerable && h < smallest_tried() * (1 + 1e-9); }
+bool TimeStepper::tolerates(double h, const Validation& validation) const { return validation.tolerable && h < smallest_size() * (1 + 1e-9); }
 
 // Rolls back a refused attempt of size h and requests a smaller step.
-void TimeStepper::halve(double h, const Verdict& verdict) {
-  if (h < smallest_tried() * (1 + 1e-9))
+void TimeStepper::reject(double h, const Validation& validation) {
+  if (h < smallest_size() * (1 + 1e-9))
     throw SimulationError(fmt::format("step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h,
-                                      verdict.wrong, verdict.remedy));
+                                      validation.fault, validation.remedy));
   state_.h_next = h / 2;
-  for (int parts = 4; parts <= verdict.parts && state_.h_next > smallest_tried() * (1 + 1e-9); parts *= 2) state_.h_next /= 2;
-  ++halvings_;
+  for (int parts = 4; parts <= validation.substeps && state_.h_next > smallest_size() * (1 + 1e-9); parts *= 2) state_.h_next /= 2;
+  ++cutbacks_;
   if (control_) control_->refined(state_, h, false);
   warn_({fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)", state_.step + 1,
-                     state_.time, verdict.wrong, state_.h_next, std::lround(whole_step() / state_.h_next)), "halved step"});
+                     state_.time, validation.fault, state_.h_next, std::lround(whole_step() / state_.h_next)), "halved step"});
 }
 
 // Returns whether an attempt of size h is repeated with a smaller step because of its error.
-bool TimeStepper::off_by_too_much(const Attempt& attempt, double h) {
+bool TimeStepper::rejects_error(const SolveResult& result, double h) {
   if (!control_) return false;
   VecX contact;
   if (!dynamic_terms_.empty()) {
-    world_.participants.move_to(attempt.x);
-    contact = dynamic_accelerations(attempt.x);
+    world_.participants.move_to(result.x);
+    contact = dynamic_accelerations(result.x);
   }
-  error_ = control_->measure(*integrator_, state_, attempt.x, contact, h);
+  error_ = control_->measure(*integrator_, state_, result.x, contact, h);
   if (!control_->repeats(state_, h)) return false;
   ++repeats_;
-  begun_ = state_.h_next;
+  first_size_ = state_.h_next;
   return true;
 }
 
@@ -324,35 +324,35 @@ StepReport TimeStepper::advance() {
   const auto started = std::chrono::steady_clock::now();
   const PhaseClock::Seconds before = clock_.seconds();
   const int builds_before = world_.contact ? world_.contact->broad_phase_builds() : 0;
-  found_ = {};
-  halvings_ = repeats_ = 0;
-  begun_ = next_step_size();
+  counts_ = {};
+  cutbacks_ = repeats_ = 0;
+  first_size_ = next_step_size();
   check_wall_limit("");
   StepReport r;
   for (;;) {
     const double h = next_step_size();
-    const Attempt attempt = solve(h);
-    if (attempt.result.status == MinimizerStatus::interrupted) {
+    const SolveResult result = solve(h);
+    if (result.minimizer.status == MinimizerStatus::interrupted) {
       interrupted_ = true;
       return {};
     }
-    const Verdict verdict = judge(attempt);
-    const bool tolerated = tolerates(h, verdict);
-    if (!verdict.wrong.empty() && !tolerated) {
-      check_wall_limit(verdict.wrong);
-      halve(h, verdict);
+    const Validation validation = validate(result);
+    const bool tolerated = tolerates(h, validation);
+    if (!validation.fault.empty() && !tolerated) {
+      check_wall_limit(validation.fault);
+      reject(h, validation);
       continue;
     }
-    if (off_by_too_much(attempt, h)) continue;
+    if (rejects_error(result, h)) continue;
     if (solved_) {
       const DeadlineSuspension suspension(clock_, time_);
-      solved_({state_, h, *integrator_, integrator_ != time_.integrator.get(), attempt, *potential_, unknowns_});
+      solved_({state_, h, *integrator_, integrator_ != time_.integrator.get(), result, *potential_, unknowns_});
     }
-    if (keep(attempt, h, r)) {
-      warn_of(attempt, r);
-      if (!verdict.told.empty()) warn_({fmt::format("step {} at t = {:.6g} s: {}", state_.step, state_.time, verdict.told), "stepper"});
+    if (accept(result, h, r)) {
+      warn_of(result, r);
+      if (!validation.warning.empty()) warn_({fmt::format("step {} at t = {:.6g} s: {}", state_.step, state_.time, validation.warning), "stepper"});
       if (tolerated)
-        warn_({fmt::format("step {} at t = {:.6g} s: {}; {}", state_.step, state_.time, verdict.wrong, verdict.remedy), "tolerated step"});
+        warn_({fmt::format("step {} at t = {:.6g} s: {}; {}", state_.step, state_.time, validation.fault, validation.remedy), "tolerated step"});
       break;
     }
   }

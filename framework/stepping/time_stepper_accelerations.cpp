@@ -12,11 +12,11 @@ namespace tack {
 
 // Starts from a state that follows from no step: erases the history that steps have left.
 // Accelerations have to be set afterwards.
-void TimeStepper::begin_anew() {
+void TimeStepper::begin_without_history() {
   state_.a = VecX::Zero(state_.x.size());
   state_.history.erase(owed_friction_name);
   forget_contact_history(state_.history);
-  stepper_->forget(state_.history);
+  stepper_->erase_history(state_.history);
 }
 
 // Returns M^-1 times the forces, for Newmark's step and the first guess of vertices without a past.

@@ -14,22 +14,22 @@
 
 namespace tack {
 
-StepReport TimeStepper::report(const Attempt& attempt, double h) const {
+StepReport TimeStepper::report(const SolveResult& result, double h) const {
   StepReport r;
   r.step = state_.step;
   r.time = state_.time;
   r.step_size = h;
-  r.halvings = halvings_;
+  r.cutbacks = cutbacks_;
   r.repeats = repeats_;
   if (control_) r.error = error_;
-  r.solve = attempt.result;
-  r.converged = attempt.result.status == MinimizerStatus::converged;
-  r.unbalanced_force = attempt.unbalanced_force;
-  r.tolerated_force = attempt.tolerated_force;
-  r.lag_iterations = attempt.lag_iterations;
-  r.friction_residual = attempt.friction_residual;
-  r.lag_converged = attempt.lag_converged;
-  r.metrics = attempt.metrics;
+  r.solve = result.minimizer;
+  r.converged = result.minimizer.status == MinimizerStatus::converged;
+  r.unbalanced_force = result.unbalanced_force;
+  r.tolerated_force = result.tolerated_force;
+  r.lag_iterations = result.lag_iterations;
+  r.friction_residual = result.friction_residual;
+  r.lag_converged = result.lag_converged;
+  r.metrics = result.metrics;
   r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
   if (world_.contact) {
     r.contacts = static_cast<int>(world_.contact->contacts().size());
@@ -38,8 +38,8 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
     r.min_distance = gaps.of_all;
     r.min_gap = gaps.between_objects;
   }
-  r.intersections = found_.intersections;
-  r.inverted_tets = found_.inverted_tets;
+  r.intersections = counts_.intersections;
+  r.inverted_tets = counts_.inverted_tets;
   r.energies = energies_by_term(world_, state_);
   if (world_.affine) r.affine_strain = world_.affine->largest_strain(state_.x);
   return r;
@@ -57,11 +57,11 @@ void TimeStepper::warn_of_joints() {
   }
 }
 
-void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
+void TimeStepper::warn_of(const SolveResult& result, const StepReport& r) {
   if (!balance_.warning().empty())
     warn_({fmt::format("{}: {}", balance_.warning(),
                        r.flows.made_by_areas() ? areas_advice : time_.integrator->energy_advice(true, r.flows.in_contact)), "energy"});
-  if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
+  if (r.affine_strain > tolerated_affine_strain && !std::exchange(warned_of_strain_, true))
     warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
                        state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});
   warn_of_joints();
@@ -79,10 +79,10 @@ void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
                        d.others > 0 ? fmt::format(" (and between {} other two)", d.others) : "", d.given, d.normal),
            "friction impulse"});
   }
-  if (!attempt.lag_converged)
+  if (!result.lag_converged)
     warn_({fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
                        "{:.2g} of the largest (contact.lagging.until: {:.2g})",
-                       state_.step, state_.time, attempt.lag_iterations, attempt.friction_residual,
+                       state_.step, state_.time, result.lag_iterations, result.friction_residual,
                        *scene_.contact->lagging.until), "lagged friction"});
 }
 

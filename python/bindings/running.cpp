@@ -29,7 +29,7 @@ py::dict dict_of(const StepReport& report) {
   d["status"] = std::string(to_string(report.solve.status));
   d["converged"] = report.converged;
   d["residual"] = report.solve.residual;
-  d["halvings"] = report.halvings;
+  d["halvings"] = report.cutbacks;
   d["contacts"] = report.contacts;
   d["min_distance"] = report.min_distance;
   d["min_gap"] = report.min_gap;
@@ -232,7 +232,7 @@ std::shared_ptr<Problem> Running::problem() {
   MinimizerProblem problem{potential, [this, &potential](const VecX& q, const VecX& p) { return steps_->largest_tried(potential, q, p); }, {}, simulation_->clock()};
   convergence_->judge(problem);
   VecX q;
-  world.dofs.gather(step.places, q);
+  world.dofs.gather(step.targets, q);
   problem_ = std::make_shared<Problem>(std::move(problem), world, q);
   return problem_;
 }

@@ -68,12 +68,12 @@ class LcpPgsStepper : public Stepper {
   void begin(bool new_unknowns) override {
     if (new_unknowns) step_->new_unknowns();
   }
-  void attempt(const Step& step, const VecX* guess, Attempt& attempt) override;
-  Verdict verdict(const Attempt& attempt) override;
+  void solve(const Step& step, const VecX* guess, SolveResult& result) override;
+  Validation validate(const SolveResult& result) override;
   void commit(History& history) const override {
     if (world_->contact) step_->held().write(history, world_->contact->surface());
   }
-  void forget(History& history) const override { HeldContacts::forget(history); }
+  void erase_history(History& history) const override { HeldContacts::forget(history); }
 
  private:
   std::optional<double> margin_, tolerance_;  // m, m/s
@@ -111,35 +111,35 @@ void LcpPgsStepper::admit(const World& world, const SceneConfig& scene, const Ti
                   "take adhesion: {type: rcc} or rcc_explicit");
 }
 
-void LcpPgsStepper::attempt(const Step& step, const VecX* /*guess*/, Attempt& attempt) {
+void LcpPgsStepper::solve(const Step& step, const VecX* /*guess*/, SolveResult& result) {
   crossings_ = 0;
   deepest_ = 0;
-  step_->solve(step, attempt);
-  const bool solved = attempt.result.status == MinimizerStatus::converged || attempt.result.status == MinimizerStatus::iteration_limit;
+  step_->solve(step, result);
+  const bool solved = result.minimizer.status == MinimizerStatus::converged || result.minimizer.status == MinimizerStatus::iteration_limit;
   if (solved && world_->contact) {
     if (world_->bonds) world_->bonds->press(bond_pressures(*world_->bonds, step_->contacts(), *world_->contact));
     const PhaseScope scope(*clock_, Phase::check);
     const ContactSystem& contact = *world_->contact;
-    crossings_ = static_cast<int>(find_intersections(contact.surface().mesh, attempt.x, contact.colliding(), most_crossings).size());
+    crossings_ = static_cast<int>(find_intersections(contact.surface().mesh, result.x, contact.colliding(), most_crossings).size());
     deepest_ = step_->deepest();
   }
-  attempt.metrics = metrics();
+  result.metrics = metrics();
 }
 
-Verdict LcpPgsStepper::verdict(const Attempt& attempt) {
-  Verdict v{"", "refine time.step"};
-  const MinimizerStatus status = attempt.result.status;
+Validation LcpPgsStepper::validate(const SolveResult& result) {
+  Validation v{"", "refine time.step"};
+  const MinimizerStatus status = result.minimizer.status;
   if (status != MinimizerStatus::converged && status != MinimizerStatus::iteration_limit) {
-    v.wrong = to_string(status);
+    v.fault = to_string(status);
     return v;
   }
-  if (const int tet = first_inverted_tet(world_->tets, attempt.x); tet >= 0) {
+  if (const int tet = first_inverted_tet(world_->tets, result.x); tet >= 0) {
     v.inverted_tets = 1;
-    v.wrong = fmt::format("tet {} inverted", tet);
+    v.fault = fmt::format("tet {} inverted", tet);
   }
   v.intersections = crossings_;
   if (crossings_ > 0)
-    v.told = fmt::format("surfaces have passed through each other: {} pairs of an edge and a triangle cross, {:.3g} m deep; lcp_pgs keeps that (refine time.step, "
+    v.warning = fmt::format("surfaces have passed through each other: {} pairs of an edge and a triangle cross, {:.3g} m deep; lcp_pgs keeps that (refine time.step, "
                          "raise time.stepper.sweeps, or take the stepper incremental_potential)", crossings_, deepest_);
   return v;
 }

@@ -118,7 +118,7 @@ void LcpStep::look_back(const VecX& x, const VecX& end) {
   held_ = std::move(now.held);
 }
 
-void LcpStep::solve(const Step& step, Attempt& attempt) {
+void LcpStep::solve(const Step& step, SolveResult& result) {
   contacts_ = {};
   held_ = {};
   rows_ = {};
@@ -128,29 +128,29 @@ void LcpStep::solve(const Step& step, Attempt& attempt) {
     return bond_stiffness(*world_.bonds, unit.bond, at, linear_.h());
   });
   if (!linear_.begin(step)) {
-    attempt.result.status = MinimizerStatus::factorization_failed;
+    result.minimizer.status = MinimizerStatus::factorization_failed;
     return;
   }
   const VecX& x = step.state.x;
-  attempt.x = end();
-  free_ = attempt.x - x;
+  result.x = end();
+  free_ = result.x - x;
   if (finder_) {
     const PhaseScope scope(clock_, Phase::narrow_phase);
     contacts_ = finder_->find(x, VecX(), HeldContacts::read(step.state.history, world_.contact->surface()));
     impacts_->begin(contacts_.held);
   }
   taken_.assign(contacts_.rows.size(), 0);
-  add_bonds(x, attempt.x);
+  add_bonds(x, result.x);
   add_violated(free_, 0, true);
   bool converged = true;
   for (int round = 0; round < rounds; ++round) {
     if (rows_.count() > 0) {
       converged = sweeps_->solve(std::max(1, settings_.sweeps - sweeps_->sweeps()), settings_.tolerance, clock_);
-      attempt.x = end();
+      result.x = end();
     }
     if (round + 1 == rounds) break;
-    int added = add_violated(attempt.x - x, settings_.tolerance * step.h, false);
-    if (added == 0) added = add_impacts(x, attempt.x);
+    int added = add_violated(result.x - x, settings_.tolerance * step.h, false);
+    if (added == 0) added = add_impacts(x, result.x);
     if (added == 0) {
       met_ = true;  // no further contacts
       break;
@@ -158,14 +158,14 @@ void LcpStep::solve(const Step& step, Attempt& attempt) {
     converged = false;
   }
   if (rows_.count() > 0) residual_ = sweeps_->residual();
-  attempt.result.iterations = sweeps_->sweeps();
-  attempt.result.linear_solves = static_cast<int>(1 + sweeps_->solves());
-  attempt.result.residual = residual_ / settings_.tolerance;
-  attempt.result.status = !attempt.x.allFinite() ? MinimizerStatus::not_finite : converged ? MinimizerStatus::converged : MinimizerStatus::iteration_limit;
-  if (!attempt.x.allFinite()) return;
+  result.minimizer.iterations = sweeps_->sweeps();
+  result.minimizer.linear_solves = static_cast<int>(1 + sweeps_->solves());
+  result.minimizer.residual = residual_ / settings_.tolerance;
+  result.minimizer.status = !result.x.allFinite() ? MinimizerStatus::not_finite : converged ? MinimizerStatus::converged : MinimizerStatus::iteration_limit;
+  if (!result.x.allFinite()) return;
   take_forces();
-  look_back(x, attempt.x);
-  world_.participants.move_to(attempt.x);
+  look_back(x, result.x);
+  world_.participants.move_to(result.x);
 }
 
 }  // namespace tack

@@ -26,7 +26,7 @@ class LcpStep {
 
   void new_unknowns() { linear_.new_unknowns(); }
   // Solves the step; the end configuration is attempt.x.
-  void solve(const Step& step, Attempt& attempt);
+  void solve(const Step& step, SolveResult& result);
 
   // Results of the last step: contacts with forces, the history for the next step, and the greatest
   // depth of a point behind its side at the end [m].

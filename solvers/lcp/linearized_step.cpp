@@ -51,7 +51,7 @@ VecX LinearizedStep::imposed(const Step& step) {
 
 bool LinearizedStep::begin(const Step& step) {
   h_ = step.h;
-  places_ = step.places;
+  places_ = step.targets;
   world_.dofs.follow(places_);
   if (!potential_) potential_ = std::make_unique<StepPotential>(world_, clock_, terms_, world_.dofs, world_.mass);
   potential_->begin_step(step.state.x, step.prediction.x, step.prediction.scales(), true);

@@ -11,7 +11,7 @@ StepProblem::StepProblem(const std::string& yaml)
 StepProblem::~StepProblem() = default;
 
 VecX StepProblem::configuration(const VecX& unknowns) const {
-  VecX x = step.places;
+  VecX x = step.targets;
   world->dofs.scatter(unknowns, x);
   return x;
 }

@@ -53,7 +53,7 @@ TEST_CASE("the line of a step tells trouble and leaves out what is unknown") {
   r.solve.iterations = 1;
   r.contacts = 1;
   r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
-  r.halvings = 2;
+  r.cutbacks = 2;
   r.converged = false;
   told.progress.step(r);
   CHECK(told.out.str() ==

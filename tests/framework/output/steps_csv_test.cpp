@@ -19,7 +19,7 @@ StepReport report(int step, double time) {
   r.step = step;
   r.time = time;
   r.step_size = 0.01;
-  r.halvings = 1;
+  r.cutbacks = 1;
   r.solve = {MinimizerStatus::converged, 4, 5, 11, 6, 0.25};
   r.converged = true;
   r.unbalanced_force = 0.5;

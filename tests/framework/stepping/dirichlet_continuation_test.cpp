@@ -79,6 +79,6 @@ TEST_CASE("rollers stay in their places while prescribed motion is continued") {
       strip));
   for (int i = 0; i < 5; ++i) {
     INFO("step " << i + 1);
-    CHECK(run.step().halvings == 0);
+    CHECK(run.step().cutbacks == 0);
   }
 }

@@ -194,7 +194,7 @@ TEST_CASE("a step that is kept is remembered once, and changes what follows", "[
   TestRun run(scene_with(enough));
   CHECK(run.state().history.empty());
   for (int n = 1; n <= 5; ++n) {
-    CHECK(run.step().halvings == 0);
+    CHECK(run.step().cutbacks == 0);
     CHECK(counted(run.state()) == n);
   }
   // The same positions store more than for a body that remembers nothing.
@@ -212,20 +212,20 @@ TEST_CASE("a failed solve and the halves of a step leave no trace in the history
   TestRun failing(scene_with(2));
   failing.simulation.start_from(before);
   TimeStepper& stepper = failing.simulation.stepper();
-  const Attempt attempt = stepper.solve(0.02);
-  CHECK(attempt.result.status == MinimizerStatus::iteration_limit);
-  CHECK_FALSE(stepper.verdict(attempt).empty());
-  CHECK((attempt.x != before.x));
+  const SolveResult result = stepper.solve(0.02);
+  CHECK(result.minimizer.status == MinimizerStatus::iteration_limit);
+  CHECK_FALSE(stepper.fault(result).empty());
+  CHECK((result.x != before.x));
   CHECK(same(stepper.state(), before));
 
   // The whole step that fails and succeeds in parts, and one that begins with those parts.
   const StepReport halved = failing.step();
-  REQUIRE(halved.halvings > 0);
+  REQUIRE(halved.cutbacks > 0);
   TestRun parts(scene_with(2));
   State smaller = before;
   smaller.h_next = halved.step_size;
   parts.simulation.start_from(smaller);
-  CHECK(parts.step().halvings == 0);
+  CHECK(parts.step().cutbacks == 0);
   CHECK(same(failing.state(), parts.state()));
   CHECK(counted(failing.state()) == 2);
   while (failing.state().whole_steps < 3) failing.step();

@@ -151,9 +151,9 @@ double impulse_ratio(const std::string& integrator, double h, const std::vector<
   const Vec3 start = momentum(run);
   for (int i = 0; run.state().time < 0.06; ++i) {
     const double size = sizes[i % sizes.size()] * h;
-    const Attempt attempt = run.stepper.solve(size);
-    REQUIRE(run.stepper.verdict(attempt).empty());
-    run.stepper.commit(attempt.x, size);
+    const SolveResult result = run.stepper.solve(size);
+    REQUIRE(run.stepper.fault(result).empty());
+    run.stepper.commit(result.x, size);
   }
   const Vec3 given = momentum(run) - start;
   CHECK(given.y() > start.norm() / 4);  // it has been stopped

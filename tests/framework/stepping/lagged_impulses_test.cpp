@@ -31,9 +31,9 @@ std::string sliding(const std::string& integrator, double h, Start start, const 
 }
 
 void step(TestRun& run, double h) {
-  const Attempt attempt = run.stepper.solve(h);
-  REQUIRE(run.stepper.verdict(attempt).empty());
-  run.stepper.commit(attempt.x, h);
+  const SolveResult result = run.stepper.solve(h);
+  REQUIRE(run.stepper.fault(result).empty());
+  run.stepper.commit(result.x, h);
 }
 
 Vec3 mean(const TestRun& run, const VecX& rows) {

@@ -40,7 +40,7 @@ TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticit
     run.stepper.observe({[&](int, double residual, double, double) { residuals.push_back(residual); }, {}, {}});
     for (int i = 0; i < 3; ++i) {
       residuals.clear();
-      REQUIRE(run.step().halvings == 0);
+      REQUIRE(run.step().cutbacks == 0);
       // Quadratic convergence: an iteration doubles the number of correct digits, up to round-off.
       int doubled = 0;
       for (size_t k = 1; k + 1 < residuals.size(); ++k) {
@@ -65,8 +65,8 @@ TEST_CASE("a step that fails and is halved leaves what is remembered as it was",
   REQUIRE(largest_strain(run) > 0);
   bool failed = false;
   for (const double h : {0.4, 5.0, 200.0}) {
-    const Attempt attempt = run.stepper.solve(h);
-    failed = failed || !run.stepper.verdict(attempt).empty();
+    const SolveResult result = run.stepper.solve(h);
+    failed = failed || !run.stepper.fault(result).empty();
     CHECK(run.state().history == before);
   }
   CHECK(failed);

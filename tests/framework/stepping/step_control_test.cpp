@@ -261,7 +261,7 @@ TEST_CASE("what a failed solve of an adaptive step does, halves do", "[stepping]
                           "  velocity: [6, 8, 0], energies: [{type: neo_hookean, young: 1e5}],\n"
                           "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}]}]\n");
   int halvings = 0;
-  for (const StepReport& s : taken.steps) halvings += s.halvings;
+  for (const StepReport& s : taken.steps) halvings += s.cutbacks;
   CHECK(halvings > 0);
   CHECK(taken.end.time == Approx(0.06).epsilon(1e-12));
 }

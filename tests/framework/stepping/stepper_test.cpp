@@ -25,15 +25,15 @@ class FreeFlight : public Stepper {
     if (world.friction) throw InputError("free_flight knows no friction");
   }
   void prepare(const StepperContext& context) override { world_ = &context.world; }
-  void attempt(const Step& step, const VecX* /*guess*/, Attempt& attempt) override {
+  void solve(const Step& step, const VecX* /*guess*/, SolveResult& result) override {
     for (int v = 0; v < world_->dofs.vertex_count(); ++v)
       if (world_->dofs.moves(v))
-        vertex(attempt.x, v) =
+        vertex(result.x, v) =
             vertex(step.state.x, v) + step.h * vertex(step.state.v, v) + step.h * step.h * world_->gravity;
-    world_->participants.move_to(attempt.x);
+    world_->participants.move_to(result.x);
     tried_ = step.h;
   }
-  Verdict verdict(const Attempt&) override {
+  Validation validate(const SolveResult&) override {
     if (tried_ <= longest_) return {};
     return {"too far ahead", "take smaller steps"};
   }
@@ -77,7 +77,7 @@ TEST_CASE("a stepper that solves nothing runs through the loop, and through the 
   bool inside = false;
   for (int n = 1; !run.stepper.finished(); ++n) {
     const StepReport report = run.step();
-    CHECK(report.halvings == 0);
+    CHECK(report.cutbacks == 0);
     CHECK(report.step_size == h);
     CHECK(report.solve.iterations == 0);
     CHECK(report.intersections == 0);  // it has not looked
@@ -98,7 +98,7 @@ TEST_CASE("a stepper that solves nothing runs through the loop, and through the 
 TEST_CASE("the loop halves what the stepper refuses, and gives up with its advice", "[stepper]") {
   TestRun run(scene_with("{type: free_flight, longest: 0.01}"));
   const StepReport report = run.step();
-  CHECK(report.halvings == 2);
+  CHECK(report.cutbacks == 2);
   CHECK(report.step_size == h / 4);
   REQUIRE(run.warnings.size() == 2);
   CHECK(contains(run.warnings[0], "step 1 at t = 0 s: too far ahead; rolled back, h halved to 0.015625 s"));
@@ -109,14 +109,14 @@ TEST_CASE("the loop halves what the stepper refuses, and gives up with its advic
 
 TEST_CASE("single steps and potentials are those of any stepper", "[stepper]") {
   TestRun run(scene_with("free_flight")), minimized(scene_with("incremental_potential"));
-  const Attempt attempt = run.stepper.solve(h);
-  CHECK(run.stepper.verdict(attempt).empty());
-  const Attempt minimum = minimized.stepper.solve(h);
+  const SolveResult result = run.stepper.solve(h);
+  CHECK(run.stepper.fault(result).empty());
+  const SolveResult minimum = minimized.stepper.solve(h);
   // Before it comes to contact, that is the minimum.
-  CHECK((attempt.x - minimum.x).lpNorm<Eigen::Infinity>() < 1e-5);
-  CHECK(run.stepper.potential_at(attempt.x) == Approx(minimized.stepper.potential_at(minimum.x)));
-  run.stepper.commit(attempt.x, h);
-  CHECK((run.state().x == attempt.x));
+  CHECK((result.x - minimum.x).lpNorm<Eigen::Infinity>() < 1e-5);
+  CHECK(run.stepper.potential_at(result.x) == Approx(minimized.stepper.potential_at(minimum.x)));
+  run.stepper.commit(result.x, h);
+  CHECK((run.state().x == result.x));
 }
 
 TEST_CASE("a stepper is documented because it exists, and refuses with a place", "[stepper]") {

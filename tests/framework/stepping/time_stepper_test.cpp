@@ -62,7 +62,7 @@ TEST_CASE("a failed solve is rolled back and halved, visibly", "[stepping]") {
     const double before = stepper.state().time;
     const StepReport report = stepper.advance();
     ++steps;
-    halvings += report.halvings;
+    halvings += report.cutbacks;
     CHECK(report.converged);
     CHECK(report.solve.iterations == 1);
     CHECK(report.step_size <= 0.02);

@@ -52,7 +52,7 @@ void run_to_end(TestRun& run) {
   while (!run.stepper.finished()) {
     const StepReport report = run.step();
     REQUIRE(report.intersections == 0);
-    REQUIRE(report.halvings == 0);
+    REQUIRE(report.cutbacks == 0);
   }
 }
 
@@ -214,7 +214,7 @@ TEST_CASE("bodies that pass through each other are recorded and told, and the ru
   bool unconverged = false;
   while (!run.stepper.finished()) {
     const StepReport report = run.step();
-    CHECK(report.halvings == 0);
+    CHECK(report.cutbacks == 0);
     CHECK(report.metrics.size() == 5);
     for (const StepMetric& metric : report.metrics) {
       if (metric.name == "crossing_pairs") CHECK(metric.value == report.intersections);
