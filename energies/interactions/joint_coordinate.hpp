@@ -61,8 +61,8 @@ class JointCoordinate {
     return offset_ + Coordinate::turns(plain(x) + offset_, last_);
   }
 
-  void remember(const History& history) {
-    const std::vector<double>* value = remembered(history, memory_, 1, 1);
+  void load_history(const History& history) {
+    const std::vector<double>* value = history_values(history, memory_, 1, 1);
     last_ = value ? value->front() : offset_;
   }
   void commit(const VecX& x, History& history) const { history[memory_] = {1, {at(x)}, {}}; }

@@ -81,7 +81,7 @@ class JointDriveTerm : public FormulaTerm<JointDrive<Coordinate>> {
       for (const double t : target.corners()) times.push_back(t);
     return times;
   }
-  void remember(const History& history) override { coordinate_->remember(history); }
+  void load_history(const History& history) override { coordinate_->load_history(history); }
   void commit(const VecX& x, History& history) const override { coordinate_->commit(x, history); }
 
   void publish(Records& records) const override {

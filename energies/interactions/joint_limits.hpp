@@ -56,8 +56,8 @@ class JointLimitTerm : public FormulaTerm<JointLimit<Coordinate>> {
   }
   const JointCoordinate<Coordinate>& coordinate() const { return *coordinate_; }
 
-  void remember(const History& history) override {
-    coordinate_->remember(history);
+  void load_history(const History& history) override {
+    coordinate_->load_history(history);
     for (auto& d : this->data()) d.near = coordinate_->last();
   }
   void commit(const VecX& x, History& history) const override { coordinate_->commit(x, history); }

@@ -25,8 +25,8 @@ Vec3 SpringTerm::force(const VecX& x) const {
   return sum;
 }
 
-void SpringTerm::remember(const History& history) {
-  const std::vector<double>* broken = remembered(history, history_, 1, count());
+void SpringTerm::load_history(const History& history) {
+  const std::vector<double>* broken = history_values(history, history_, 1, count());
   for (int s = 0; s < count(); ++s) broken_[s] = broken && (*broken)[s] != 0;
 }
 

@@ -27,7 +27,7 @@ class SpringTerm : public Term, public ResidualView {
   // Returns the sum of the forces on the first vertices [N].
   Vec3 force(const VecX& x) const;
 
-  void remember(const History& history) override;
+  void load_history(const History& history) override;
   void commit(const VecX& x, History& history) const override;
   void publish(Records& records) const override;
   double dissipated(const VecX& x) const;  // by those that break [J]

@@ -15,7 +15,7 @@ class PlasticMemory {
  public:
   explicit PlasticMemory(const Body& body);
 
-  void remember(const History& history, int samples);
+  void load_history(const History& history, int samples);
   Mat3 inverse(int i) const {
     return Eigen::Map<const Mat3>(&inverse_[9 * static_cast<size_t>(i)]);
   }                                                              // Fp^-1

@@ -6,12 +6,12 @@ namespace tack {
 
 CompositeVonMises::CompositeVonMises(std::string name, const VonMises& material, const Body& body, const VecX& rest)
     : CompositeTerm(std::move(name), material, body, rest), material_(material), memory_(body) {
-  remember({});
+  load_history({});
 }
 
-void CompositeVonMises::remember(const History& history) {
+void CompositeVonMises::load_history(const History& history) {
   set_step(0);
-  memory_.remember(history, composite_samples * count());
+  memory_.load_history(history, composite_samples * count());
   tets_.turn([&](int i) { return memory_.inverse(i); });
   const size_t all = static_cast<size_t>(composite_samples) * static_cast<size_t>(tets_.packs());
   split_.shape.limits.resize(all);

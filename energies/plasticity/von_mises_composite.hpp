@@ -11,7 +11,7 @@ class CompositeVonMises : public CompositeTerm<VonMises> {
  public:
   CompositeVonMises(std::string name, const VonMises& material, const Body& body, const VecX& rest);
 
-  void remember(const History& history) override;
+  void load_history(const History& history) override;
   void begin_step(const StepStart& start) override { set_step(start.h); }
   void commit(const VecX& x, History& history) const override;
   void publish(Records& records) const override;

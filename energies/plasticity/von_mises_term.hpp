@@ -16,14 +16,14 @@ class VonMisesTerm : public Base {
       : Base(std::forward<Args>(args)...),
         body_(body.elements == Elements::linear ? body.name : ""), memory_(body),
         rest_shapes_(rest_) {
-    remember({});
+    load_history({});
   }
 
   // The yield surface and Fp are lagged: F Fp^-1 = edges (edges_rest^-1 Fp^-1).
-  void remember(const History& history) override {
+  void load_history(const History& history) override {
     const int n = count();
     material_.h = 0;
-    memory_.remember(history, n);
+    memory_.load_history(history, n);
     rest_ = rest_shapes_;
     material_.limits.resize(rest_.size());
     for (size_t p = 0; p < rest_.size(); ++p)

@@ -26,7 +26,7 @@ RodTerm::RodTerm(std::string name, std::string memory, const RodMaterial& materi
     Pair& pair = pairs_.emplace_back();
     settle(pair, of, material, shape, rest);
   }
-  remember({});
+  load_history({});
 }
 
 // Directions, stencil and rest shape of a pair. The committed frames are those of the rest shape.
@@ -74,8 +74,8 @@ BendTwist::Place RodTerm::place(int p, const VecX& x) const {
           sign(pair, 0) * x(3 * u_1) / frames_->radius(), sign(pair, 1) * x(3 * u_2) / frames_->radius(), turns_[p]};
 }
 
-void RodTerm::remember(const History& history) {
-  const std::vector<double>* turns = remembered(history, memory_ + turns_name, 1, pair_count());
+void RodTerm::load_history(const History& history) {
+  const std::vector<double>* turns = history_values(history, memory_ + turns_name, 1, pair_count());
   for_each(pair_count(), [&](int p) {
     const Quaternion first = frame(pairs_[p], 0), second = frame(pairs_[p], 1);
     bends_[p] = {first, second};

@@ -39,7 +39,7 @@ class RodTerm : public Term, public ResidualView, public StrainView {
   RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape,
           std::vector<Edge> edges, std::shared_ptr<const RodFrames> frames, const VecX& rest);
 
-  void remember(const History& history) override;
+  void load_history(const History& history) override;
   void commit(const VecX& x, History& history) const override;
 
   double value(const VecX& x) const override { return value_of(x, nullptr); }

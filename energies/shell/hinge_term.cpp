@@ -27,8 +27,8 @@ HingeTerm::HingeTerm(std::string name, const Body& body, const VecX& rest, doubl
   turns_.assign(hinges, 0.0);
 }
 
-void HingeTerm::remember(const History& history) {
-  if (const auto* values = remembered(history, memory_, 1, static_cast<int>(turns_.size()))) turns_ = *values;
+void HingeTerm::load_history(const History& history) {
+  if (const auto* values = history_values(history, memory_, 1, static_cast<int>(turns_.size()))) turns_ = *values;
   else std::fill(turns_.begin(), turns_.end(), 0.0);
 }
 

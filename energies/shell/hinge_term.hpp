@@ -13,7 +13,7 @@ class HingeTerm : public Term {
   HingeTerm(std::string name, const Body& body, const VecX& rest, double stiffness, double poisson,
             bool rest_angles);
 
-  void remember(const History& history) override;
+  void load_history(const History& history) override;
   void begin_step(const StepStart& start) override;
   void commit(const VecX& x, History& history) const override;
 

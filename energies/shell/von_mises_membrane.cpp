@@ -13,16 +13,16 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
   VonMisesMembraneTerm(std::string name, const VonMisesMembrane& material, const Body& body, const VecX& rest, Fibres fibres)
       : MembraneTerm(std::move(name), material, body, rest, std::move(fibres)),
         memory_(fmt::format("{}/energies/{}/", body.name, body.energy)), rest_shapes_(rest_) {
-    remember({});
+    load_history({});
   }
 
   // Within a step the yield surface and Fp stand still: F Fp^-1 = edges (edges_rest^-1 Fp^-1).
-  void remember(const History& history) override {
+  void load_history(const History& history) override {
     const int n = count();
     material_.h = 0;
-    if (const auto* values = remembered(history, memory_ + inverse_name, 4, n)) inverse_ = *values;
+    if (const auto* values = history_values(history, memory_ + inverse_name, 4, n)) inverse_ = *values;
     else inverse_ = identities(n);
-    if (const auto* values = remembered(history, memory_ + strain_name, 1, n)) strain_ = *values;
+    if (const auto* values = history_values(history, memory_ + strain_name, 1, n)) strain_ = *values;
     else strain_.assign(static_cast<size_t>(n), 0.0);
     rest_ = rest_shapes_;
     material_.yields.resize(rest_.size());

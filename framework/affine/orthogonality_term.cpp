@@ -79,8 +79,8 @@ double OrthogonalityTerm::value(const VecX& x) const {
   });
 }
 
-bool OrthogonalityTerm::share_energy(const VecX& x, const EnergyShare& share) const {
-  for (size_t b = 0; b < bodies_.size(); ++b) share(frames_[b], energy(static_cast<int>(b), x));
+bool OrthogonalityTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
+  for (size_t b = 0; b < bodies_.size(); ++b) visit(frames_[b], energy(static_cast<int>(b), x));
   return true;
 }
 

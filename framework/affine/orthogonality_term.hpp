@@ -30,7 +30,7 @@ class OrthogonalityTerm : public Term, public ResidualView {
   double largest_strain(const VecX& x) const;
 
   double value(const VecX& x) const override;
-  bool share_energy(const VecX& x, const EnergyShare& share) const override;
+  bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override;
   std::vector<StencilBatch> batches() const override;
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;

@@ -86,12 +86,12 @@ void BondTerm::publish(Records& records) const {
     const Changes step = changes(x);
     amounts[0] = step.dissipated;
     amounts[1] = -step.healed;
-  }, [this](const VecX& x, const EnergyShare& share) { share_changes(x, share); }});
+  }, [this](const VecX& x, const EnergyVisitor& visit) { visit_changes(x, visit); }});
   records.add(FieldRecord{"bond_intensity", [this](const VecX& x) { return bond_intensities(*this, x.size() / 3); }});
   records.add(FieldRecord{"bond_traction", [this](const VecX& x) { return bond_tractions(*this, x); }});
 }
 
-void BondTerm::remember(const History& history) {
+void BondTerm::load_history(const History& history) {
   h_ = 0;
   pressures_.clear();
   begun_ = remembered_.read(history);
@@ -289,23 +289,23 @@ BondTerm::Changes BondTerm::changes(const VecX& x) const {
   return sum;
 }
 
-void BondTerm::share_changes(const VecX& x, const EnergyShare& share) const {
+void BondTerm::visit_changes(const VecX& x, const EnergyVisitor& visit) const {
   std::vector<double> memory;
   for (int i = 0; i < list_.size(); ++i) {
     const Bond& bond = list_.bonds()[i];
     const BondChange change = advance(i, x, memory);
-    share(std::span(bond.vertices).first(bond.count()), bond.area * (change.dissipated + change.healed));
+    visit(std::span(bond.vertices).first(bond.count()), bond.area * (change.dissipated + change.healed));
   }
 }
 
-bool BondTerm::share_energy(const VecX& x, const EnergyShare& share) const {
+bool BondTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
   frame_at(x);
   for (int i = 0; i < list_.size(); ++i) {
     const Bond& bond = list_.bonds()[i];
     const Opening o = opening_of(bond, x);
     double energy = 0;
     law_of(i).add_values(1, &o.d, &o.s, list_.memory(i), h_, &energy);
-    share(std::span(bond.vertices).first(bond.count()), bond.area * energy);
+    visit(std::span(bond.vertices).first(bond.count()), bond.area * energy);
   }
   return true;
 }

@@ -22,7 +22,7 @@ class BondTerm : public Term {
   // Both must outlive the term, and begin steps before it.
   BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table);
 
-  void remember(const History& history) override;
+  void load_history(const History& history) override;
   void begin_step(const StepStart& start) override;
   bool lags() const override { return true; }  // frames, and at the start of a step the bonds
   void lag(const VecX& x) override;
@@ -34,7 +34,7 @@ class BondTerm : public Term {
   bool dynamic() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
-  void mark_letting_go(const VecX& from, const VecX& to,
+  void mark_debonding(const VecX& from, const VecX& to,
                        std::vector<char>& vertices) const override;
 
   // Sets the contact pressure at each bond of the list in this step [Pa], for steppers that know
@@ -47,9 +47,9 @@ class BondTerm : public Term {
     double dissipated = 0, healed = 0;
   };
   Changes changes(const VecX& x) const;
-  // Calls `share` for each bond with its dissipation and healing.
-  void share_changes(const VecX& x, const EnergyShare& share) const;
-  bool share_energy(const VecX& x, const EnergyShare& share) const override;
+  // Calls `visit` for each bond with its dissipation and healing.
+  void visit_changes(const VecX& x, const EnergyVisitor& visit) const;
+  bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override;
   void publish(Records& records) const override;
 
   // Returns the force of each bond of the list on its place [N]. The opposite force acts on the

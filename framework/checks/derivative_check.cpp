@@ -104,7 +104,7 @@ void keep_worst(std::vector<DerivativeCheck>& checks, const DerivativeCheck& che
 
 std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseClock& clock) {
   const VecX& start = world.start.x;
-  world.participants.remember(world.start.history);
+  world.participants.load_history(world.start.history);
   world.participants.begin_step({start, world.start.time, h});
   const VecX lengths = local_lengths(world, start);
   VecX all(start.size()), q, unit;

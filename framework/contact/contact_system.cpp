@@ -46,7 +46,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
   radii_ = pair_radii(surface_, pairs_);
   surface_.rest_gaps = std::make_shared<RestGaps>(surface_, pairs_);
   stride_ = std::max(2 * mean_edge, range_);
-  forget();
+  clear_caches();
 }
 
 ContactSystem::~ContactSystem() = default;
@@ -57,10 +57,10 @@ void ContactSystem::enable_self_pairs(const std::vector<int>& vertices) { broad_
 
 const IntegrationSides::Pairs& ContactSystem::turned_sides() const { return narrow_phase_->turned_sides(); }
 
-void ContactSystem::remember(const History& history) {
+void ContactSystem::load_history(const History& history) {
   narrow_phase_->set_shares_before(weights_of(history, surface_.mesh));
   turned_before_.reset();
-  if (const auto* all = remembered(history, former_sides_name, 1, pairs_.objects() * pairs_.objects())) {
+  if (const auto* all = history_values(history, former_sides_name, 1, pairs_.objects() * pairs_.objects())) {
     turned_before_.emplace();
     for (int a = 0; a < pairs_.objects(); ++a)
       for (int b = a + 1; b < pairs_.objects(); ++b)
@@ -128,7 +128,7 @@ void forget_contact_history(History& history) {
   forget_shares(history);
 }
 
-void ContactSystem::forget() {
+void ContactSystem::clear_caches() {
   contacts_ = {};
   LaggedWeights shares = narrow_phase_ ? narrow_phase_->shares_before() : LaggedWeights();
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, colliding_);

@@ -31,14 +31,14 @@ class ContactSystem : public StepParticipant {
   void set_free(std::vector<char> free);
   // Searches pairs within the rigid groups of these global vertices too, and within no other group.
   void enable_self_pairs(const std::vector<int>& vertices);
-  void forget() override;
+  void clear_caches() override;
   // The pairs whose coarser side integrates in the present step, and those whose did in the one
   // before the next (none: it is not known); they are remembered.
   const IntegrationSides::Pairs& turned_sides() const;
   void set_turned_before(std::optional<IntegrationSides::Pairs> turned) {
     turned_before_ = std::move(turned);
   }
-  void remember(const History& history) override;
+  void load_history(const History& history) override;
   void commit(const VecX& x, History& history) const override;
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.
   void begin_step(const StepStart& start) override;

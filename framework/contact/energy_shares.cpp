@@ -1,4 +1,4 @@
-// Energy stored by each contact stencil and dissipated at each contact point (Term::share_energy):
+// Energy stored by each contact stencil and dissipated at each contact point (Term::visit_energies):
 // needed once per step, in scenes with several groups of bodies.
 #include <cmath>
 
@@ -9,7 +9,7 @@
 
 namespace tack {
 
-bool ContactTerm::share_energy(const VecX& x, const EnergyShare& share) const {
+bool ContactTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
     for (size_t i = 0; i < stencils.size(); ++i) {
       const auto& v = stencils[i].vertices;
@@ -19,20 +19,20 @@ bool ContactTerm::share_energy(const VecX& x, const EnergyShare& share) const {
       energy *= stencils[i].weight;
       if constexpr (std::is_same_v<decltype(kind), EdgeEdgeKind>)
         energy *= edge_edge_mollifier(vertex(x, v[0]), vertex(x, v[1]), vertex(x, v[2]), vertex(x, v[3]), thresholds[i]);
-      share(v, energy);
+      visit(v, energy);
     }
   });
   return true;
 }
 
-void FrictionTerm::share_dissipation(const VecX& x, const EnergyShare& share) const {
+void FrictionTerm::visit_dissipation(const VecX& x, const EnergyVisitor& visit) const {
   const auto dissipated_at = [&](const auto& point) {
     const Slip slip(point, x, start_);
     return slip.sample(system_.pairs().tangential(point.law), h_, TangentialPart::all).slope_over_y * slip.y * slip.y;
   };
-  for_each_record(sliding(), [&](const auto& point) { share(point.vertices, dissipated_at(point)); });
+  for_each_record(sliding(), [&](const auto& point) { visit(point.vertices, dissipated_at(point)); });
   for (const RollingGroup& group : rolling_)
-    for (const RollingPoint& point : group.points) share(std::span(point.vertices).first(point.arity()), dissipated_at(point));
+    for (const RollingPoint& point : group.points) visit(std::span(point.vertices).first(point.arity()), dissipated_at(point));
 }
 
 }  // namespace tack

@@ -49,7 +49,7 @@ void FrictionTerm::publish(Records& records) const {
   records.add(FlowRecord{"friction", {{"dissipated_friction"}, {"dissipated_adhesion"}}, [this](const VecX& x, double* amounts) {
     amounts[0] = dissipated(x, TangentialPart::friction);
     amounts[1] = dissipated(x, TangentialPart::adhesion);
-  }, [this](const VecX& x, const EnergyShare& share) { share_dissipation(x, share); }});
+  }, [this](const VecX& x, const EnergyVisitor& visit) { visit_dissipation(x, visit); }});
 }
 
 ContactPoints FrictionTerm::lagged_at(const VecX& x) const {

@@ -29,7 +29,7 @@ class FrictionTerm : public Term, public ResidualView {
   FrictionTerm(const ContactSystem& system, const ContactTerm& normal,
                ContactSpins spins = ContactSpins());
 
-  void forget() override { take({}); }
+  void clear_caches() override { take({}); }
   void begin_step(const StepStart& start) override;
   // Takes magnitudes and tangents at x, where the contact system must be. A step of zero length has
   // no points, as nothing slides in it.
@@ -68,7 +68,7 @@ class FrictionTerm : public Term, public ResidualView {
   // Force times slip since the start of the step: what a part dissipates on the way to x [J].
   double dissipated(const VecX& x, TangentialPart part) const;
   // The same of both parts, by contact points.
-  void share_dissipation(const VecX& x, const EnergyShare& share) const;
+  void visit_dissipation(const VecX& x, const EnergyVisitor& visit) const;
   // The force of a part on every vertex (3n) [N]; with a pair, of its points only.
   VecX forces(const VecX& x, TangentialPart part,
               std::optional<ObjectPair> only = std::nullopt) const;

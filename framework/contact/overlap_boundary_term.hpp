@@ -18,16 +18,16 @@ class OverlapBoundaryTerm : public LinearTerm {
   // Adhesion and the change of its area have one factor in every integrator (term_scales.hpp).
   bool dynamic() const override { return true; }
 
-  void forget() override { set_force({}); }
+  void clear_caches() override { set_force({}); }
   void begin_step(const StepStart& start) override {
     set_force(system_.overlap_boundary_forces().all());
     set_reference(start.x);
   }
 
-  bool share_energy(const VecX& x, const EnergyShare& share) const override {
+  bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override {
     for (int v = 0; v < force().size() / 3; ++v)
       if (const Vec3 f = vertex(force(), v); !f.isZero(0))
-        share({&v, 1}, -f.dot(vertex(x, v) - vertex(reference(), v)));
+        visit({&v, 1}, -f.dot(vertex(x, v) - vertex(reference(), v)));
     return true;
   }
 

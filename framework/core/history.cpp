@@ -4,7 +4,7 @@
 
 namespace tack {
 
-const std::vector<double>* remembered(const History& history, const std::string& name, int width, int entries) {
+const std::vector<double>* history_values(const History& history, const std::string& name, int width, int entries) {
   const auto found = history.find(name);
   if (found == history.end()) return nullptr;
   const HistoryArray& array = found->second;

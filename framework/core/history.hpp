@@ -27,7 +27,7 @@ using History = std::map<std::string, HistoryArray>;
 
 /// Returns the values of the array `name`; null if there is none (at the start of a run). Throws
 /// std::logic_error if its width or number of entries differs: two owners then use one name.
-const std::vector<double>* remembered(const History& history, const std::string& name, int width,
-                                      int entries);
+const std::vector<double>* history_values(const History& history, const std::string& name,
+                                          int width, int entries);
 
 }  // namespace tack

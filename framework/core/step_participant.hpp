@@ -1,13 +1,13 @@
 // Participants of a time step: the terms of the potential, and objects that several terms share
 // (contact). Calls of each step that is tried, in this order:
-//   remember    sets the history: before the first step, after a step was accepted or rolled back
-//   begin_step  starts a step at x
-//   lag         updates the lagged quantities at x, the current configuration: at the start of the
-//               step, and before each further lagging iteration
-//   move_to     makes x the current configuration, before any evaluation there: many times
-//   commit      ends an accepted step at x: writes the history variables
-// The history does not change between two calls of remember(). After a rejected step, begin_step()
-// follows again, from the same x or an earlier one.
+//   load_history  sets the history: before the first step, after a step was accepted or rolled back
+//   begin_step    starts a step at x
+//   lag           updates the lagged quantities at x, the current configuration: at the start of
+//                 the step, and before each further lagging iteration
+//   move_to       makes x the current configuration, before any evaluation there: many times
+//   commit        ends an accepted step at x: stores the history variables
+// The history does not change between two calls of load_history(). After a rejected step,
+// begin_step() follows again, from the same x or an earlier one.
 #pragma once
 
 #include <vector>
@@ -37,7 +37,7 @@ class StepParticipant {
  public:
   virtual ~StepParticipant() = default;
 
-  virtual void remember(const History& /*history*/) {}
+  virtual void load_history(const History& /*history*/) {}
   virtual void begin_step(const StepStart& /*start*/) {}
   virtual bool lags() const { return false; }  // true if lag() does anything
   virtual void lag(const VecX& /*x*/) {}
@@ -46,7 +46,7 @@ class StepParticipant {
   /// Returns the times of discontinuities [s]; steps of adaptive size end there.
   virtual std::vector<double> abrupt_times() const { return {}; }
   /// Clears all caches: later steps give the bits of a participant that was just built.
-  virtual void forget() {}
+  virtual void clear_caches() {}
 };
 
 /// The participants of a world, in the order of their calls: one that others depend on comes first.
@@ -54,8 +54,8 @@ class StepParticipants : public StepParticipant {
  public:
   void add(StepParticipant* participant) { all_.push_back(participant); }
 
-  void remember(const History& history) override {
-    for (StepParticipant* p : all_) p->remember(history);
+  void load_history(const History& history) override {
+    for (StepParticipant* p : all_) p->load_history(history);
   }
   // Calls lag(start.x) afterwards if any participant lags.
   void begin_step(const StepStart& start) override {
@@ -84,8 +84,8 @@ class StepParticipants : public StepParticipant {
       for (const double t : p->abrupt_times()) times.push_back(t);
     return times;
   }
-  void forget() override {
-    for (StepParticipant* p : all_) p->forget();
+  void clear_caches() override {
+    for (StepParticipant* p : all_) p->clear_caches();
   }
 
  private:

@@ -21,8 +21,8 @@ namespace tack {
 class Records;
 class ResidualView;
 
-/// Receives the vertices of a stencil and an energy of that stencil [J].
-using EnergyShare = std::function<void(std::span<const int> vertices, double joules)>;
+/// Function that receives the vertices of a stencil and an energy of that stencil [J].
+using EnergyVisitor = std::function<void(std::span<const int> vertices, double joules)>;
 
 inline constexpr int largest_arity = 10;     // vertices of a stencil
 inline constexpr int largest_rank_one = 24;  // vertices of a stencil with a Hessian of rank one
@@ -83,10 +83,10 @@ class Term : public StepParticipant {
   /// Returns the term as least squares (residual_view.hpp); null if it has no such form.
   virtual const ResidualView* residual_view() const { return nullptr; }
 
-  /// Marks the vertices (n) of every stencil that lets go between `from` and `to` (3n): its pull
+  /// Marks the vertices (n) of every stencil that debonds between `from` and `to` (3n): its pull
   /// grows with its opening at `from` and has passed its peak at `to`. The starting iterate of a
   /// step does not go that far (predicted_motion.hpp). All participants of the step are at `from`.
-  virtual void mark_letting_go(const VecX& /*from*/, const VecX& /*to*/,
+  virtual void mark_debonding(const VecX& /*from*/, const VecX& /*to*/,
                                std::vector<char>& /*vertices*/) const {}
 
   /// Returns true if the value is a stored energy, false if it represents dissipation of a step.
@@ -94,7 +94,9 @@ class Term : public StepParticipant {
   /// Calls share(vertices, energy) for each stencil at x and returns true; the energies add up to
   /// the value. Returns false if the term does not offer it: the energy balance of groups of bodies
   /// (stepping/group_balance.hpp) then counts all stencils of the term as connected.
-  virtual bool share_energy(const VecX& /*x*/, const EnergyShare& /*share*/) const { return false; }
+  virtual bool visit_energies(const VecX& /*x*/, const EnergyVisitor& /*visit*/) const {
+    return false;
+  }
 
   /// Adds the records of the term (records.hpp) once, when the world is built. The default adds the
   /// value as an energy under the name of the term.

@@ -15,8 +15,8 @@ VolumeSample ChamberTerm::sample(double volume, double part) const { return fill
 
 double ChamberTerm::amount() const { return filling_.is_gas() ? amount_ : VolumeTerm::amount(); }
 
-void ChamberTerm::remember(const History& history) {
-  const std::vector<double>* kept = remembered(history, label() + "/chamber", 2, 1);
+void ChamberTerm::load_history(const History& history) {
+  const std::vector<double>* kept = history_values(history, label() + "/chamber", 2, 1);
   remembers_ = kept;
   amount_ = kept ? (*kept)[0] : 1;
   kept_ = kept ? (*kept)[1] : 0;

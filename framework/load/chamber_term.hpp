@@ -23,7 +23,7 @@ class ChamberTerm : public VolumeTerm {
   // It is stiff: what holds its force at a point would go nowhere.
   const ResidualView* residual_view() const override { return nullptr; }
   void publish(Records& records) const override;
-  void remember(const History& history) override;
+  void load_history(const History& history) override;
   void commit(const VecX& x, History& history) const override;
 
   std::vector<double> abrupt_times() const override { return filling_.corners(); }

@@ -34,7 +34,7 @@ std::vector<NewElements> Remesher::exchange(const World& world, State& state, co
     const double lowest = lowest_mean_ratio(body.tets, state.x);
     if (lowest >= config.quality) continue;
     const std::string left = body.name + "/remesh";
-    if (const auto* before = remembered(state.history, left, 1, 1); before && lowest >= worse * before->front()) continue;
+    if (const auto* before = history_values(state.history, left, 1, 1); before && lowest >= worse * before->front()) continue;
     const auto& records = world.records.exchangeable();
     const auto old = std::find_if(records.begin(), records.end(), [&](const ExchangeableTets& r) { return r.body == body.name; });
     NewElements now = new_elements(i, body, *old, world.rest, state.x, config.goal);

@@ -47,8 +47,8 @@ double RodFrames::angle_to(int e, const VecX& x, const Vec3& vector) const {
   return std::atan2(l.z(), l.y());
 }
 
-void RodFrames::remember(const History& history) {
-  const std::vector<double>* frames = remembered(history, history_, 4, count());
+void RodFrames::load_history(const History& history) {
+  const std::vector<double>* frames = history_values(history, history_, 4, count());
   for (int e = 0; e < count(); ++e)
     committed_[e] = frames ? Quaternion(Eigen::Map<const Eigen::Vector4d>(frames->data() + 4 * static_cast<size_t>(e))) : at_rest_[e];
 }

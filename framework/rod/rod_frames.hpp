@@ -51,7 +51,7 @@ class RodFrames : public StepParticipant {
   const VecX& start() const { return start_; }
   double start_time() const { return start_time_; }  // s
 
-  void remember(const History& history) override;
+  void load_history(const History& history) override;
   void begin_step(const StepStart& start) override;
   void commit(const VecX& x, History& history) const override;
 

@@ -13,7 +13,7 @@ EquilibriumCheck check_equilibrium(const Experiment& experiment, World& world, P
   const double h = experiment.time.step;
   const auto prediction = experiment.time.integrator->predict(start, h);
   if (prediction.inertia || world.dofs.size() == 0) return {};
-  world.participants.remember(start.history);
+  world.participants.load_history(start.history);
   world.participants.begin_step({start.x, start.time, h});
   StepPotential potential(world, clock);
   potential.begin_step(start.x, prediction.x, prediction.scales(), false);

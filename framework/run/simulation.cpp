@@ -21,7 +21,7 @@ Simulation::Simulation(LoadedExperiment loaded, WarningFunction warn)
 void Simulation::start_from(State state) {
   world().start = std::move(state);
   looked_ = true;
-  world().participants.forget();
+  world().participants.clear_caches();
   stepper_.reset();
   solver_ = make_solver_ ? make_solver_() : instance_of(*experiment().solver);
   stepper_.emplace(world(), experiment(), experiment().time, *solver_, clock(), warn_);

@@ -68,7 +68,7 @@ void Neighbour::begin() {
   const Experiment& e = built_->experiment();
   World& world = built_->world();
   stepper_.reset();
-  world.participants.forget();
+  world.participants.clear_caches();
   stepper_.emplace(world, e, e.time, *solver_, built_->clock(), [](const Warning&) {});
   stepper_->keep_account(accounts_);
   rate_ = 1;

@@ -57,7 +57,7 @@ void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
   if (!world.contact) return;
   world.contact->cover(world.start.x, VecX());
   const auto found = find_overclosures(*world.contact, world.start.x);
-  world.contact->forget();
+  world.contact->clear_caches();
   if (found.empty()) return;
   std::string list;
   int later = 0;

@@ -181,7 +181,7 @@ bool DirichletContinuation::arrive(const VecX& places, VecX& x) const {
   dofs_.follow(last);
   if (steps_.largest_tried(x, last) < 1) return false;
   world_.participants.move_to(x);
-  if (anything_lets_go(world_, x, x + last)) return false;
+  if (anything_debonds(world_, x, x + last)) return false;
   for (const int v : moving_) vertex(x, v) = vertex(places, v);
   dofs_.follow(x);
   return true;

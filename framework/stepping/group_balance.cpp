@@ -24,11 +24,11 @@ class VertexSets {
     for (const EnergyRecord& record : world.records.energies()) {
       if (record.kind == EnergyKind::of_step || record.kind == EnergyKind::weight) continue;
       if (!record.term || world.records.replaced(*record.term)) join_all();
-      else if (!record.term->share_energy(x, [](std::span<const int>, double) {})) join_stencils(*record.term);
+      else if (!record.term->visit_energies(x, [](std::span<const int>, double) {})) join_stencils(*record.term);
     }
     for (const FlowRecord& record : world.records.flows()) {
       const auto& columns = record.columns;
-      if (record.shares || std::all_of(columns.begin(), columns.end(), [](const FlowColumn& c) { return c.kind == FlowKind::within; })) continue;
+      if (record.visit_energies || std::all_of(columns.begin(), columns.end(), [](const FlowColumn& c) { return c.kind == FlowKind::within; })) continue;
       if (record.term) join_stencils(*record.term);
       else join_all();
     }
@@ -135,7 +135,7 @@ void GroupBalance::add_stored(const VecX& x, std::vector<GroupAccount>& accounts
     if (std::find(done.begin(), done.end(), record.term) != done.end()) continue;
     done.push_back(record.term);
     double GroupAccount::*const kind = record.kind == EnergyKind::contact ? &GroupAccount::contact : &GroupAccount::elastic;
-    const bool shared = record.term->share_energy(x, [&](std::span<const int> vertices, double joules) {
+    const bool shared = record.term->visit_energies(x, [&](std::span<const int> vertices, double joules) {
       if (const int g = group_of(vertices); g >= 0) accounts[g].*kind += joules;
     });
     if (shared) continue;
@@ -184,8 +184,8 @@ void GroupBalance::end(const VecX& x) {
   if (names_.empty()) return;
   for (Step& step : step_) step.dissipated = 0;
   for (const FlowRecord& record : world_.records.flows()) {
-    if (record.shares) {
-      record.shares(x, [&](std::span<const int> vertices, double joules) {
+    if (record.visit_energies) {
+      record.visit_energies(x, [&](std::span<const int> vertices, double joules) {
         if (const int g = group_of(vertices); g >= 0) step_[g].dissipated += joules;
       });
     } else if (record.term) {

@@ -3,7 +3,7 @@
 // are the meeting groups of the world, joined where
 //   - a body that a motion moves may touch, or is attached to, several of them: its work is theirs,
 //   - a term has stencils of several of them, and does not tell their energies apart
-//     (Term::share_energy, FlowRecord::shares).
+//     (Term::visit_energies, FlowRecord::visit_energies).
 // Losses by contact areas and by the integrator are one sum here. A group whose contact has ended
 // in another group has no account of its own from then on.
 #pragma once

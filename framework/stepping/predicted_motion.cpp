@@ -11,9 +11,9 @@ namespace tack {
 namespace {
 
 // The vertices (n) of what lets go; empty: nothing does.
-std::vector<char> letting_go(const World& world, const VecX& from, const VecX& to) {
+std::vector<char> debonding(const World& world, const VecX& from, const VecX& to) {
   std::vector<char> marked(world.dofs.vertex_count(), 0);
-  for (const Term* term : world.terms) term->mark_letting_go(from, to, marked);
+  for (const Term* term : world.terms) term->mark_debonding(from, to, marked);
   if (std::find(marked.begin(), marked.end(), 1) == marked.end()) marked.clear();
   return marked;
 }
@@ -43,7 +43,7 @@ struct Prediction {
   std::vector<char> marks(const VecX& p) const {
     VecX way = scripted;
     world.dofs.scatter(p, way);
-    return letting_go(world, x, x + way);
+    return debonding(world, x, x + way);
   }
 };
 
@@ -90,7 +90,7 @@ std::optional<VecX> by_vertices(const Prediction& prediction, std::vector<char> 
 
 }  // namespace
 
-bool anything_lets_go(const World& world, const VecX& from, const VecX& to) { return !letting_go(world, from, to).empty(); }
+bool anything_debonds(const World& world, const VecX& from, const VecX& to) { return !debonding(world, from, to).empty(); }
 
 PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& scripted, const VecX& full, const VecX& drift) {
   const Prediction prediction{world, x, scripted, full, drift};

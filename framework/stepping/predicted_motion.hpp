@@ -28,6 +28,6 @@ PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& 
 
 // Returns whether a bond or an adhesion lets go between two configurations (3n). All participants
 // of the step are at `from`.
-bool anything_lets_go(const World& world, const VecX& from, const VecX& to);
+bool anything_debonds(const World& world, const VecX& from, const VecX& to);
 
 }  // namespace tack

@@ -61,7 +61,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   stepper_->prepare({world, scene, time, solver, clock});
   const bool without_history = state_.a.size() == 0;
   if (without_history) begin_without_history();
-  world_.participants.remember(state_.history);
+  world_.participants.load_history(state_.history);
   if (world.friction && scene.contact->lagging.iterations == 1 && !world.records.replaced(*world.friction))
     impulses_.emplace(*world.friction, masses_of_bodies(world), solver.velocity_tolerance());
   fix_vertices(state_.h_next);
@@ -201,7 +201,7 @@ void TimeStepper::commit(const VecX& x, double h) {
   state_.contact_before = std::exchange(state_.contact, std::move(contact));
   world_.participants.commit(x, state_.history);
   stepper_->commit(state_.history);
-  world_.participants.remember(state_.history);
+  world_.participants.load_history(state_.history);
   state_.h_before = h;
   state_.contact_time_before = impulses_ ? impulses_->acting() : 0;
   if (state_.contact_time_before > 0) state_.history[owed_friction_name] = impulses_->remembered();
@@ -217,7 +217,7 @@ void TimeStepper::commit_solution(const VecX& x, double h) {
 
 void TimeStepper::set_state(State state) {
   state_ = std::move(state);
-  world_.participants.remember(state_.history);
+  world_.participants.load_history(state_.history);
 }
 
 bool TimeStepper::finished() const {
@@ -250,7 +250,7 @@ bool TimeStepper::accept(const SolveResult& result, double h, StepReport& r) {
   const bool finer = h > smallest_refined() * (1 + 1e-9) && (free || resolves_impact(h));
   if (undo && (r.flows.gained || (finer && balance_.lost()))) {
     state_ = *std::move(undo);
-    world_.participants.remember(state_.history);
+    world_.participants.load_history(state_.history);
     if (finer) request_refinement(h, free);
     else integrator_ = integrator_->fallback();
     return false;

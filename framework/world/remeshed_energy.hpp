@@ -14,8 +14,8 @@ class RemeshedEnergy : public StepParticipant {
   // History array: energy lost since the last step [J].
   static constexpr const char* name = "remeshing/lost";
 
-  void remember(const History& history) override {
-    const auto* lost = remembered(history, name, 1, 1);
+  void load_history(const History& history) override {
+    const auto* lost = history_values(history, name, 1, 1);
     lost_ = lost ? lost->front() : 0;
   }
   void commit(const VecX&, History& history) const override { history.erase(name); }

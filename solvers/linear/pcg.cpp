@@ -37,7 +37,7 @@ class Pcg : public LinearSolver {
     const PhaseScope scope(clock, Phase::factorize);
     clock.count_factorization();
     matrix_ = &matrix;
-    swept_.forget();
+    swept_.clear();
     if (!preconditioner_->update(matrix, clock.deadline())) return false;
     if (matrix.columns() != columns_) easy_ = 0;
     columns_ = matrix.columns();

@@ -32,7 +32,7 @@ class SweptGradients {
     residual_ = b;
     return iterate(sweeps, x, goal, clock, add);
   }
-  void forget() { last_ = 0; }  // the matrix has changed
+  void clear() { last_ = 0; }  // the matrix has changed
   // Returns true if b is the residual of the last solve, up to rounding.
   bool left(const VecX& b) const {
     return last_ > 0 && b.size() == residual_.size() &&

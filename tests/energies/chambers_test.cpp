@@ -48,7 +48,7 @@ TEST_CASE("chambers: two sheets enclose one volume, and what is in it presses on
     World& world = *run.world;
     CHECK(run.sample(0).front() == Approx(area * gap).epsilon(1e-12));
     CHECK(run.sample(1).front() == Approx(pressure - outside).epsilon(1e-12));
-    world.participants.remember({});
+    world.participants.load_history({});
     VecX x = world.start.x;
     world.participants.begin_step({x, 0, 0});
     const double first = (pressure - outside) * area;

@@ -136,8 +136,8 @@ TEST_CASE("composite tets: plastic flow is homogeneous where the deformation is"
     const double before = term->value(x);
     term->commit(x, of_term);
     plain->commit(y, of_plain);
-    term->remember(of_term);
-    plain->remember(of_plain);
+    term->load_history(of_term);
+    plain->load_history(of_plain);
     CHECK(before - term->value(x) == Approx(work).epsilon(1e-9));
     const VecX strain = Published(*term).field("plastic_strain");
     REQUIRE(strain.size() == static_cast<Eigen::Index>(composite.body.tets.size()));

@@ -84,7 +84,7 @@ TEST_CASE("following loads: gradient and Hessian are those of the value, and pro
     RandomMotions random(3);
     VecX x = world.start.x;
     const EndVelocity velocity{200, x - 0.004 * world.start.v};
-    world.participants.remember({});
+    world.participants.load_history({});
     world.participants.begin_step({x, 0.2, 0.01, &velocity, &world.start.v});
     x += 4e-3 * random.vectors(x.size());
     const VecX gradient = dense_gradient(term, x);

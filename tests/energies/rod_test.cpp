@@ -105,8 +105,8 @@ TEST_CASE("rods: rigid motions cost nothing, whether frames are committed on the
     t.rod.commit(x, t.term);
     CHECK(t.term.value(x) < 1e-24 * (1 + i));
   }
-  t.rod.frames->remember({});
-  t.term.remember({});
+  t.rod.frames->load_history({});
+  t.term.load_history({});
   for (int i = 0; i < 12; ++i) {
     y = t.rod.moved(y, Eigen::AngleAxisd(1.1, t.random.vector().normalized()).toRotationMatrix(), t.random.vector());
     CHECK(t.term.value(y) == Approx(energy).epsilon(1e-11));

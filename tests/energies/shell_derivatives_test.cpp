@@ -188,18 +188,18 @@ TEST_CASE("shells: a sheet that is folded flat, and beyond, has finite forces", 
   VecX x = two.rest;
   for (const double angle : {1.5, 3.0, 3.5, 5.0}) {
     before = history;
-    term->remember(history);
+    term->load_history(history);
     term->begin_step({x, 0, 1, nullptr});
     x = bent(angle);
     CHECK(term->value(x) == Approx(angle * angle * unit).epsilon(1e-9));
     term->commit(x, history);
   }
   CHECK(before.size() == 1);
-  term->remember({});
+  term->load_history({});
   term->begin_step({bent(0.1), 0, 1, nullptr});
   CHECK(term->value(bent(1)) == Approx(unit));
   CHECK(history.size() == 1);
-  term->remember(history);
+  term->load_history(history);
   term->begin_step({x, 0, 1, nullptr});
   term->commit(bent(3), history);
   CHECK(history.empty());

@@ -50,7 +50,7 @@ class Point {
 
   void step_to(const Mat2& f) {
     term_->commit(at(f), history_);
-    term_->remember(history_);
+    term_->load_history(history_);
   }
 
   // A strip with free sides at the logarithmic strain e, by bisection on the strain across.
@@ -155,7 +155,7 @@ TEST_CASE("von Mises membrane: stresses stay on the yield surface, and when a st
     CHECK(flows >= 8);
     // As a sheet of the same memory has it.
     Point other(hardening);
-    const_cast<Term&>(other.term()).remember(point.history());
+    const_cast<Term&>(other.term()).load_history(point.history());
     const Mat2 f = random_deformation(random, 0.2);
     CHECK(other.value(f) == point.value(f));
   }

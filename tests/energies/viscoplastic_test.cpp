@@ -65,7 +65,7 @@ class Specimen {
   void begin(double h) { term_->begin_step({rest_, 0, h}); }
   void keep(const VecX& x) {
     term_->commit(x, history_);
-    term_->remember(history_);
+    term_->load_history(history_);
   }
   // A step to a strain; returns the stress at its end.
   double step(double along, double h) {

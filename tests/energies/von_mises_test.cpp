@@ -45,7 +45,7 @@ class Point {
 
   void step_to(const Mat3& f) {
     term_->commit(at(f), history_);
-    term_->remember(history_);
+    term_->load_history(history_);
   }
 
   // A bar with free sides at the logarithmic strain e, by bisection on the strain across.
@@ -280,8 +280,8 @@ TEST_CASE("von Mises: two energies of an object remember apart", "[von_mises]") 
   first->commit(box.deformed(Vec3(1.1, 1, 1).asDiagonal()), history);
   second->commit(box.rest, history);
   CHECK(history.size() == 4);
-  first->remember(history);
-  second->remember(history);
+  first->load_history(history);
+  second->load_history(history);
   CHECK(Published(*first).field("plastic_strain")(0) > 0);
   CHECK(Published(*second).field("plastic_strain")(0) == 0);
 }

@@ -31,8 +31,8 @@ struct RodBody {
   void commit(const VecX& x, StepParticipant& term) {
     frames->commit(x, history);
     term.commit(x, history);
-    frames->remember(history);
-    term.remember(history);
+    frames->load_history(history);
+    term.load_history(history);
   }
   // Where a rigid motion by less than half a turn takes x, with frames that turn along.
   VecX moved(const VecX& x, const Mat3& r, const Vec3& d) const {

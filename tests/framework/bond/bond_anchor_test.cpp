@@ -33,14 +33,14 @@ Slid slide(const std::string& law, const Vec3& way) {
   TestScene scene(plates(law));
   World& world = *scene.world;
   VecX x = world.rest;
-  world.participants.remember(world.start.history);
+  world.participants.load_history(world.start.history);
   world.participants.begin_step({x, 0, 1e-3});
   const Body& upper = world.bodies[1];
   for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v) vertex(x, v) += way;
   const double dissipated = world.bonds->changes(x).dissipated;
   History history;
   world.participants.commit(x, history);
-  world.participants.remember(history);
+  world.participants.load_history(history);
   return {world.bonds->list().size(), world.bonds->value(x), dissipated};
 }
 

@@ -39,7 +39,7 @@ struct Bonded {
   Bonded(const std::string& objects, const std::string& law)
       : scene("objects:\n" + objects + "contact:\n  distance: 1e-3\n  barrier: {type: clamped_log, stiffness: 3e3}\n  pairs: [{between: [a, b], adhesion: " + law + "}]\n"),
         x(scene.world->rest) {
-    scene.world->participants.remember(scene.world->start.history);
+    scene.world->participants.load_history(scene.world->start.history);
     scene.world->participants.begin_step({x, 0, 1e-3});
   }
   BondTerm& term() { return *scene.world->bonds; }

@@ -36,7 +36,7 @@ std::string plates(const std::string& pair = "between: [lower, upper], " + rcc) 
 // A step of 1 ms has begun at rest.
 struct Bonded {
   explicit Bonded(const std::string& yaml, double h = 1e-3) : scene(yaml), x(scene.world->rest) {
-    scene.world->participants.remember(scene.world->start.history);
+    scene.world->participants.load_history(scene.world->start.history);
     scene.world->participants.begin_step({x, 0, h});
   }
   BondTerm& term() { return *scene.world->bonds; }
@@ -176,8 +176,8 @@ TEST_CASE("bonds are history: what is remembered is the same bonds with the same
   History history;
   first.scene.world->participants.commit(x, history);
   CHECK(first.term().changes(x).dissipated > 0);
-  first.scene.world->participants.remember(history);
-  second.scene.world->participants.remember(history);
+  first.scene.world->participants.load_history(history);
+  second.scene.world->participants.load_history(history);
   CHECK(second.term().list().size() > 0);
   CHECK(second.term().value(x) == first.term().value(x));  // h = 0: what is stored
   for (auto* bonded : {&first, &second}) bonded->scene.world->participants.begin_step({x, 1e-3, 1e-3});
@@ -195,7 +195,7 @@ TEST_CASE("bonds on contact: made where surfaces meet, once, and anew where they
   History history;
   const auto step_to = [&](const VecX& x) {
     world.participants.commit(x, history);
-    world.participants.remember(history);
+    world.participants.load_history(history);
     world.participants.begin_step({x, 0, 1e-3});
   };
   const VecX close = bonded.moved("upper", {0, -4e-4, 0});

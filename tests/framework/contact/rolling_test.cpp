@@ -73,7 +73,7 @@ TEST_CASE("rolling friction: derivatives are those of the value, and projections
     TestScene s(yaml);
     World& world = *s.world;
     VecX x = world.start.x;
-    world.participants.remember({});
+    world.participants.load_history({});
     world.participants.begin_step({x, 0, 5e-3});
     const FrictionTerm& term = *world.friction;
     int turning = 0;

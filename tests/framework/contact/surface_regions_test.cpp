@@ -168,7 +168,7 @@ TEST_CASE("parts: bonds are made where they are named, by the law that holds the
       History history;
       run.world->participants.commit(run.state().x, history);
       TestRun again(yaml);
-      again.world->participants.remember(history);
+      again.world->participants.load_history(history);
       REQUIRE(again.world->bonds->list().size() == bonds.list().size());
       for (int i = 0; i < bonds.list().size(); ++i) CHECK(again.world->bonds->list().bonds()[i].rule == bonds.list().bonds()[i].rule);
     }

@@ -33,8 +33,8 @@ class TetherTerm : public Term {
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) vertices_.push_back(v);
   }
 
-  void remember(const History& history) override {
-    const std::vector<double>* left = remembered(history, memory_, 1, 1);
+  void load_history(const History& history) override {
+    const std::vector<double>* left = history_values(history, memory_, 1, 1);
     left_ = left ? left->front() : 1;
   }
   void commit(const VecX&, History& history) const override { history[memory_] = {1, {left_ * (1 - fading + winding)}, {}}; }

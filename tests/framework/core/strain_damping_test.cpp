@@ -72,7 +72,7 @@ void for_each_energy(const Check& check) {
         continue;  // not for such a body
       }
       if (!term || term->dynamic()) continue;
-      term->remember({});
+      term->load_history({});
       term->begin_step({*shape.rest, 0, h});
       // Terms that depend on the orientation in space are left out: they are damped in their rotation as well.
       const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();

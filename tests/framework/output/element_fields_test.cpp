@@ -56,7 +56,7 @@ TEST_CASE("von Mises stress and plastic strain of every element, where there are
   History history;
   for (const auto& term : s.world->elastic_terms) {
     term->commit(x, history);
-    term->remember(history);
+    term->load_history(history);
   }
   const VecX after = element_fields({"plastic_strain"}, *s.world, x, geometry)[0].values;
   for (int c = plastic; c < all; ++c) CHECK(after(c) == Approx(0.2 / std::sqrt(3) - 1e3 / (3 * 1e5 / 2.5)).epsilon(1e-9));
@@ -82,7 +82,7 @@ TEST_CASE("stress and plastic strain of sheets, and of the selected elements of 
   History history;
   for (const auto& term : s.world->elastic_terms) {
     term->commit(x, history);
-    term->remember(history);
+    term->load_history(history);
   }
   const auto fields = element_fields({"von_mises_stress", "plastic_strain"}, *s.world, x, geometry);
   const VecX &stress = fields[0].values, &strain = fields[1].values;

@@ -50,8 +50,8 @@ struct Pushed : FormulaOf<3, 1> {
 class JackTerm : public FormulaTerm<Pushed> {
  public:
   JackTerm(std::string memory) : FormulaTerm("jacks"), memory_(std::move(memory)) {}
-  void remember(const History& history) override {
-    const std::vector<double>* steps = remembered(history, memory_, 1, 1);
+  void load_history(const History& history) override {
+    const std::vector<double>* steps = history_values(history, memory_, 1, 1);
     steps_ = steps ? steps->front() : 0;
   }
   void commit(const VecX&, History& history) const override { history[memory_] = {1, {steps_ + 1}, {}}; }

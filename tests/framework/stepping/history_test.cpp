@@ -39,11 +39,11 @@ class RememberingTerm : public Term {
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < i; ++j) edges_.push_back({t[i], t[j]});
     for (const Edge& e : edges_) spans_.push_back(vertex(rest, e[1]) - vertex(rest, e[0]));
-    remember({});
+    load_history({});
   }
 
-  void remember(const History& history) override {
-    const std::vector<double>* known = remembered(history, name_, 2, count());
+  void load_history(const History& history) override {
+    const std::vector<double>* known = history_values(history, name_, 2, count());
     use_ = known ? *known : std::vector<double>(2 * edges_.size(), 0.0);
   }
   void commit(const VecX& x, History& history) const override {
@@ -200,7 +200,7 @@ TEST_CASE("a step that is kept is remembered once, and changes what follows", "[
   // The same positions store more than for a body that remembers nothing.
   const State& end = run.state();
   const double used = run.world->elastic_terms[0]->value(end.x);
-  run.world->participants.remember({});
+  run.world->participants.load_history({});
   CHECK(used > 1.05 * run.world->elastic_terms[0]->value(end.x));
 }
 

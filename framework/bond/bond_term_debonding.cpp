@@ -43,7 +43,7 @@ double length_of(const Opening& o) { return std::hypot(std::max(o.d, 0.0), std::
 
 }  // namespace
 
-void BondTerm::mark_letting_go(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
+void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
   frame_at(from);
   constexpr int blocks_at_once = 8;
   for_each(static_cast<int>(blocks_.size()), [&](int k) {

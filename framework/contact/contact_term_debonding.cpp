@@ -24,7 +24,7 @@ bool passes_peak(const PairLaw& law, double range, double distance, double end) 
 
 }  // namespace
 
-void ContactTerm::mark_letting_go(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
+void ContactTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
   std::vector<double> range;  // of the adhesion of each law; 0: none [m]
   bool any = false;
   for (const PairLaw& law : laws(LawTerm::adhesion)) {
