@@ -108,7 +108,7 @@ CompareCase experiment_case(const std::string& path, const std::vector<std::stri
   c.path = path;
   c.overrides = overrides;
   const LoadedExperiment loaded = c.load();
-  if (remeshes(loaded.experiment))
+  if (any_remeshed(loaded.experiment))
     throw InputError(fmt::format("{}: objects that are meshed anew (remesh) have other vertices in each run, and results at vertices cannot be compared; take "
                                  "`remesh` away (--set objects.NAME.remesh=null)", path));
   c.name = loaded.experiment.name;

@@ -23,7 +23,7 @@ void check_damping(const Experiment& e, const Value& root, const World& world) {
 
 BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(loaded)) {
   const Experiment& e = loaded_.experiment;
-  if (remeshes(e) && !e.output.gradients.empty())
+  if (any_remeshed(e) && !e.output.gradients.empty())
     with_source_location(loaded_.root.find("output"), [] {
       throw InputError("output.gradients follow one mesh through the run, and objects may be meshed anew (remesh); take one of the two away");
     });

@@ -9,23 +9,23 @@
 
 namespace tack {
 
-// Where a vertex was in the mesh before: between its vertices, numbered in the object.
-struct Within {
-  Tet vertices;
-  std::array<double, 4> weights;  // that add up to one
+// A point in a tet of the old mesh.
+struct TetPoint {
+  Tet vertices;                   // indices in the object
+  std::array<double, 4> weights;  // barycentric coordinates; their sum is one
 };
 
 struct NewElements {
   int body = -1;
   FlowedMesh mesh;
-  std::vector<Vec3> places;    // of its vertices now [m]
-  std::vector<int> from;       // of each vertex: its number before; -1: it is new, or has moved
-  std::vector<Within> within;  // of each that is: where
-  std::vector<double> flow;    // of each tet: the accumulated plastic strain
+  std::vector<Vec3> positions;   // current positions of its vertices [m]
+  std::vector<int> from;         // per vertex: old index; -1: new or moved
+  std::vector<TetPoint> within;  // per new or moved vertex: its point in the old mesh
+  std::vector<double> flow;      // per tet: accumulated plastic strain
   double before = 0, after = 0;  // lowest mean ratios
 };
 
-// At x (3n), where the step ended that was kept last. goal: the mean ratio that is good enough.
+// Returns new elements at the accepted positions x (3n) [m]. goal: target mean ratio.
 NewElements new_elements(int index, const Body& body, const ExchangeableTets& old, const VecX& rest,
                          const VecX& x, double goal);
 

@@ -12,8 +12,8 @@ class Remesher {
  public:
   explicit Remesher(const SceneConfig& scene);
 
-  // Returns better tets, where there are any, for objects whose worst tet is below their limit, at
-  // the end of a step. The result is stored in the history of the state: the next attempt is made
+  // Returns better tets, if there are any, for objects whose worst tet is below their limit at the
+  // end of a step. The result is stored in the history of the state: the next attempt is made
   // when the worst tet is worse by a fifth than after this one. Calls `warn` for objects without
   // improvement.
   std::vector<NewElements> exchange(const World& world, State& state,
@@ -21,7 +21,7 @@ class Remesher {
 
  private:
   const SceneConfig& scene_;
-  std::vector<int> objects_;  // that ask for it
+  std::vector<int> objects_;  // objects with `remesh`
 };
 
 }  // namespace tack

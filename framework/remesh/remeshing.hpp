@@ -7,11 +7,12 @@ namespace tack {
 
 struct Remeshing {
   std::string object;
-  int step = 0;          // after which
-  double time = 0;       // s
-  double before = 0, after = 0;  // the lowest mean ratio of its tets
+  int step = 0;                  // the step before it
+  double time = 0;               // s
+  double before = 0, after = 0;  // lowest mean ratio of its tets
   int tets_before = 0, tets_after = 0;
-  double lost = 0;  // energy that was stored, of all objects exchanged after the step together [J]
+  // Loss of stored energy of all objects remeshed after the step together [J].
+  double lost = 0;
   bool operator==(const Remeshing&) const = default;
 };
 

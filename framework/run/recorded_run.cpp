@@ -50,7 +50,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
       simulation_(std::move(loaded), [this](const Warning& warning) { warn(warning); }),
       watch_(std::in_place, simulation_.built()), gradients_(gradients_of(simulation_.built())), files_(file_digests(to_value(fields_of(experiment_)))), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
-  if (settings.profile && remeshes(experiment_))
+  if (settings.profile && any_remeshed(experiment_))
     throw InputError("a profile is of one world, and objects may be meshed anew (remesh); take that away (--set objects.NAME.remesh=null)");
   if (checkpoint_ && !checkpoint_->flowed.empty()) watch_.emplace(simulation_.built());
   summary_.flows = EnergyFlows(world().records);

@@ -6,7 +6,7 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/output/next_due.hpp"
-#include "framework/remesh/carried_state.hpp"
+#include "framework/remesh/state_transfer.hpp"
 #include "framework/run/moved_state.hpp"
 #include "framework/setup/remesh_checks.hpp"
 #include "framework/setup/start_checks.hpp"
@@ -53,13 +53,13 @@ void Simulation::move(const VecX& x, const VecX& v) {
 
 StepReport Simulation::step() {
   if (!looked_) throw std::logic_error("objects of the scene may be meshed anew (remesh): due_elements() has to be called between two steps");
-  looked_ = !remeshes(experiment());
+  looked_ = !any_remeshed(experiment());
   return stepper_->advance();
 }
 
 std::vector<NewElements> Simulation::due_elements() {
   looked_ = true;
-  if (!remeshes(experiment())) return {};
+  if (!any_remeshed(experiment())) return {};
   State noted = state();
   std::vector<NewElements> elements = remesher_.exchange(world(), noted, warn_);
   stepper_->set_state(std::move(noted));
@@ -68,17 +68,17 @@ std::vector<NewElements> Simulation::due_elements() {
 
 double Simulation::exchange(std::vector<NewElements> elements) {
   const State before = state();
-  StoredInObjects stored = stored_in_objects(world(), before.x);
+  StoredEnergy stored = stored_energy_of_objects(world(), before.x);
   FlowedMeshes flowed = built_.flowed();
   for (const NewElements& e : elements) flowed[world().bodies[e.body].name] = e.mesh;
   stepper_.reset();
   const std::unique_ptr<World> was = built_.rebuild(std::move(flowed));
-  start_from(carried_state(before, *was, world(), elements));
+  start_from(transfer_state(before, *was, world(), elements));
   State booked = state();
-  stored.gradient = carried_field(stored.gradient, *was, world(), elements);
-  book_remeshed_energy(world(), stored, booked);
+  stored.gradient = transfer_field(stored.gradient, *was, world(), elements);
+  record_energy_loss(world(), stored, booked);
   stepper_->set_state(std::move(booked));
-  return lost_by_remeshing(state());
+  return energy_loss_of_remeshing(state());
 }
 
 }  // namespace tack

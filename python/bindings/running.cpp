@@ -56,7 +56,7 @@ void Running::return_to_state() {
 
 Running::Running(LoadedExperiment loaded, int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
   arena_.execute([&] {
-    if (remeshes(loaded.experiment))
+    if (any_remeshed(loaded.experiment))
       throw InputError("objects that are meshed anew as they flow (remesh) have vertices that come and go, and arrays in Python are of lasting ones; take `remesh` away "
                        "(set={\"objects.NAME.remesh\": None}), or use `tack run`");
     simulation_ = std::make_unique<Simulation>(std::move(loaded), [this](const Warning& w) { warnings_.push_back(w.text); });

@@ -64,7 +64,7 @@ TEST_CASE("volumes, strains and plastic strains are handed on in their sums, and
     contents.push_back({volume(x) * random.uniform(0.98, 1.02), strain + trace / 3 * Mat3::Identity(), flow});
     most = std::max(most, flow);
   }
-  const std::vector<TetContent> handed = handed_on(from, contents, to);
+  const std::vector<TetContent> handed = transfer_contents(from, contents, to);
   const Sums before = sums_of(contents), after = sums_of(handed);
   CHECK(after.volume == Approx(before.volume).epsilon(1e-12));
   CHECK(after.flow == Approx(before.flow).epsilon(1e-12));
@@ -81,7 +81,7 @@ TEST_CASE("what is the same everywhere stays so", "[remesh]") {
   const Mat3 strain = Vec3(0.01, -0.02, 0.004).asDiagonal();
   std::vector<TetContent> contents;
   for (const auto& x : from) contents.push_back({volume(x) / 1.1, strain, 0.3});
-  const std::vector<TetContent> handed = handed_on(from, contents, to);
+  const std::vector<TetContent> handed = transfer_contents(from, contents, to);
   for (size_t t = 0; t < to.size(); ++t) {
     CHECK(handed[t].volume == Approx(volume(to[t]) / 1.1).epsilon(1e-12));
     CHECK(handed[t].flow == Approx(0.3).epsilon(1e-13));
