@@ -33,8 +33,8 @@ JointPoints::JointPoints(InteractionBuilder& builder, const JointEnds& ends) : b
 bool JointPoints::affine(int body) const { return body >= 0 && !builder_.world().bodies[body].frame.empty(); }
 
 int JointPoints::of_object(const Vec3& at) {
-  joint_.anchors.push_back(builder_.anchor(object_, at));
-  return joint_.anchors.back();
+  joint_.attachment_points.push_back(builder_.anchor(object_, at));
+  return joint_.attachment_points.back();
 }
 
 int JointPoints::of_other(const Vec3& at) { return other_ < 0 ? builder_.fixed(at) : builder_.anchor(other_, at); }
@@ -45,8 +45,8 @@ int JointPoints::joined(const Vec3& at) {
     joint_.relations.push_back({{a, 1.0}, {b, -1.0}});
     return b;
   }
-  const int place = builder_.unknowns().places("place", std::vector{at})[0];
-  joint_.places.push_back(place);
+  const int place = builder_.unknowns().add_vector_dofs("place", std::vector{at})[0];
+  joint_.own_vertices.push_back(place);
   joint_.relations.push_back({{a, 1.0}, {place, -1.0}});
   joint_.relations.push_back({{b, 1.0}, {place, -1.0}});
   return place;

@@ -57,8 +57,8 @@ class Slider : public Interaction {
     for (int i = 1; i < 4; ++i) points.joint().relations.push_back({{own[i], 1.0}, {own[0], -1.0}, {others[i], -1.0}, {others[0], 1.0}});
     int moved = own[0];
     if (points.other() < 0) {
-      moved = builder.unknowns().places("place", std::vector{ends_.at})[0];
-      builder.unknowns().hold(moved, Mat3::Identity() - axis * axis.transpose());
+      moved = builder.unknowns().add_vector_dofs("place", std::vector{ends_.at})[0];
+      builder.unknowns().fix_directions(moved, Mat3::Identity() - axis * axis.transpose());
       points.joint().relations.push_back({{own[0], 1.0}, {moved, -1.0}});
     } else {
       auto line = std::make_unique<OnLineTerm>();

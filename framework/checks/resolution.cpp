@@ -203,7 +203,7 @@ class Warnings {
       tell(i, "start", fmt::format(
           "'{}' starts with contact forces on itself (up to {:.3g} N, at its vertex {}): it will deform by itself; "
           "lower contact.distance or the range of its adhesion below the gaps between its parts",
-          world_.bodies[i].name, largest, world_.number_in_body(static_cast<int>(at / 3))));
+          world_.bodies[i].name, largest, world_.index_in_body(static_cast<int>(at / 3))));
     }
     between_objects();
   }

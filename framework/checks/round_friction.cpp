@@ -16,9 +16,9 @@ namespace {
 // Per vertex: other vertices or motions lead it throughout.
 std::vector<char> led_vertices(const World& world) {
   std::vector<char> led(world.rest.size() / 3, 0);
-  for (const Dependence& d : world.bindings.lasting()) led[d.vertex] = 1;
-  for (const Tie& tie : world.bindings.ties())
-    for (const Dependence& d : tie.dependences) led[d.vertex] = 1;
+  for (const Dependence& d : world.constraints.lasting()) led[d.vertex] = 1;
+  for (const TimedConstraint& timed : world.constraints.timed())
+    for (const Dependence& d : timed.dependences) led[d.vertex] = 1;
   for (int v = 0; v < world.mesh_vertex_count(); ++v)
     if (!world.prescribed_motion.ever_free(v)) led[v] = 1;
   return led;

@@ -16,12 +16,12 @@ bool at_the_same_time(const Motion& a, const Motion& b) {
 
 // Throws SimulationError for positions that are not finite or whose squared distances may overflow.
 void check_positions(const std::vector<int>& vertices, double t, const VecX& x) {
-  constexpr double furthest = 1e100;  // m
+  constexpr double farthest = 1e100;  // m
   for (const int v : vertices) {
     const Vec3 p = vertex(x, v);
-    if (p.cwiseAbs().maxCoeff() <= furthest && p.allFinite()) continue;
+    if (p.cwiseAbs().maxCoeff() <= farthest && p.allFinite()) continue;
     throw SimulationError(fmt::format("puts vertex {} at ({:g}, {:g}, {:g}) m at t = {} s; it must be finite and at most "
-                                      "{:g} m away", v, p.x(), p.y(), p.z(), t, furthest));
+                                      "{:g} m away", v, p.x(), p.y(), p.z(), t, farthest));
   }
 }
 
@@ -36,10 +36,10 @@ bool contradict(const Motion& a, const Motion& b) {
 // Returns true if the spans cover all times from 0 on.
 bool cover_all(std::vector<std::pair<double, double>> spans) {
   std::sort(spans.begin(), spans.end());
-  double reach = 0;
+  double covered_until = 0;
   for (const auto& [from, until] : spans)
-    if (from <= reach) reach = std::max(reach, until);
-  return !std::isfinite(reach);
+    if (from <= covered_until) covered_until = std::max(covered_until, until);
+  return !std::isfinite(covered_until);
 }
 
 std::string end_of(double until) {
@@ -48,8 +48,8 @@ std::string end_of(double until) {
 
 }  // namespace
 
-void PrescribedMotion::grow(int more) {
-  const size_t count = ever_free_.size() + static_cast<size_t>(more);
+void PrescribedMotion::add_vertices(int added) {
+  const size_t count = ever_free_.size() + static_cast<size_t>(added);
   ever_fixed_.resize(count, 0);
   ever_free_.resize(count, 1);
   moves_.resize(count, 0);
@@ -79,7 +79,7 @@ void PrescribedMotion::add(Assignment assignment) {
     return;
   }
   const bool always = motion.from() <= 0 && !std::isfinite(motion.until());
-  const int group = motion.moves() ? static_cast<int>(assignments_.size()) + 1 : 0;  // all that is fixed: 0
+  const int group = motion.moves() ? static_cast<int>(assignments_.size()) + 1 : 0;  // 0: vertices that do not move
   for (const int v : assignment.vertices) {
     ever_fixed_[v] = 1;
     if (always) {
@@ -95,7 +95,7 @@ void PrescribedMotion::add(Assignment assignment) {
   assignments_.push_back(std::move(assignment));
 }
 
-void PrescribedMotion::follow(const Dependence& dependence) {
+void PrescribedMotion::add_dependence(const Dependence& dependence) {
   const auto any = [&](const std::vector<char>& flags) {
     return std::any_of(dependence.on.begin(), dependence.on.end(), [&](const auto& on) { return flags[on.first] != 0; });
   };
@@ -119,13 +119,13 @@ std::vector<char> PrescribedMotion::free(const std::vector<char>& active) const 
 
 std::vector<HeldDirections> PrescribedMotion::fixed_directions(const std::vector<char>& active) const {
   const std::vector<char> free = this->free(active);
-  std::map<int, Mat3> held;
+  std::map<int, Mat3> fixed;
   for (size_t i = 0; i < assignments_.size(); ++i)
     if (active[i] && assignments_[i].motion->partial())
       for (const int v : assignments_[i].vertices)
-        if (free[v]) held.try_emplace(v, Mat3::Zero()).first->second += assignments_[i].motion->fixed_directions();
+        if (free[v]) fixed.try_emplace(v, Mat3::Zero()).first->second += assignments_[i].motion->fixed_directions();
   std::vector<HeldDirections> all;
-  for (const auto& [v, directions] : held) all.push_back({v, directions});
+  for (const auto& [v, directions] : fixed) all.push_back({v, directions});
   for (const HeldDirections& always : always_fixed_)
     if (free[always.vertex]) all.push_back(always);
   return all;
@@ -145,9 +145,9 @@ void PrescribedMotion::place(const Assignment& assignment, const VecX& rest, con
     assignment.motion->place(assignment.vertices, rest, anchor, t, x);
     check_positions(assignment.vertices, t, x);
     if (!assignment.motion->partial()) return;
-    const Mat3 held = assignment.motion->fixed_directions();
+    const Mat3 fixed = assignment.motion->fixed_directions();
     for (const int v : assignment.vertices)
-      vertex(x, v) = (vertex(before, v) + held * (vertex(x, v) - vertex(before, v))).eval();
+      vertex(x, v) = (vertex(before, v) + fixed * (vertex(x, v) - vertex(before, v))).eval();
   } catch (const SimulationError& error) {
     throw SimulationError(fmt::format("{}: {}", assignment.name, error.what()));
   }

@@ -1,4 +1,4 @@
-// All prescribed motions of a scene, by vertex and time span.
+// Prescribed motion of a scene: all motions, by vertex and time span.
 #pragma once
 
 #include <map>
@@ -13,6 +13,7 @@ namespace tack {
 
 class PrescribedMotion {
  public:
+  // A motion and the vertices that it moves.
   struct Assignment {
     const Motion* motion;
     std::vector<int> vertices;  // global, ascending
@@ -24,24 +25,26 @@ class PrescribedMotion {
       : ever_fixed_(vertex_count, 0), ever_free_(vertex_count, 1), moves_(vertex_count, 0),
         rigid_group_(vertex_count, -1) {}
 
-  void grow(int more);  // vertices, behind the others
+  // Appends `count` vertices without motion.
+  void add_vertices(int count);
 
   // Throws InputError if another motion fixes one of the vertices at the same time, unless both fix
   // directions that are orthogonal to each other.
   void add(Assignment assignment);
-  // Once all motions are there: the vertex follows others, and is free, or moved, where one of them
-  // is.
-  void follow(const Dependence& dependence);
-  // Fixes directions of a vertex for the whole run: those of a scalar dof (unknowns.hpp).
-  void fix_always(const HeldDirections& held) { always_fixed_.push_back(held); }
+  // Makes a vertex dependent: it is free, or moved, if one of the vertices that it depends on is. To
+  // be called after all motions are added.
+  void add_dependence(const Dependence& dependence);
+  // Fixes directions of a vertex for the whole run, e.g. those of a scalar dof (unknowns.hpp).
+  void fix_always(const HeldDirections& fixed) { always_fixed_.push_back(fixed); }
   const std::vector<HeldDirections>& always_fixed() const { return always_fixed_; }
   const std::vector<Assignment>& assignments() const { return assignments_; }
   int vertex_count() const { return static_cast<int>(ever_free_.size()); }
 
-  // Return the motions active at time t [s], and the vertices that are free in some direction.
+  // Returns a flag per motion: whether it is active at time t [s].
   std::vector<char> active(double t) const;
+  // Returns a flag per vertex: whether it is free in some direction.
   std::vector<char> free(const std::vector<char>& active) const;
-  // Returns the vertices of which active motions fix some directions.
+  // Returns the vertices with fixed directions under the active motions.
   std::vector<HeldDirections> fixed_directions(const std::vector<char>& active) const;
   // Writes the positions prescribed by active motions at time t into x; anchor, rest: 3n [m].
   void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
@@ -52,8 +55,8 @@ class PrescribedMotion {
   bool ever_free(int v) const { return ever_free_[v]; }
   // Returns true if the vertex may ever leave its initial position.
   bool may_move(int v) const { return ever_free_[v] || moves_[v]; }
-  // Vertices of one group (>= 0) never move against each other, throughout the run; -1: no such
-  // group.
+  // Returns the rigid group of a vertex; -1: none. Vertices of one group keep their distances
+  // throughout the run.
   int rigid_group(int v) const { return rigid_group_[v]; }
 
  private:
@@ -63,7 +66,7 @@ class PrescribedMotion {
   std::vector<HeldDirections> always_fixed_;
   std::vector<char> ever_fixed_, ever_free_, moves_;
   std::vector<int> rigid_group_;
-  // s: of vertices that are held whole for a while
+  // Time spans [s] of vertices that are fixed in all directions for a part of the run.
   std::map<int, std::vector<std::pair<double, double>>> fixed_spans_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 const VolumeTerm& chamber_named(const World& world, const std::string& chamber, const std::string& probe) {
   std::vector<std::string> names;
-  for (const VolumeTerm* term : world.chambers) {
+  for (const VolumeTerm* term : world.cavities) {
     if (term->label() == chamber) return *term;
     names.push_back(term->label());
   }

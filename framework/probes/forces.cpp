@@ -35,7 +35,7 @@ class PairForce : public VectorProbe {
     record.add(x, part, forces);
     Vec3 sum = Vec3::Zero();
     for (const int v : world.vertices_of(a_))
-      if (!world.is_number(v)) sum += vertex(forces, v);
+      if (!world.is_scalar_dof(v)) sum += vertex(forces, v);
     return sum;
   }
   // Returns the sum of all forces that act in that direction.

@@ -17,7 +17,7 @@ namespace tack {
 namespace {
 
 const Joint& joint_named(const World& world, const std::string& name, const std::string& probe, std::string_view type) {
-  for (const Joint& joint : world.bindings.joints())
+  for (const Joint& joint : world.constraints.joints())
     if (joint.name == name) return joint;
   refuse_interaction(interaction_named(world, name, probe), probe, type);
 }
@@ -28,11 +28,11 @@ DofMap unjoined(const World& world, const State& state) {
   std::vector<char> active = state.motion_active;
   if (active.empty()) {
     active = world.prescribed_motion.active(state.time);
-    const std::vector<char> ties = world.bindings.active(state.time);
+    const std::vector<char> ties = world.constraints.active(state.time);
     active.insert(active.end(), ties.begin(), ties.end());
   }
   const std::vector<char> free = world.prescribed_motion.free(active);
-  return DofMap(free, world.bindings.unjoined_at(free, {active.begin() + assignments, active.end()}), world.prescribed_motion.fixed_directions(active));
+  return DofMap(free, world.constraints.unjoined_at(free, {active.begin() + assignments, active.end()}), world.prescribed_motion.fixed_directions(active));
 }
 
 // Returns one multiplier L [N] per relation of each joint, in their order: for a relation sum_i w_i
@@ -44,7 +44,7 @@ Eigen::MatrixXd multipliers(const World& world, const State& state) {
   dofs.collect(unbalanced);
   std::vector<Eigen::Triplet<double>> entries;  // block, relation, weight
   int relations = 0;
-  for (const Joint& joint : world.bindings.joints())
+  for (const Joint& joint : world.constraints.joints())
     for (const Joint::Relation& relation : joint.relations) {
       for (const auto& [v, weight] : relation) {
         if (dofs.mixed(v))
@@ -76,7 +76,7 @@ VecX forces_of_joint(const Joint& joint, const World& world, const State& state)
   forces = -forces;
   const Eigen::MatrixXd all = multipliers(world, state);
   Eigen::Index relation = 0;
-  for (const Joint& other : world.bindings.joints())
+  for (const Joint& other : world.constraints.joints())
     for (const Joint::Relation& r : other.relations) {
       if (&other == &joint)
         for (const auto& [v, weight] : r) vertex(forces, v) -= weight * all.row(relation).transpose();
@@ -110,7 +110,7 @@ class JointForce : public OfJoint<VectorProbe> {
   Vec3 value(const World& world, const State& state) override {
     const VecX forces = forces_of_joint(joint(), world, state);
     Vec3 sum = Vec3::Zero();
-    for (const int v : joint().anchors) sum += vertex(forces, v);
+    for (const int v : joint().attachment_points) sum += vertex(forces, v);
     return sum;
   }
 };
@@ -122,9 +122,9 @@ class JointTorque : public OfJoint<VectorProbe> {
  protected:
   Vec3 value(const World& world, const State& state) override {
     const VecX forces = forces_of_joint(joint(), world, state);
-    const Vec3 about = vertex(state.x, joint().anchors.front());
+    const Vec3 about = vertex(state.x, joint().attachment_points.front());
     Vec3 sum = Vec3::Zero();
-    for (const int v : joint().anchors) sum += (vertex(state.x, v) - about).cross(Vec3(vertex(forces, v)));
+    for (const int v : joint().attachment_points) sum += (vertex(state.x, v) - about).cross(Vec3(vertex(forces, v)));
     return sum;
   }
 };

@@ -16,14 +16,14 @@ namespace {
 // the field (3n).
 void fit_frames(const World& world, VecX& field) {
   const int meshes = world.mesh_vertex_count();
-  for (const AffineFrame& frame : world.bindings.frames()) {
+  for (const AffineFrame& frame : world.constraints.frames()) {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Matrix<double, 4, 3> sums = Eigen::Matrix<double, 4, 3>::Zero();
-    for (const AffineFrame::Carried& carried : frame.carried) {
-      if (carried.vertex >= meshes) continue;
-      const Eigen::Map<const Eigen::Vector4d> w(carried.weights.data());
+    for (const AffineFrame::Dependent& dependent : frame.dependents) {
+      if (dependent.vertex >= meshes) continue;
+      const Eigen::Map<const Eigen::Vector4d> w(dependent.weights.data());
       normal += w * w.transpose();
-      sums += w * vertex(field, carried.vertex).transpose();
+      sums += w * vertex(field, dependent.vertex).transpose();
     }
     const Eigen::Matrix<double, 4, 3> fitted = normal.ldlt().solve(sums);
     for (int i = 0; i < 4; ++i) vertex(field, frame.frame[i]) = fitted.row(i).transpose();
@@ -65,7 +65,7 @@ State moved_state(const World& world, const State& before, const VecX& x, const 
   state.v.head(v.size()) = v;
   fit_frames(world, state.x);
   fit_frames(world, state.v);
-  if (!world.bindings.joints().empty()) make_possible(world.dofs, world.mass, state.v);
+  if (!world.constraints.joints().empty()) project_velocities(world.dofs, world.mass, state.v);
   const VecX asked = state.x;
   world.dofs.follow(state.x);
   world.dofs.follow(state.v);

@@ -42,7 +42,7 @@ void add_attachments(const SceneConfig& scene, int index, World& world) {
     const int to = host_index(attach, index, world, name);
     const Embedding host(world, to);
     const double within = attach.within.value_or(distance_per_size * host.size());
-    Tie tie{name, {}, 0, attach.until.value_or(std::numeric_limits<double>::infinity())};
+    TimedConstraint timed{name, {}, 0, attach.until.value_or(std::numeric_limits<double>::infinity())};
     double closest = std::numeric_limits<double>::infinity();
     for (const int v : select(*attach.select, world.selection_context(index))) {
       const int local = v - world.bodies[index].first_vertex;
@@ -53,16 +53,16 @@ void add_attachments(const SceneConfig& scene, int index, World& world) {
         throw InputError(fmt::format("{}: vertex {} is attached twice; take it out of one of the selections", name, local));
       attached.push_back(v);
       Embedding::Attachment attachment = host.of(vertex(world.rest, v));
-      if (attachment.distance > within || attachment.off > Embedding::touching * host.size())
+      if (attachment.distance > within || attachment.error > Embedding::touching * host.size())
         throw InputError(fmt::format("{}: vertex {} is {:.4g} m away from '{}'{}; move the objects together (place), select "
                                      "fewer vertices{}", name, local, attachment.distance, attach.to,
                                      attachment.distance > within ? "" : ", which has no tets to follow beyond its surface",
                                      attachment.distance > within ? " or raise `within`" : ""));
       closest = std::min(closest, attachment.distance);
-      tie.dependences.push_back({v, std::move(attachment.on)});
+      timed.dependences.push_back({v, std::move(attachment.on)});
     }
     if (closest <= Embedding::touching * host.size()) world.attached.emplace_back(std::min(index, to), std::max(index, to));
-    world.bindings.add(std::move(tie));
+    world.constraints.add(std::move(timed));
   }
 }
 

@@ -10,10 +10,10 @@ namespace tack {
 
 void register_following_load(FollowingLoad& load, World& world) {
   if (const auto* chamber = dynamic_cast<const VolumeTerm*>(&load)) {
-    for (const VolumeTerm* other : world.chambers)
+    for (const VolumeTerm* other : world.cavities)
       if (other->label() == chamber->label())
         throw InputError(fmt::format("two pressures or chambers are named '{}'; give one of them another name", chamber->label()));
-    world.chambers.push_back(chamber);
+    world.cavities.push_back(chamber);
   }
   world.following_loads.push_back(&load);
 }

@@ -47,11 +47,11 @@ void add_frame(const ObjectConfig& object, int index, World& world) {
     const MassProperties properties = mass_properties(local_mesh(body, world.rest));
     const BodyFrame frame = body_frame(properties);
     body.volume = properties.volume;
-    body.frame = Unknowns(world, body.name, index).places("frame", frame.vertices);
+    body.frame = Unknowns(world, body.name, index).add_vector_dofs("frame", frame.vertices);
     AffineFrame binding{{body.frame[0], body.frame[1], body.frame[2], body.frame[3]}, {}};
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-      binding.carried.push_back({v, frame.weights(vertex(world.rest, v))});
-    world.bindings.add(std::move(binding));
+      binding.dependents.push_back({v, frame.weights(vertex(world.rest, v))});
+    world.constraints.add(std::move(binding));
   } catch (const InputError& error) {
     throw InputError(fmt::format("object '{}' (body: affine) {}", object.name, error.what()));
   }

@@ -197,7 +197,7 @@ void check_mass(const Value& root, const World& world) {
     if (world.bodies[i].frame.empty())
       throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
                                    "with a density", source_location(root, "objects", static_cast<size_t>(i)), world.bodies[i].name,
-                                   world.number_in_body(v)));
+                                   world.index_in_body(v)));
   }
 }
 
@@ -216,11 +216,11 @@ void start_state(const SceneConfig& scene, World& world) {
         if (const int v = body.rod->twists()[e]; world.dofs.moves(v)) s.v(3 * v) = body.rod->radius() * object.spin.dot(body.rod->tangent(e, s.x));
     set_spin_velocities(object.spin, static_cast<int>(i), world, s.v);
     for (const int v : world.vertices_of(static_cast<int>(i))) {
-      if (world.is_number(v)) continue;
+      if (world.is_scalar_dof(v)) continue;
       if (world.dofs.moves(v)) vertex(s.v, v) = object.velocity + object.spin.cross(Vec3(vertex(s.x, v) - centre));
     }
   }
-  if (!world.bindings.joints().empty()) make_possible(world.dofs, world.mass, s.v);
+  if (!world.constraints.joints().empty()) project_velocities(world.dofs, world.mass, s.v);
   world.dofs.follow(s.v);
 }
 
@@ -253,7 +253,7 @@ void publish(World& world, bool friction_record) {
     world.records.add(EnergyRecord{"gravity", EnergyKind::weight, [&world](const VecX& x) { return weight_of_free_vertices(world, x); }});
   for (const auto& load : world.load_terms) world.records.publish(*load);
   if (world.contact_term) world.records.publish(*world.contact_term);
-  if (world.rim) world.records.publish(*world.rim);
+  if (world.overlap_boundary_term) world.records.publish(*world.overlap_boundary_term);
   if (world.bonds) world.records.publish(*world.bonds);
   if (world.friction) world.records.publish(*world.friction);
   else if (friction_record) world.records.add(zero_friction_record());
@@ -311,7 +311,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
   for_each_object(scene, root, [&](size_t i) { add_spins(scene.objects[i], static_cast<int>(i), *world); });
   for_each_object(scene, root, [&](size_t i) { prescribe_motions(scene, static_cast<int>(i), *world); });
-  for (const Dependence& d : world->bindings.lasting()) world->prescribed_motion.follow(d);
+  for (const Dependence& d : world->constraints.lasting()) world->prescribed_motion.add_dependence(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
     with_source_location(root.find("objects"), [] {
       throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
@@ -326,7 +326,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   add_affine_terms(scene, root, times, *world);
   add_interactions(scene, root, *world);
   const std::vector<char> active = world->prescribed_motion.active(times.step / 2), free = world->prescribed_motion.free(active);
-  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(times.step / 2)), world->prescribed_motion.fixed_directions(active));
+  world->dofs = DofMap(free, world->constraints.at(free, world->constraints.active(times.step / 2)), world->prescribed_motion.fixed_directions(active));
   check_mass(root, *world);
   add_loads(scene, root, *world);
   world->gravity = scene.gravity;
@@ -344,7 +344,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
   for (const auto& load : world->load_terms) world->terms.push_back(load.get());
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
-  if (world->rim) world->terms.push_back(world->rim.get());
+  if (world->overlap_boundary_term) world->terms.push_back(world->overlap_boundary_term.get());
   if (world->bonds) world->terms.push_back(world->bonds.get());
   if (world->friction) world->terms.push_back(world->friction.get());
   if (world->contact) world->participants.add(world->contact.get());
@@ -356,7 +356,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     world->participants.add(term);
   for (const auto& load : world->load_terms) world->participants.add(load.get());
   if (world->contact_term) world->participants.add(world->contact_term.get());
-  if (world->rim) world->participants.add(world->rim.get());
+  if (world->overlap_boundary_term) world->participants.add(world->overlap_boundary_term.get());
   if (world->bonds) world->participants.add(world->bonds.get());
   if (world->friction) world->participants.add(world->friction.get());
   if (any_remeshed(scene)) {

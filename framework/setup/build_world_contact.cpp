@@ -81,18 +81,18 @@ void check_range(const PairTable& table, const Value& root, const VecX& rest) {
 // Returns the rigid group of each vertex: prescribed rigid motions and affine bodies; empty without
 // either.
 std::vector<int> rigid_groups(const World& world) {
-  if (world.prescribed_motion.assignments().empty() && world.bindings.frames().empty()) return {};
+  if (world.prescribed_motion.assignments().empty() && world.constraints.frames().empty()) return {};
   std::vector<int> groups;
   for (int v = 0; v < world.dofs.vertex_count(); ++v) groups.push_back(world.prescribed_motion.rigid_group(v));
   int next = static_cast<int>(world.prescribed_motion.assignments().size()) + 1;
-  for (const AffineFrame& body : world.bindings.frames()) {
-    const bool rigid = std::all_of(body.carried.begin(), body.carried.end(),
-                                  [&](const AffineFrame::Carried& c) { return groups[c.vertex] >= 0; });
+  for (const AffineFrame& body : world.constraints.frames()) {
+    const bool rigid = std::all_of(body.dependents.begin(), body.dependents.end(),
+                                  [&](const AffineFrame::Dependent& c) { return groups[c.vertex] >= 0; });
     ++next;
-    for (const AffineFrame::Carried& c : body.carried)
+    for (const AffineFrame::Dependent& c : body.dependents)
       if (!rigid) groups[c.vertex] = next;
   }
-  for (const Dependence& d : world.bindings.lasting()) {
+  for (const Dependence& d : world.constraints.lasting()) {
     const int group = groups[d.on.front().first];
     const bool one = std::all_of(d.on.begin(), d.on.end(), [&](const auto& on) { return groups[on.first] == group; });
     groups[d.vertex] = one ? group : -1;
@@ -125,7 +125,7 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
-  if (world.contact->pairs().any_overlap_boundary()) world.rim = std::make_unique<OverlapBoundaryTerm>(*world.contact);
+  if (world.contact->pairs().any_overlap_boundary()) world.overlap_boundary_term = std::make_unique<OverlapBoundaryTerm>(*world.contact);
   if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, *world.contact_term, std::move(bonds));
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term, contact_spins(scene, world));

@@ -53,24 +53,24 @@ int InteractionBuilder::attachment_point(int body, const Vec3& at) {
   const std::string& object = world_.bodies[body].name;
   if (attachment.on.empty())
     throw InputError(fmt::format("interaction '{}': '{}' has neither tets nor triangles that could carry a point along; choose vertices of it", name(), object));
-  if (attachment.off > Embedding::touching * embedding.size())
+  if (attachment.error > Embedding::touching * embedding.size())
     throw InputError(fmt::format("interaction '{}': the point ({:.6g}, {:.6g}, {:.6g}) m is {:.4g} m away from '{}', which has no tets that could carry it "
-                                 "beyond its surface; choose one on it", name(), at.x(), at.y(), at.z(), attachment.off, object));
+                                 "beyond its surface; choose one on it", name(), at.x(), at.y(), at.z(), attachment.error, object));
   Unknowns own = unknowns();
-  const int v = own.places("anchor", std::vector{at})[0];
+  const int v = own.add_vector_dofs("anchor", std::vector{at})[0];
   if (const std::vector<int>& frame = world_.bodies[body].frame; frame.empty()) {
-    own.follow({v, attachment.on});
+    own.make_dependent({v, attachment.on});
   } else {
     std::array<double, 4> weights{};
     for (const auto& [on, weight] : attachment.on) weights[static_cast<size_t>(std::find(frame.begin(), frame.end(), on) - frame.begin())] = weight;
-    world_.bindings.carry(frame[0], {v, weights});
+    world_.constraints.add_dependent(frame[0], {v, weights});
   }
   return v;
 }
 
 int InteractionBuilder::fixed_vertex(const Vec3& at) {
   Unknowns own = unknowns();
-  const std::vector<int> v = own.places("fixed", std::vector{at});
+  const std::vector<int> v = own.add_vector_dofs("fixed", std::vector{at});
   own.fix(v);
   return v[0];
 }
@@ -80,23 +80,23 @@ void InteractionBuilder::make_dependent(Dependences dependences, double from, do
     if (world_.prescribed_motion.ever_fixed(d.vertex)) {
       const int i = world_.body_of(d.vertex);
       throw InputError(fmt::format("interaction '{}': vertex {} of '{}' is held by a motion as well; take it out of one of the two", name(),
-                                   i < 0 ? d.vertex : world_.number_in_body(d.vertex), i < 0 ? name() : world_.bodies[i].name));
+                                   i < 0 ? d.vertex : world_.index_in_body(d.vertex), i < 0 ? name() : world_.bodies[i].name));
     }
-  world_.bindings.add(Tie{fmt::format("interaction '{}'", name()), std::move(dependences), from, until});
+  world_.constraints.add(TimedConstraint{fmt::format("interaction '{}'", name()), std::move(dependences), from, until});
 }
 
 namespace {
 
 int redundant_relation_count(const std::vector<Joint>& joints, const World& world) {
   const std::vector<char> free(static_cast<size_t>(world.rest.size() / 3), 1);
-  return solve_joints(joints, world.bindings.frames(), free, world.bindings.unjoined_at(free, std::vector<char>(world.bindings.ties().size(), 0))).idle;
+  return solve_joints(joints, world.constraints.frames(), free, world.constraints.unjoined_at(free, std::vector<char>(world.constraints.timed().size(), 0))).redundant;
 }
 
 // Throws if a joint of the same bodies already has all relations of this one.
 void refuse_duplicate(const Joint& joint, const World& world) {
-  for (const Joint& other : world.bindings.joints()) {
+  for (const Joint& other : world.constraints.joints()) {
     if (!std::is_permutation(joint.bodies.begin(), joint.bodies.end(), other.bodies.begin(), other.bodies.end())) continue;
-    const int relation_count = static_cast<int>(joint.relations.size() - joint.places.size());
+    const int relation_count = static_cast<int>(joint.relations.size() - joint.own_vertices.size());
     if (redundant_relation_count({other, joint}, world) - redundant_relation_count({other}, world) >= relation_count)
       throw InputError(fmt::format("joint '{}' joins what '{}' joins already; take one of them away", joint.name, other.name));
   }
@@ -124,7 +124,7 @@ void InteractionBuilder::add(Joint joint) {
                                    return names;
                                  }(), "', '")));
   refuse_duplicate(joint, world_);
-  world_.bindings.add(std::move(joint));
+  world_.constraints.add(std::move(joint));
 }
 
 void InteractionBuilder::exclude_contact(int body, int other) {
@@ -138,8 +138,8 @@ void InteractionBuilder::add_term(std::unique_ptr<Term> term) {
 }
 
 std::string InteractionBuilder::add_history(const std::string& what, int width, int entries) {
-  acting_.memory.push_back({name() + "/" + what, width, entries});
-  return acting_.memory.back().name;
+  acting_.history.push_back({name() + "/" + what, width, entries});
+  return acting_.history.back().name;
 }
 
 ActingInteraction InteractionBuilder::finish() { return std::move(acting_); }

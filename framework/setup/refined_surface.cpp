@@ -41,9 +41,9 @@ void add_refined_surface(const ObjectConfig& object, int index, World& world) {
       v += body.first_vertex;
     }
   }
-  body.surface_vertices = Unknowns(world, body.name, index).places("surface", places);
+  body.surface_vertices = Unknowns(world, body.name, index).add_vector_dofs("surface", places);
   for (size_t i = 0; i < places.size(); ++i)
-    world.bindings.add_lasting({body.surface_vertices[i], std::move(surface.added[i])});
+    world.constraints.add_lasting({body.surface_vertices[i], std::move(surface.added[i])});
   body.surface_triangles = std::move(surface.triangles);
   for (Triangle& t : body.surface_triangles)
     for (int& v : t) v = v < body.vertex_count ? body.first_vertex + v : body.surface_vertices[v - body.vertex_count];

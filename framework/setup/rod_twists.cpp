@@ -146,7 +146,7 @@ void add_twists(const ObjectConfig& object, int index, World& world) {
   if (edges.empty()) return;
   const std::vector<Vec3> directors = directors_of(body, edges, world.rest);
   const double radius = body.section->radius_of_gyration();
-  Numbers twists = Unknowns(world, body.name, index).numbers("twist", static_cast<int>(edges.size()), radius);
+  ScalarDofs twists = Unknowns(world, body.name, index).add_scalar_dofs("twist", static_cast<int>(edges.size()), radius);
   body.rod = std::make_shared<RodFrames>(body.name + "/rod/frames", edges, std::move(twists.vertices), directors, radius, world.rest);
 }
 

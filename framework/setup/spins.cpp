@@ -46,7 +46,7 @@ void check_rolling(const ObjectConfig& object, const Body& body) {
 void add_spins(const ObjectConfig& object, int index, World& world) {
   const Body& body = world.bodies[index];
   if (body.radius == 0 || !rolls(object)) return;
-  Unknowns(world, body.name, index).numbers(arcs_name, 3 * static_cast<int>(body.points.size()), gyration_of(body));
+  Unknowns(world, body.name, index).add_scalar_dofs(arcs_name, 3 * static_cast<int>(body.points.size()), gyration_of(body));
 }
 
 void add_spin_masses(int index, World& world) {

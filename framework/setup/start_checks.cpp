@@ -42,7 +42,7 @@ void check_intersections(const SceneConfig& scene, const Value& root, const Worl
     a = surface.mesh.vertex_object[e[0]];
     b = surface.mesh.vertex_object[t[0]];
     several = several || a != b;
-    const auto n = [&](int v) { return world.number_in_body(v); };
+    const auto n = [&](int v) { return world.index_in_body(v); };
     list += fmt::format("\n  edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'", n(e[0]), n(e[1]),
                         world.bodies[a].name, n(t[0]), n(t[1]), n(t[2]), world.bodies[b].name);
   }
@@ -85,7 +85,7 @@ void check_containment(const SceneConfig& scene, const Value& root, const World&
   const auto found = find_containment(world);
   if (!found) return;
   const Body& inner = world.bodies[found->body];
-  const Body& outer = world.bodies[found->around];
+  const Body& outer = world.bodies[found->solid];
   const Vec3 x = vertex(world.start.x, found->vertex);
   throw InputError(fmt::format("{}object '{}' is inside of '{}' at the start (its vertex {} at ({:.6g}, {:.6g}, {:.6g}) m lies "
                                "in tet {}); {}",

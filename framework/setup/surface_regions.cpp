@@ -15,7 +15,7 @@ SurfaceRegions::SurfaceRegions(const SceneConfig& scene, const PairConfigs& conf
     for (int side = 0; side < 2; ++side)
       if (pairs[i].between[side].select) sides_[i][side] = add(static_cast<int>(i), pairs[i].between[side]);
   if (!any()) return;
-  for (const Dependence& d : world.bindings.lasting()) {
+  for (const Dependence& d : world.constraints.lasting()) {
     RegionSet all = ~RegionSet(0);
     for (const auto& [v, weight] : d.on)
       if (weight != 0) all &= vertex_regions_[v];

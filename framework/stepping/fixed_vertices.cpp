@@ -43,8 +43,8 @@ void check_joints(const std::vector<Joint>& joints, const VecX& x) {
   for (const Joint& joint : joints) {
     const double error = joint_error(joint, x);
     double reach = 0;
-    for (const int v : joint.anchors) reach = std::max(reach, (vertex(x, v) - vertex(x, joint.anchors.front())).norm());
-    const double far = vertex(x, joint.anchors.front()).norm();
+    for (const int v : joint.attachment_points) reach = std::max(reach, (vertex(x, v) - vertex(x, joint.attachment_points.front())).norm());
+    const double far = vertex(x, joint.attachment_points.front()).norm();
     if (error > tolerance * std::max(reach, far) + 1e-12)
       throw SimulationError(fmt::format("joint '{}' would be torn by {:.3g} m: what is held on both sides of it does not move as it says; hold one side, "
                                         "or take the joint away", joint.name, error));
@@ -55,7 +55,7 @@ void check_joints(const std::vector<Joint>& joints, const VecX& x) {
 
 bool FixedVertices::change(const State& state, double middle) {
   std::vector<char> active = prescribed_motion_.active(middle);
-  const std::vector<char> ties = bindings_.active(middle);
+  const std::vector<char> ties = constraints_.active(middle);
   active.insert(active.end(), ties.begin(), ties.end());
   if (known_ && active == active_) return false;
   std::optional<DofMap> before;  // before the first step, nothing has a past
@@ -80,7 +80,7 @@ bool FixedVertices::change(const State& state, double middle) {
 DofMap FixedVertices::dofs_of(const std::vector<char>& active) const {
   const std::vector<char> free = prescribed_motion_.free(active);
   const auto ties = active.begin() + static_cast<std::ptrdiff_t>(prescribed_motion_.assignments().size());
-  return DofMap(free, bindings_.at(free, {ties, active.end()}), prescribed_motion_.fixed_directions(active));
+  return DofMap(free, constraints_.at(free, {ties, active.end()}), prescribed_motion_.fixed_directions(active));
 }
 
 std::vector<char> FixedVertices::moving() const {
@@ -98,7 +98,7 @@ void FixedVertices::place(double t, VecX& x) const {
     if (!active_[i] || prescribed_motion_.assignments()[i].motion->partial()) continue;
     for (const int v : prescribed_motion_.assignments()[i].vertices) check_followed(prescribed_motion_.assignments()[i], v, placed, x);
   }
-  check_joints(bindings_.joints(), x);
+  check_joints(constraints_.joints(), x);
 }
 
 void FixedVertices::commit(State& state) {

@@ -13,8 +13,8 @@ namespace tack {
 
 class FixedVertices {
  public:
-  FixedVertices(const PrescribedMotion& prescribed_motion, const MultiPointConstraints& bindings, const VecX& rest)
-      : prescribed_motion_(prescribed_motion), bindings_(bindings), rest_(rest) {}
+  FixedVertices(const PrescribedMotion& prescribed_motion, const MultiPointConstraints& constraints, const VecX& rest)
+      : prescribed_motion_(prescribed_motion), constraints_(constraints), rest_(rest) {}
 
   // Activates the holds and ties at `middle`, the middle of the step; returns false if they were
   // active already. Vertices that become fixed stay at their positions in the state.
@@ -40,7 +40,7 @@ class FixedVertices {
   DofMap dofs_of(const std::vector<char>& active) const;
 
   const PrescribedMotion& prescribed_motion_;
-  const MultiPointConstraints& bindings_;
+  const MultiPointConstraints& constraints_;
   const VecX& rest_;
   bool known_ = false;
   std::vector<char> active_;  // per hold of the script, then per tie

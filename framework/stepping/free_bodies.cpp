@@ -31,7 +31,7 @@ std::map<int, FreeGroup> free_groups(const World& world, const ForceGroups& grou
   for (int b = 0; b < groups.blocks(); ++b) {
     if (groups.held(b)) continue;
     const int v = world.dofs.vertex_of_block(b), body = world.body_of(v);
-    if (body < 0 || world.is_number(v)) continue;
+    if (body < 0 || world.is_scalar_dof(v)) continue;
     FreeGroup& group = free[groups.contact_group(b)];
     group.force -= gradient.segment<3>(3 * b);
     group.tolerated += groups.rounding(b);

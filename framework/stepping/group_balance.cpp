@@ -79,7 +79,7 @@ std::array<double, 2> ballistic_energies(const World& world, int body, const Sta
   Vec3 before = Vec3::Zero(), after = Vec3::Zero();
   bool free = world.bodies[body].movable;
   for (const int v : world.vertices_of(body)) {
-    if (world.mass(v) == 0 || world.is_number(v)) continue;
+    if (world.mass(v) == 0 || world.is_scalar_dof(v)) continue;
     free = free && world.dofs.moves(v);
     mass += world.mass(v);
     before += world.mass(v) * vertex(state.v_before, v);

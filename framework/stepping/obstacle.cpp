@@ -61,7 +61,7 @@ std::string describe_obstacle(const World& world, const VecX& x, int v, double d
   const int a = world.body_of(v);
   const std::string& name = world.bodies[a].name;
   const std::string rest = fmt::format("vertex {} of '{}' is still {:.3g} m short of its place",
-                                       world.number_in_body(v), name, distance);
+                                       world.index_in_body(v), name, distance);
   const int b = world.contact ? nearest_object(*world.contact, x, a) : -1;
   if (b < 0) return fmt::format("the script deforms '{}' too far: {}", name, rest);
   return fmt::format("the script drives '{}' into {}: {}", name,

@@ -28,7 +28,7 @@ StepControl::StepControl(const World& world, const TimeConfig& time) : time_(tim
     add(assignment.motion->until());
     for (const double t : assignment.motion->corners()) add(t);
   }
-  for (const Tie& tie : world.bindings.ties()) add(tie.from), add(tie.until);
+  for (const TimedConstraint& timed : world.constraints.timed()) add(timed.from), add(timed.until);
   for (const double t : world.participants.abrupt_times()) add(t);
   add(time.duration);
   std::sort(corners_.begin(), corners_.end());
@@ -36,7 +36,7 @@ StepControl::StepControl(const World& world, const TimeConfig& time) : time_(tim
     Part part{world.vertices_of(static_cast<int>(i)), {}};
     double mass = 0;
     for (const int v : part.vertices) mass += world.gravitational_mass(v);
-    for (const int v : part.vertices) part.weights.push_back(mass > 0 ? world.gravitational_mass(v) : world.is_number(v) ? 0 : 1);
+    for (const int v : part.vertices) part.weights.push_back(mass > 0 ? world.gravitational_mass(v) : world.is_scalar_dof(v) ? 0 : 1);
     parts_.push_back(std::move(part));
   }
 }

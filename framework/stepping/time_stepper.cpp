@@ -49,7 +49,7 @@ std::vector<double> masses_of_bodies(const World& world) {
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver,
                          PhaseClock& clock, WarningFunction warn)
     : world_(world), scene_(scene), time_(time), solver_(solver), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      fixed_(world.prescribed_motion, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
+      fixed_(world.prescribed_motion, world.constraints, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
       stepper_(instance_of(*time.stepper)) {
   if (state_.h_next == 0) state_.h_next = time.step;
   refined_ = state_.substeps > 1 || state_.h_max > 0;

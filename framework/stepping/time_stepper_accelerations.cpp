@@ -48,7 +48,7 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
 // Returns the accelerations by forces on the unknowns. Joints couple their masses; without joints
 // the diagonal of W^T M W is used.
 VecX TimeStepper::accelerations_by(const VecX& force) const {
-  if (!world_.bindings.joints().empty()) return divide_by_mass(world_.dofs, world_.mass, force);
+  if (!world_.constraints.joints().empty()) return divide_by_mass(world_.dofs, world_.mass, force);
   const VecX mass = world_.dofs.block_masses(world_.mass);
   VecX a = VecX::Zero(force.size());
   for (int b = 0; b < world_.dofs.block_count(); ++b)

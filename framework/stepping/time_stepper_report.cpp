@@ -48,7 +48,7 @@ StepReport TimeStepper::report(const SolveResult& result, double h) const {
 // Warns of play in joints that a stiff potential holds, as joints between fixed bodies need.
 void TimeStepper::warn_of_joints() {
   constexpr double tolerated = 1e-3;  // of the size of the object
-  for (const Joint& joint : world_.bindings.joints()) {
+  for (const Joint& joint : world_.constraints.joints()) {
     if (!joint.play) continue;
     const double play = joint.play(state_.x), size = extent_of(world_.bodies[static_cast<size_t>(joint.bodies.front())], world_.rest).diagonal().norm();
     if (play > tolerated * size)

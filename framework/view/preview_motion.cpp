@@ -33,7 +33,7 @@ ScriptedFrames scripted_frames(const World& world, double duration, int frames) 
   if (!(duration > 0) || frames < 2 || !anything_moves(world)) return shown;
   std::vector<double> times;
   for (int i = 0; i < frames; ++i) times.push_back(duration * i / (frames - 1));
-  FixedVertices held(world.prescribed_motion, world.bindings, world.rest);
+  FixedVertices held(world.prescribed_motion, world.constraints, world.rest);
   State state = world.start;
   double before = 0;
   try {

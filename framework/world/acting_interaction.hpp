@@ -9,8 +9,8 @@ namespace tack {
 class Term;
 
 struct ActingInteraction {
-  // A history array declared by InteractionBuilder::remembers.
-  struct Memory {
+  // A history array declared by InteractionBuilder::add_history.
+  struct HistoryShape {
     std::string name;
     int width, entries;
   };
@@ -18,7 +18,7 @@ struct ActingInteraction {
   std::string name, type;
   std::vector<int> bodies;  // ascending
   std::vector<const Term*> terms;
-  std::vector<Memory> memory;
+  std::vector<HistoryShape> history;
 };
 
 }  // namespace tack

@@ -47,7 +47,7 @@ VecX divide_by_mass(const DofMap& dofs, const VecX& mass, const VecX& f) {
   return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(rhs);
 }
 
-void make_possible(const DofMap& dofs, const VecX& mass, VecX& v) {
+void project_velocities(const DofMap& dofs, const VecX& mass, VecX& v) {
   VecX momentum = VecX::Zero(dofs.size()), q;
   for (int i = 0; i < dofs.vertex_count(); ++i)
     if (mass(i) > 0)

@@ -23,15 +23,15 @@ Aabb box_of(const Body& body, const VecX& x) {
   return box;
 }
 
-// Returns surface vertices of other objects that may be inside of this one.
-std::vector<int> candidates(const World& world, int around) {
+// Returns the surface vertices of other objects that may be inside of the solid.
+std::vector<int> candidates(const World& world, int solid) {
   const CollisionMesh& mesh = world.contact->surface().mesh;
-  const Aabb box = box_of(world.bodies[around], world.start.x);
+  const Aabb box = box_of(world.bodies[solid], world.start.x);
   std::vector<int> inside;
   for (const int v : mesh.vertices) {
     const int body = mesh.vertex_object[v];
-    const bool relevant = body != around && world.contact->colliding().allows(body, around) &&
-                          (world.bodies[body].movable || world.bodies[around].movable);
+    const bool relevant = body != solid && world.contact->colliding().allows(body, solid) &&
+                          (world.bodies[body].movable || world.bodies[solid].movable);
     if (relevant && box.contains(vertex(world.start.x, v))) inside.push_back(v);
   }
   return inside;
@@ -54,16 +54,16 @@ Bvh tree_of(const std::vector<Tet>& tets, const VecX& x) {
 
 std::optional<Containment> find_containment(const World& world) {
   if (!world.contact) return std::nullopt;
-  for (int around = 0; around < static_cast<int>(world.bodies.size()); ++around) {
-    const std::vector<Tet>& tets = world.bodies[around].tets;
+  for (int solid = 0; solid < static_cast<int>(world.bodies.size()); ++solid) {
+    const std::vector<Tet>& tets = world.bodies[solid].tets;
     if (tets.empty()) continue;
-    const std::vector<int> vertices = candidates(world, around);
+    const std::vector<int> vertices = candidates(world, solid);
     if (vertices.empty()) continue;
     std::vector<std::array<int, 2>> hits;
     overlap_pairs(tree_of(vertices, world.start.x), tree_of(tets, world.start.x), VertexInTet{vertices, tets, world.start.x}, hits);
     if (hits.empty()) continue;
     const int v = vertices[hits.front()[0]];
-    return Containment{world.contact->surface().mesh.vertex_object[v], v, around, hits.front()[1]};
+    return Containment{world.contact->surface().mesh.vertex_object[v], v, solid, hits.front()[1]};
   }
   return std::nullopt;
 }

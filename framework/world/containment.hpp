@@ -10,7 +10,7 @@ namespace tack {
 
 struct Containment {
   int body, vertex;     // the object inside, and a vertex of its surface inside (global)
-  int around, tet;      // the solid, and its tetrahedron that contains the vertex (from 0)
+  int solid, tet;       // the solid, and its tetrahedron that contains the vertex (from 0)
 };
 
 // Returns the first surface vertex in a tetrahedron of another object, for objects that may collide

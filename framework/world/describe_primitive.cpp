@@ -11,7 +11,7 @@ std::string describe_primitive(const World& world, const std::vector<int>& verti
   static constexpr std::array<const char*, 4> kinds = {"vertex", "edge", "triangle", "tet"};
   const Body& body = world.bodies[world.body_of(vertices[0])];
   std::vector<int> own;
-  for (const int v : vertices) own.push_back(world.number_in_body(v));
+  for (const int v : vertices) own.push_back(world.index_in_body(v));
   const std::string numbers = fmt::format("{}", fmt::join(own, ", "));
   return fmt::format("{} {} of '{}'", kinds[own.size() - 1], own.size() > 1 ? "(" + numbers + ")" : numbers, body.name);
 }

@@ -40,25 +40,25 @@ Embedding::Embedding(const World& world, int body)
     : world_(world), body_(world.bodies[body]), size_(extent_of(body_, world.rest).diagonal().norm()) {}
 
 Embedding::Attachment Embedding::of(const Vec3& point) const {
-  Attachment place;
+  Attachment attachment;
   const Triangle* closest = nullptr;
   double least_square = std::numeric_limits<double>::infinity();
   for (const Triangle& t : body_.triangles) {
     const double d = point_triangle_distance(point, at(t[0]), at(t[1]), at(t[2]));
     if (d < least_square) least_square = d, closest = &t;
   }
-  place.distance = closest ? std::sqrt(least_square) : std::numeric_limits<double>::infinity();
+  attachment.distance = closest ? std::sqrt(least_square) : std::numeric_limits<double>::infinity();
   if (!body_.frame.empty()) {
-    place.on = weights_on({body_.frame[0], body_.frame[1], body_.frame[2], body_.frame[3]}, world_.rest, point);
+    attachment.on = weights_on({body_.frame[0], body_.frame[1], body_.frame[2], body_.frame[3]}, world_.rest, point);
   } else if (!body_.tets.empty()) {
-    place.on = on_tets(point, closest);
-    if (least(place.on) >= -touching) place.distance = 0;
+    attachment.on = on_tets(point, closest);
+    if (least(attachment.on) >= -touching) attachment.distance = 0;
   } else if (closest) {
-    place.on = on_triangle(*closest, point);
-    place.off = place.distance;
+    attachment.on = on_triangle(*closest, point);
+    attachment.error = attachment.distance;
   }
-  snap(place.on);
-  return place;
+  snap(attachment.on);
+  return attachment;
 }
 
 // Uses the tetrahedron that contains the point, or else that of the nearest face.

@@ -11,16 +11,16 @@ namespace tack {
 
 class Embedding {
  public:
-  static constexpr double touching = 1e-9;  // distance over size() at which a point touches
+  static constexpr double touching = 1e-9;  // distance over size() below which a point touches the object
 
   Embedding(const World& world, int body);
-  double size() const { return size_; }  // the diagonal of its box [m]
+  double size() const { return size_; }  // diagonal of the bounding box of the object [m]
 
   struct Attachment {
     // Vertices and weights; empty without tets and triangles.
     std::vector<std::pair<int, double>> on;
     double distance = 0;  // from the point to the object [m]
-    double off = 0;       // from the point to the weighted sum of `on` [m]
+    double error = 0;     // from the point to the weighted sum of `on` [m]
   };
   // Returns the host element of a point: the frame of an affine body; the tet that contains the
   // point or has the closest face; the triangle that it lies on, of an object without tets.

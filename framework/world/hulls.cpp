@@ -11,13 +11,14 @@ bool may_be_hull(const Body& body) {
          body.thickness == 0;
 }
 
-// Surfaces do not cross, so that a connected component lies where one of its vertices does.
+// Returns whether the hull encloses a vertex of the other object. Surfaces do not intersect, so that
+// a connected component lies on the side of each of its vertices.
 bool encloses(const SurfaceDistance& hull, const World& world, const Body& other) {
-  const double reach = (hull.box().hi - hull.box().lo).norm();
+  const double search_radius = (hull.box().hi - hull.box().lo).norm();
   for (int v = other.first_vertex; v < other.first_vertex + other.vertex_count; ++v) {
     const Vec3 at = vertex(world.rest, v);
     if ((at.array() < hull.box().lo.array()).any() || (at.array() > hull.box().hi.array()).any()) continue;
-    if (const auto closest = hull.at(at, reach); closest && closest->distance < 0) return true;
+    if (const auto closest = hull.at(at, search_radius); closest && closest->distance < 0) return true;
   }
   return false;
 }

@@ -1,4 +1,4 @@
-// A joint: sums of positions that are zero throughout (joint_relations.hpp).
+// Joint: weighted sums of positions that are zero at all times (joint_relations.hpp).
 #pragma once
 
 #include <algorithm>
@@ -17,25 +17,26 @@ struct Joint {
 
   std::string name;
   std::vector<Relation> relations;
-  std::vector<int> bodies;   // joined bodies, its object first
-  std::vector<int> places;   // its own massless vertices, which may become dependent
-  // Vertices of its object at which it acts; its torque is reported about the first.
-  std::vector<int> anchors;
-  // Error of relations that only a stiff potential keeps [m].
+  std::vector<int> bodies;  // joined bodies, the object of the joint first
+  std::vector<int> own_vertices;  // massless vertices of the joint, which may become dependent
+  // Vertices of its object at which the joint acts; its torque is reported about the first.
+  std::vector<int> attachment_points;
+  // Returns the error of the relations that a stiff potential enforces [m]; may be empty.
   std::function<double(const VecX& x)> play = {};
 };
 
-inline Vec3 off(const Joint::Relation& relation, const VecX& x) {
+// Returns the error of a relation at x [m].
+inline Vec3 relation_error(const Joint::Relation& relation, const VecX& x) {
   Vec3 sum = Vec3::Zero();
   for (const auto& [v, weight] : relation) sum += weight * vertex(x, v);
   return sum;
 }
 
-// Returns the largest error of its relations, or of its stiff potentials [m].
+// Returns the largest error of the relations of a joint at x [m].
 inline double joint_error(const Joint& joint, const VecX& x) {
   double most = joint.play ? joint.play(x) : 0;
   for (const Joint::Relation& relation : joint.relations)
-    most = std::max(most, off(relation, x).norm());
+    most = std::max(most, relation_error(relation, x).norm());
   return most;
 }
 

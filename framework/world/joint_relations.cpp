@@ -10,8 +10,8 @@
 namespace tack {
 namespace {
 
-constexpr double says_something = 1e-6;  // smallest weight at which a relation determines a vertex
-constexpr double nothing_left = 1e-12;
+constexpr double determining = 1e-6;  // smallest weight at which a relation determines a vertex
+constexpr double round_off = 1e-12;
 
 using Weights = std::map<int, double>;
 
@@ -31,7 +31,7 @@ Entry largest(const std::vector<Weights>& rows, const std::set<int>& among) {
 
 // Solves rows for vertices in `among` and substitutes them in the other rows.
 void eliminate(std::vector<Weights>& rows, const std::set<int>& among, Dependences& found) {
-  for (Entry pivot = largest(rows, among); std::abs(pivot.weight) >= says_something; pivot = largest(rows, among)) {
+  for (Entry pivot = largest(rows, among); std::abs(pivot.weight) >= determining; pivot = largest(rows, among)) {
     const Weights by = rows[pivot.row];
     rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(pivot.row));
     Dependence& d = found.emplace_back(Dependence{pivot.vertex, {}});
@@ -43,7 +43,7 @@ void eliminate(std::vector<Weights>& rows, const std::set<int>& among, Dependenc
       const double factor = entry->second;
       row.erase(entry);
       for (const auto& [v, weight] : d.on) row[v] += factor * weight;
-      std::erase_if(row, [](const auto& part) { return std::abs(part.second) < nothing_left; });
+      std::erase_if(row, [](const auto& entry) { return std::abs(entry.second) < round_off; });
     }
   }
 }
@@ -53,25 +53,25 @@ void eliminate(std::vector<Weights>& rows, const std::set<int>& among, Dependenc
 SolvedJoints solve_joints(std::span<const Joint> joints, const std::vector<AffineFrame>& frames, const std::vector<char>& free, const Dependences& known) {
   Leaves leaves(static_cast<int>(free.size()), known);
   const auto open = [&](int v) { return free[v] && !leaves.depends(v); };
-  std::set<int> of_frames, places;
+  std::set<int> of_frames, own_vertices;
   for (const AffineFrame& frame : frames)
     for (const int v : frame.frame)
       if (open(v)) of_frames.insert(v);
   std::vector<Weights> rows;
   for (const Joint& joint : joints) {
-    for (const int v : joint.places)
-      if (open(v)) places.insert(v);
+    for (const int v : joint.own_vertices)
+      if (open(v)) own_vertices.insert(v);
     for (const Joint::Relation& relation : joint.relations) {
       Weights& row = rows.emplace_back();
       for (const auto& [v, weight] : relation)
-        for (const auto& [leaf, part] : leaves.of(v)) row[leaf] += weight * part;
-      std::erase_if(row, [](const auto& part) { return std::abs(part.second) < nothing_left; });
+        for (const auto& [leaf, fraction] : leaves.of(v)) row[leaf] += weight * fraction;
+      std::erase_if(row, [](const auto& entry) { return std::abs(entry.second) < round_off; });
     }
   }
   SolvedJoints solved;
   eliminate(rows, of_frames, solved.dependences);
-  eliminate(rows, places, solved.dependences);
-  solved.idle = static_cast<int>(rows.size());
+  eliminate(rows, own_vertices, solved.dependences);
+  solved.redundant = static_cast<int>(rows.size());
   return solved;
 }
 

@@ -11,19 +11,19 @@
 
 namespace tack {
 
-// The frame of an affine body: four independent vertices that all others follow, with weights that
-// sum up to one for each.
+// Frame of an affine body: four independent vertices. All other vertices of the body are weighted
+// sums of them; the weights of each add up to one.
 struct AffineFrame {
   std::array<int, 4> frame;
-  struct Carried {
+  struct Dependent {
     int vertex;
     std::array<double, 4> weights;
   };
-  std::vector<Carried> carried;
+  std::vector<Dependent> dependents;
 };
 
-// A tie: vertices of one object that follow another object's for an interval of time.
-struct Tie {
+// Constraint for an interval of time: vertices of one object depend on those of another.
+struct TimedConstraint {
   std::string name;  // for messages: "attach 0 of 'box'"
   Dependences dependences;
   double from = 0, until = 0;  // s
@@ -33,32 +33,32 @@ class MultiPointConstraints {
  public:
   void add(AffineFrame frame) { frames_.push_back(std::move(frame)); }
   // Adds a dependent vertex of the frame with this first vertex.
-  void carry(int first_of_frame, const AffineFrame::Carried& carried);
-  void add(Tie tie) { ties_.push_back(std::move(tie)); }
+  void add_dependent(int first_of_frame, const AffineFrame::Dependent& dependent);
+  void add(TimedConstraint constraint) { timed_.push_back(std::move(constraint)); }
   void add_lasting(Dependence dependence) { lasting_.push_back(std::move(dependence)); }
   void add(Joint joint) { joints_.push_back(std::move(joint)); }
 
   const std::vector<AffineFrame>& frames() const { return frames_; }
-  const std::vector<Tie>& ties() const { return ties_; }
+  const std::vector<TimedConstraint>& timed() const { return timed_; }
   const Dependences& lasting() const { return lasting_; }
   const std::vector<Joint>& joints() const { return joints_; }
-  // Joints are between frames.
-  bool empty() const { return frames_.empty() && ties_.empty() && lasting_.empty(); }
+  // Joints connect frames, so that they are not counted here.
+  bool empty() const { return frames_.empty() && timed_.empty() && lasting_.empty(); }
 
-  // Returns a flag per tie: whether it acts at time t [s].
+  // Returns a flag per timed constraint: whether it acts at time t [s].
   std::vector<char> active(double t) const;
-  // Returns all constraints with these ties and with vertices fixed where free[v] == 0. Where
-  // vertices of an affine body are fixed or tied, as many vertices of its frame become dependent as
-  // these are affinely independent: one vertex leaves three independent, a line two, a plane one.
-  // free may be empty where there are no joints: no vertex is fixed.
-  Dependences at(const std::vector<char>& free, const std::vector<char>& active_ties) const;
-  // Returns these constraints without joints.
+  // Returns all dependences with the active timed constraints and with vertices fixed where
+  // free[v] == 0. If n affinely independent vertices of an affine body are fixed or dependent on
+  // another object, n vertices of its frame become dependent: one for a vertex, two for a line,
+  // three for a plane. free may be empty if there are no joints: no vertex is fixed.
+  Dependences at(const std::vector<char>& free, const std::vector<char>& active_timed) const;
+  // Returns the dependences of at() without joints.
   Dependences unjoined_at(const std::vector<char>& free,
-                          const std::vector<char>& active_ties) const;
+                          const std::vector<char>& active_timed) const;
 
  private:
   std::vector<AffineFrame> frames_;
-  std::vector<Tie> ties_;
+  std::vector<TimedConstraint> timed_;
   Dependences lasting_;
   std::vector<Joint> joints_;
 };

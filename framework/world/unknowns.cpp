@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-class StandingStill : public Motion {
+class FixedMotion : public Motion {
  public:
   void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double, VecX& x) const override {
     for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
@@ -20,9 +20,9 @@ class StandingStill : public Motion {
 };
 
 // Motion of scalar dofs with prescribed values.
-class Prescribed : public Motion {
+class PrescribedValues : public Motion {
  public:
-  Prescribed(Schedule values, double length) : values_(std::move(values)), length_(length) {}
+  PrescribedValues(Schedule values, double length) : values_(std::move(values)), length_(length) {}
   void place(std::span<const int> vertices, const VecX&, const VecX&, double t, VecX& x) const override {
     for (const int v : vertices) vertex(x, v) = Vec3(length_ * values_.at(t), 0, 0);
   }
@@ -36,14 +36,14 @@ class Prescribed : public Motion {
 
 }  // namespace
 
-std::vector<int> Unknowns::places(const std::string& name, std::span<const Vec3> at, double mass) { return append(name, at, mass, 0); }
+std::vector<int> Unknowns::add_vector_dofs(const std::string& name, std::span<const Vec3> at, double mass) { return append(name, at, mass, 0); }
 
-Numbers Unknowns::numbers(const std::string& name, int count, double length, double start, double mass) {
-  if (!(length > 0)) throw std::logic_error("numbers need a length by which they count as ways");
+ScalarDofs Unknowns::add_scalar_dofs(const std::string& name, int count, double length, double start, double mass) {
+  if (!(length > 0)) throw std::logic_error("scalar dofs need a length by which they count as displacements");
   const std::vector<Vec3> at(static_cast<size_t>(count), Vec3(length * start, 0, 0));
-  Numbers numbers{append(name, at, mass, length), length};
-  for (const int v : numbers.vertices) world_.prescribed_motion.fix_always({v, Vec3(0, 1, 1).asDiagonal(), true});
-  return numbers;
+  ScalarDofs dofs{append(name, at, mass, length), length};
+  for (const int v : dofs.vertices) world_.prescribed_motion.fix_always({v, Vec3(0, 1, 1).asDiagonal(), true});
+  return dofs;
 }
 
 std::vector<int> Unknowns::append(const std::string& name, std::span<const Vec3> at, double mass, double length) {
@@ -59,7 +59,7 @@ std::vector<int> Unknowns::append(const std::string& name, std::span<const Vec3>
     world_.mass(added[i]) = mass;
     world_.gravitational_mass(added[i]) = length > 0 ? 0 : mass;
   }
-  world_.prescribed_motion.grow(more);
+  world_.prescribed_motion.add_vertices(more);
   world_.extra_object.insert(world_.extra_object.end(), at.size(), body_);
   if (body_ >= 0) {
     auto& extra = world_.bodies[body_].extra_vertices;
@@ -69,24 +69,24 @@ std::vector<int> Unknowns::append(const std::string& name, std::span<const Vec3>
   return added;
 }
 
-void Unknowns::follow(Dependence dependence) {
-  world_.prescribed_motion.follow(dependence);
-  world_.bindings.add_lasting(std::move(dependence));
+void Unknowns::make_dependent(Dependence dependence) {
+  world_.prescribed_motion.add_dependence(dependence);
+  world_.constraints.add_lasting(std::move(dependence));
 }
 
-void Unknowns::hold(int vertex, const Mat3& held) { world_.prescribed_motion.fix_always({vertex, held, false}); }
+void Unknowns::fix_directions(int vertex, const Mat3& directions) { world_.prescribed_motion.fix_always({vertex, directions, false}); }
 
-void Unknowns::fix(std::vector<int> places) {
-  world_.own_motions.push_back(std::make_unique<StandingStill>());
-  world_.prescribed_motion.add({world_.own_motions.back().get(), std::move(places), "the places of " + owner_});
+void Unknowns::fix(std::vector<int> vertices) {
+  world_.own_motions.push_back(std::make_unique<FixedMotion>());
+  world_.prescribed_motion.add({world_.own_motions.back().get(), std::move(vertices), "the places of " + owner_});
 }
 
-void Unknowns::prescribe(const Numbers& numbers, std::span<const int> which, const Schedule& values) {
+void Unknowns::prescribe(const ScalarDofs& dofs, std::span<const int> indices, const Schedule& values) {
   std::vector<int> vertices;
-  for (const int i : which) vertices.push_back(numbers.vertices[i]);
+  for (const int i : indices) vertices.push_back(dofs.vertices[i]);
   std::sort(vertices.begin(), vertices.end());
-  for (const int v : vertices) vertex(world_.rest, v) = Vec3(numbers.length * values.at(0), 0, 0);
-  world_.own_motions.push_back(std::make_unique<Prescribed>(values, numbers.length));
+  for (const int v : vertices) vertex(world_.rest, v) = Vec3(dofs.length * values.at(0), 0, 0);
+  world_.own_motions.push_back(std::make_unique<PrescribedValues>(values, dofs.length));
   world_.prescribed_motion.add({world_.own_motions.back().get(), std::move(vertices), fmt::format("the values that {} gives", owner_)});
 }
 

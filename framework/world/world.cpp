@@ -45,20 +45,20 @@ std::vector<int> World::vertices_of(int body) const {
   return all;
 }
 
-int World::number_in_body(int vertex) const {
+int World::index_in_body(int vertex) const {
   const Body& body = bodies[body_of(vertex)];
   if (vertex < mesh_vertex_count()) return vertex - body.first_vertex;
   const auto at = std::lower_bound(body.extra_vertices.begin(), body.extra_vertices.end(), vertex);
   return body.vertex_count + static_cast<int>(at - body.extra_vertices.begin());
 }
 
-bool World::is_number(int vertex) const {
+bool World::is_scalar_dof(int vertex) const {
   const auto after = std::upper_bound(unknowns.begin(), unknowns.end(), vertex, [](int v, const UnknownGroup& group) { return v < group.vertices.front(); });
   return vertex >= mesh_vertex_count() && after != unknowns.begin() && std::prev(after)->length > 0;
 }
 
 void World::collect_on_meshes(VecX& forces) const {
-  for (const Dependence& d : bindings.lasting()) {
+  for (const Dependence& d : constraints.lasting()) {
     for (const auto& [on, weight] : d.on) vertex(forces, on) += weight * vertex(forces, d.vertex);
     vertex(forces, d.vertex).setZero();
   }

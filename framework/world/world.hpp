@@ -46,7 +46,7 @@ struct World {
   /// Besides the scene's: relative motions in space, and motions of prescribed unknowns.
   std::vector<std::unique_ptr<Motion>> own_motions;
   PrescribedMotion prescribed_motion;  ///< motion of vertices by time
-  MultiPointConstraints bindings;      ///< dependent vertices
+  MultiPointConstraints constraints;   ///< dependent vertices
   /// Pairs of bodies without contact, because one is attached or joined to the other, ascending.
   std::vector<std::pair<int, int>> attached;
   MeetingGroups meeting;  ///< groups of bodies that may touch each other in the run
@@ -63,11 +63,11 @@ struct World {
   std::vector<std::unique_ptr<FollowingLoad>> load_terms;
   std::vector<FollowingLoad*> following_loads;  ///< of all terms
   /// Among following_loads: loads by an enclosed volume or a surface.
-  std::vector<const VolumeTerm*> chambers;
+  std::vector<const VolumeTerm*> cavities;
   std::unique_ptr<ContactSystem> contact;  ///< null without contact
   std::unique_ptr<ContactTerm> contact_term;
   /// Null unless a pair adheres by a traction-separation law over overlap areas.
-  std::unique_ptr<OverlapBoundaryTerm> rim;
+  std::unique_ptr<OverlapBoundaryTerm> overlap_boundary_term;
   std::unique_ptr<BondTerm> bonds;         ///< null if no pair adheres by bonds
   std::unique_ptr<FrictionTerm> friction;  ///< null without tangential forces
   std::vector<const Term*> terms;  ///< all terms above that the scene uses
@@ -78,7 +78,8 @@ struct World {
   /// Step metrics that the stepper reports of the last step.
   std::vector<StepMetric> step_metrics;
   State start;
-  /// Moved objects (adjust_overclosures.hpp) and objects with an initial state from a run (initial_state.hpp).
+  /// Moved objects (adjust_overclosures.hpp) and objects with an initial state from a run
+  /// (initial_state.hpp).
   std::vector<std::string> start_notes;
 
   int body_index(const std::string& name) const;  ///< -1 if there is none
@@ -90,8 +91,8 @@ struct World {
   Vec3 centre_of_mass(int body, const VecX& x) const;
   std::vector<int> vertices_of(int body) const;  ///< of its mesh, then those without mesh
   /// Returns the index of a global vertex in vertices_of its body.
-  int number_in_body(int vertex) const;
-  bool is_number(int vertex) const;  ///< scalar dof, not a position (unknowns.hpp)
+  int index_in_body(int vertex) const;
+  bool is_scalar_dof(int vertex) const;  ///< not a position (unknowns.hpp)
   /// Moves forces (3n) on vertices of refined contact surfaces to the mesh vertices that these
   /// depend on.
   void collect_on_meshes(VecX& forces) const;

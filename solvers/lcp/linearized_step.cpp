@@ -13,7 +13,7 @@ namespace {
 // Returns whether rows and impulses represent the term. Any other term, dynamic or not, acts
 // linearised.
 bool has_rows(const World& world, const Term* term) {
-  return term == world.contact_term.get() || term == world.rim.get() || term == world.bonds.get() || term == world.friction.get();
+  return term == world.contact_term.get() || term == world.overlap_boundary_term.get() || term == world.bonds.get() || term == world.friction.get();
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ std::string sheets(double unit, int cells, const std::string& below, const std::
 }
 
 const VolumeTerm& chamber_of(const World& world) {
-  REQUIRE(world.chambers.size() == 1);
-  return *world.chambers.front();
+  REQUIRE(world.cavities.size() == 1);
+  return *world.cavities.front();
 }
 
 Vec3 force_on(const World& world, int body, const VecX& x) {

@@ -31,7 +31,7 @@ const std::string angle = "probes: [{name: angle, type: joint_angle, interaction
 
 double worst(const TestRun& run) {
   double most = 0;
-  for (const Joint& joint : run.world->bindings.joints()) most = std::max(most, joint_error(joint, run.state().x));
+  for (const Joint& joint : run.world->constraints.joints()) most = std::max(most, joint_error(joint, run.state().x));
   return most;
 }
 
@@ -65,9 +65,9 @@ TEST_CASE("a loop of joints costs no penalty: what it says twice is left out", "
                              "{type: hinge, name: top_left, object: b, to: a, at: [0, 0.2, 0], axis: [0, 0, 1]}, "
                              "{type: hinge, name: top_right, object: c, to: b, at: [0.3, 0.2, 0], axis: [0, 0, 1]}, {type: hinge, name: right, object: c, at: [0.3, 0, 0], axis: [0, 0, 1]}";
   TestRun run(scene(objects, joints, "probes: [{name: l, type: joint_angle, interaction: left}, {name: r, type: joint_angle, interaction: right}, {name: t, type: joint_angle, interaction: top_left}]\n"));
-  const SolvedJoints solved = solve_joints(run.world->bindings.joints(), run.world->bindings.frames(), run.world->prescribed_motion.free(run.world->prescribed_motion.active(0)),
-                                           run.world->bindings.unjoined_at(run.world->prescribed_motion.free(run.world->prescribed_motion.active(0)), {}));
-  CHECK(solved.idle == 1);
+  const SolvedJoints solved = solve_joints(run.world->constraints.joints(), run.world->constraints.frames(), run.world->prescribed_motion.free(run.world->prescribed_motion.active(0)),
+                                           run.world->constraints.unjoined_at(run.world->prescribed_motion.free(run.world->prescribed_motion.active(0)), {}));
+  CHECK(solved.redundant == 1);
   while (run.state().time < 0.5) run.step();
   CHECK(worst(run) < 1e-12);
   const double turned = run.sample(0)[0];

@@ -45,7 +45,7 @@ struct Places {
   VecX forces(const VecX& x) {
     begin(x);
     VecX sum = world.contact_term->forces(x, LawTerm::all);
-    return sum + Published(*world.rim).forces(x);
+    return sum + Published(*world.overlap_boundary_term).forces(x);
   }
   double depth() const { return -world.contact_term->laws(LawTerm::all)[world.contact->pairs().point(0, 1).law].at(gap).value; }
 
@@ -76,7 +76,7 @@ TEST_CASE("rim: the forces are minus the gradient of the energy with areas taken
 TEST_CASE("rim: no net force and no moment", "[contact][rim]") {
   Places p(plates(0.0072, 0.4, {6, 5}));
   p.begin(p.world.rest);
-  const VecX f = Published(*p.world.rim).forces(p.world.rest);
+  const VecX f = Published(*p.world.overlap_boundary_term).forces(p.world.rest);
   REQUIRE(f.size() > 0);
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
   for (int v = 0; v < f.size() / 3; ++v) {
@@ -94,8 +94,8 @@ TEST_CASE("rim: the lateral force is that of the energy per length, wherever the
       p.begin(p.world.rest);
       INFO("shift " << shift << ", cells " << cells[0] << " and " << cells[1]);
       const double width = side - 0.00013;
-      CHECK(Published(*p.world.rim).force_between(p.world.rest, "adhesion", {0, 1}).x() == Approx(-p.depth() * width).epsilon(0.01));
-      CHECK(Published(*p.world.rim).force_between(p.world.rest, "barrier", {0, 1}).isZero());
+      CHECK(Published(*p.world.overlap_boundary_term).force_between(p.world.rest, "adhesion", {0, 1}).x() == Approx(-p.depth() * width).epsilon(0.01));
+      CHECK(Published(*p.world.overlap_boundary_term).force_between(p.world.rest, "barrier", {0, 1}).isZero());
     }
 }
 

@@ -110,7 +110,7 @@ TEST_CASE("parts: a seam is a rim: its forces are minus the gradient of the ener
         // Off the lines of the meshes, which meet.
         for (int v = 0; v < world.bodies[0].vertex_count; ++v) x(3 * v + 2) += 0.00013;
         begin(x);
-        const VecX f = world.contact_term->forces(x, LawTerm::all) + Published(*world.rim).forces(x);
+        const VecX f = world.contact_term->forces(x, LawTerm::all) + Published(*world.overlap_boundary_term).forces(x);
         const double step = 1e-8, slope = (energy(x + step * d) - energy(x - step * d)) / (2 * step);
         CHECK(-f.dot(d) == Approx(slope).epsilon(4e-3).scale(0.6 * 0.02));
         // As a whole, upwards of the seam: the energy of the strip that comes under it.
@@ -119,7 +119,7 @@ TEST_CASE("parts: a seam is a rim: its forces are minus the gradient of the ener
         const double depth = -world.contact_term->laws(LawTerm::all)[world.contact->pairs().point(0, 1, 0).law].at(gap).value;
         const double seam = cells[1] == 5 ? -0.002 : 0;
         CHECK(0.01 + seam > shift - 0.01);
-        CHECK(Published(*world.rim).force_between(x, "adhesion", {0, 1}).x() == Approx(-depth * (0.02 - 0.00013)).epsilon(0.01));
+        CHECK(Published(*world.overlap_boundary_term).force_between(x, "adhesion", {0, 1}).x() == Approx(-depth * (0.02 - 0.00013)).epsilon(0.01));
       }
 }
 

@@ -85,7 +85,7 @@ class Jack : public Interaction {
     const int from = builder.attachment_point(a, at_), to = builder.attachment_point(b, at_);
     if (joined_) builder.exclude_contact(a, b);
     if (tied_) return builder.make_dependent({{to, {{from, 1.0}}}});
-    const Numbers n = builder.unknowns().numbers("way", 1, scale_, 0, mass_);
+    const ScalarDofs n = builder.unknowns().add_scalar_dofs("way", 1, scale_, 0, mass_);
     auto jack = std::make_unique<JackTerm>(builder.add_history("steps", 1, 1));
     jack->add({from, to, n.vertices[0]}, {stiffness_});
     builder.add(std::move(jack));
@@ -109,7 +109,7 @@ class Middles : public EnergyWithUnknowns {
   std::unique_ptr<Term> make_with_unknowns(const Body& body, const VecX& rest, Unknowns unknowns) const override {
     std::vector<Vec3> at;
     for (const Edge& e : body.edges) at.push_back((vertex(rest, e[0]) + vertex(rest, e[1])) / 2 + Vec3(0, 0.1, 0));
-    const std::vector<int> middles = unknowns.places("middles", at);
+    const std::vector<int> middles = unknowns.add_vector_dofs("middles", at);
     auto term = std::make_unique<FormulaTerm<Halves>>("middles");
     for (size_t e = 0; e < middles.size(); ++e) term->add({body.edges[e][0], body.edges[e][1], middles[e]}, {});
     return term;
@@ -167,10 +167,10 @@ TEST_CASE("a number without mass is where the potential is least, one with mass 
   const double k = 1e4, spring = 1, length = 0.1, goal = 0.1;
   TestRun run(scene("{type: test_jack, name: jack, between: [wall, cart], " + at + "}"));
   const int n = group_of(*run.world, "jack/way").vertices.at(0);
-  CHECK(run.world->is_number(n));
+  CHECK(run.world->is_scalar_dof(n));
   CHECK(run.world->body_of(n) == -1);
   CHECK(run.world->gravitational_mass(n) == 0);
-  CHECK_FALSE(run.world->is_number(group_of(*run.world, "jack/anchor").vertices.at(0)));
+  CHECK_FALSE(run.world->is_scalar_dof(group_of(*run.world, "jack/anchor").vertices.at(0)));
   const double other = spring / (length * length);
   for (int i = 0; i < 5; ++i) {
     run.step();
