@@ -116,11 +116,11 @@ void copy_interactions(const std::map<std::string, StateObject>& here, const std
   State& s = world.start;
   for (const ActingInteraction& interaction : world.interactions) {
     if (!std::all_of(interaction.bodies.begin(), interaction.bodies.end(), taken)) continue;
-    for (const ActingInteraction::Memory& memory : interaction.memory) {
-      const auto there = earlier.history.find(memory.name);
+    for (const ActingInteraction::HistoryShape& declared : interaction.history) {
+      const auto there = earlier.history.find(declared.name);
       if (there == earlier.history.end()) continue;
-      if (there->second.width != memory.width || there->second.entries() != memory.entries)
-        refuse(interaction, fmt::format("entries of '{}'", memory.name), there->second.entries(), memory.entries);
+      if (there->second.width != declared.width || there->second.entries() != declared.entries)
+        refuse(interaction, fmt::format("entries of '{}'", declared.name), there->second.entries(), declared.entries);
       s.history.insert(*there);
     }
     const auto then = earlier.objects.find(interaction.name), now = here.find(interaction.name);
