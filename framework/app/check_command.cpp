@@ -43,17 +43,18 @@ void print_contents(const World& world) {
   if (const auto groups = meeting_names(world); groups.size() > 1)
     for (const auto& names : groups) fmt::print("may meet in the run: '{}'{}\n", fmt::join(first_of(names), "', '"), names.size() > most_names ? fmt::format(" and {} more", names.size() - most_names) : "");
   for (const AdhesionSummary& r : world.adhesion)
-    fmt::print("adhesion {}: peak {:.6g} Pa, work {:.6g} J/m^2, effective with the barrier "
-               "{:.6g} J/m^2, at rest {:.4g} m apart\n",
+    fmt::print("adhesion {}: peak {:.6g} Pa, work {:.6g} J/m^2, effective work with the barrier "
+               "{:.6g} J/m^2, equilibrium gap {:.4g} m\n",
                r.names(), r.peak_traction, r.work_of_adhesion, r.effective, r.rest_gap);
 }
 
-// Formats an error: "2.1e-09 (differences resolve 3e-10; 2 of 400 at kinks)", relative.
+// Formats a relative error: "error 2.1e-09 (resolution 3e-10; 2 of 400 at kinks)". The resolution is
+// that of the finite differences.
 std::string error_text(const DifferenceStudy& study) {
-  if (study.scale == 0) return "nothing (it is zero)";
+  if (study.scale == 0) return "zero";
   const std::string kinks =
       study.unclear > 0 ? fmt::format("; {} of {} at kinks", study.unclear, study.components) : "";
-  return fmt::format("{:.1e} (differences resolve {:.0e}{})", study.error, study.resolution, kinks);
+  return fmt::format("error {:.1e} (resolution {:.0e}{})", study.error, study.resolution, kinks);
 }
 
 // Prints the derivative checks; returns false if the derivatives of a term are not those of its
@@ -62,11 +63,11 @@ bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
   bool right = true;
   for (const DerivativeCheck& c : checks) {
     if (!c.in_play()) {
-      fmt::print("derivatives of {}: not in play at the start (zero there and all around), not checked\n", c.term);
+      fmt::print("derivatives of {}: inactive at the start (zero there and nearby), not checked\n", c.term);
       continue;
     }
-    fmt::print("derivatives of {}: gradient off by {}, Hessian by {}{}\n", c.term, error_text(c.gradient),
-               error_text(c.hessian), c.wrong() ? "  WRONG: not those of its value; see its derivatives" : "");
+    fmt::print("derivatives of {}: gradient {}, Hessian {}{}\n", c.term, error_text(c.gradient),
+               error_text(c.hessian), c.wrong() ? "  WRONG: they do not match its value; see its derivatives" : "");
     right = right && !c.wrong();
   }
   return right;
@@ -127,7 +128,7 @@ int check_command(const CheckOptions& options) {
   for (const std::string& line : equilibrium.doubtful) fmt::print("warning: {}\n", line);
   if (!equilibrium.wrong.empty()) fmt::print("no equilibrium in the first step: {}\n", equilibrium.wrong);
   const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.wrong.empty() && equilibrium.wrong.empty();
-  if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
+  if (right) fmt::print("no intersection, no inverted tet: {} is OK\n", options.file);
   return right ? exit_done : exit_expectation_failed;
 }
 

@@ -62,10 +62,10 @@ std::string Progress::line_of(const StepReport& r, double now) const {
       fmt::format("step {}  t {:.6g} s ({:.0f}%)  {}  {}", r.step, r.time,
                   std::floor(100 * fraction(r.time) + 1e-9),
                   counted(r.solve.iterations, "iteration"), counted(r.contacts, "contact"));
-  // The distance of an object to itself is shown only if no other object is near: a mesh is always
-  // near itself.
+  // The smallest distance within an object is shown only if no other object is near: it never exceeds
+  // the mesh size.
   if (std::isfinite(r.min_gap)) line += fmt::format("  gap {:.3g} m", r.min_gap);
-  else if (std::isfinite(r.min_distance)) line += fmt::format("  from itself {:.3g} m", r.min_distance);
+  else if (std::isfinite(r.min_distance)) line += fmt::format("  self-distance {:.3g} m", r.min_distance);
   if (r.cutbacks > 0) line += fmt::format("  {}", counted(r.cutbacks, "halving"));
   if (!r.converged) line += "  not converged";
   const std::string left = time_left(r, now);

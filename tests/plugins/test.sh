@@ -54,7 +54,7 @@ for file in CMakeLists.txt parabolic.cpp barzilai_borwein.cpp extreme.cpp pull.y
   [[ -s mine/$file ]] || fail "docs/plugins.md does not have mine/$file"
 done
 bash -euc "$(block '## Build it, check it, run it')" >out.txt 2>&1 || { cat out.txt; fail "the commands of docs/plugins.md"; }
-for line in 'strength: pressure (Pa), positive' 'pull.yaml is fit to run' 'pass  as low as the gap' 'Barzilai-Borwein at'; do
+for line in 'strength: pressure (Pa), positive' 'pull.yaml is OK' 'pass  as low as the gap' 'Barzilai-Borwein at'; do
   grep -qF "$line" out.txt || { cat out.txt; fail "no '$line'"; }
 done
 ! grep -E 'FAIL|WRONG' out.txt || fail "what tack says of the plugin"

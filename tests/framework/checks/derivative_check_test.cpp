@@ -171,11 +171,11 @@ TEST_CASE("a term that is zero is not in play; half a term is wrong", "[scene]")
   CHECK(half(0, 1).wrong());
 }
 
-TEST_CASE("tack check says of a term that is zero that it is not in play", "[scene][app]") {
+TEST_CASE("tack check reports a term that is zero as inactive", "[scene][app]") {
   const TemporaryFolder folder;
   write_file(folder.path() / "far.yaml", tiny_scene_with("[0, 0.1006, 0]", "[0, 0.3, 0]"));
   const ProgramResult result = run_tack(folder.path(), {"check", "far.yaml"});
   CHECK(result.exit_code == 0);
-  CHECK(contains(result.out, "derivatives of contact: not in play"));
-  CHECK(contains(result.out, "derivatives of gravity: gradient off by"));
+  CHECK(contains(result.out, "derivatives of contact: inactive"));
+  CHECK(contains(result.out, "derivatives of gravity: gradient error"));
 }

@@ -60,12 +60,12 @@ TEST_CASE("the line of a step tells trouble and leaves out what is unknown") {
         "step 1  t 0 s (0%)  1 iteration  1 contact  2 halvings  not converged\n");
 }
 
-TEST_CASE("where no other object is near, the gap that is told is one of an object from itself, and says so") {
+TEST_CASE("progress shows the self-distance of an object if no other object is near") {
   Told told(Verbosity::verbose);
   StepReport r = report(1, 0);
   r.min_gap = std::numeric_limits<double>::infinity();
   told.progress.step(r);
-  CHECK(told.out.str() == "step 1  t 0 s (0%)  4 iterations  310 contacts  from itself 1e-05 m\n");
+  CHECK(told.out.str() == "step 1  t 0 s (0%)  4 iterations  310 contacts  self-distance 1e-05 m\n");
 }
 
 TEST_CASE("the time that is left is told in fitting units") {
