@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<double, 3> directions = {0, std::numbers::pi / 4, std::numbers::pi / 2};
 constexpr int coarse = 400, fine = 2000;
-constexpr double shown_traction_min = 0.02;  // smallest traction in plots, of the peak
+constexpr double hidden_bond_traction = 0.02;  // of the peak: plots may omit smaller tractions
 constexpr std::array<double, 2> unloading_work = {0.6, 0.85};  // of the whole work: where the bond is unloaded
 constexpr double rate_effect_ratio = 1.1;  // work at a speed over the quasi-static work
 constexpr double speed_span = 1e15;        // largest over smallest speed of the search
@@ -78,7 +78,7 @@ OpeningMetrics opening_metrics(const BondLaw& law, BondPath& slow) {
 double last_shown_displacement(const BondPath& path, double peak) {
   double last = 0;
   for (const BondPoint& p : path.points)
-    if (traction_along(p, path.angle) > shown_traction_min * peak) last = displacement_of(p);
+    if (traction_along(p, path.angle) > hidden_bond_traction * peak) last = displacement_of(p);
   return last;
 }
 

@@ -13,7 +13,7 @@ namespace tack {
 namespace {
 
 constexpr int near_points = 1000, far_points = 200;
-constexpr double shown_traction_min = 0.01;  // smallest traction in plots, of the peak
+constexpr double hidden_gap_traction = 0.01;  // of the peak: plots may omit smaller tractions
 constexpr double on_plateau = 0.999;
 
 double traction_at(const NormalLaw& law, double gap) { return law.at(gap).slope; }
@@ -42,7 +42,7 @@ GapStudy study_gap_law(const StudiedLaw& studied, const StudySettings& settings)
   const NormalAdhesion& law = *studied.gap;
   const LawPeak peak = largest_traction(law);
   GapStudy study;
-  const double last_shown = last_gap_with(law, shown_traction_min * peak.traction), end = 1.02 * law.range();
+  const double last_shown = last_gap_with(law, hidden_gap_traction * peak.traction), end = 1.02 * law.range();
   study.shown = std::min(1.1 * last_shown, end);
   for (int i = 1; i <= near_points; ++i) study.curve.push_back(point_at(studied, study.shown * i / near_points));
   for (int i = 1; i <= far_points && end > study.shown; ++i) study.curve.push_back(point_at(studied, study.shown + (end - study.shown) * i / far_points));
