@@ -30,7 +30,7 @@ struct HandMadeWorld {
       for (int b = 0; b < objects; ++b) {
         pairs.point(a, b) = role;
         pairs.set_edge(a, b, role);
-        pairs.set_thin(a, b, role);
+        pairs.set_codimensional(a, b, role);
       }
     world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(pairs),
                                                     colliding, clock);

@@ -1,5 +1,5 @@
-// Verdicts of the incremental-potential stepper: which solve results may be kept, and what is said
-// of the others.
+// Validations of the incremental-potential stepper: which solve results may be accepted, and the
+// faults of the others.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -21,19 +21,19 @@ std::string scene(const std::string& solver = "projected_newton", double speed =
                      solver, speed);
 }
 
-struct Judge : StepProblem {
-  explicit Judge(const std::string& yaml) : StepProblem(yaml) {
-    judge->prepare({*world, config, config.time, *solver, clock});
-    judge->begin(true);
-    result.x = step.places;
-    judge->attempt(step, nullptr, result);
+struct Judged : StepProblem {
+  explicit Judged(const std::string& yaml) : StepProblem(yaml) {
+    stepper_->prepare({*world, config, config.time, *solver, clock});
+    stepper_->begin(true);
+    result.x = step.targets;
+    stepper_->solve(step, nullptr, result);
   }
   // Of a converged solve that ends at x.
-  Verdict at(const VecX& x) {
-    result.result.status = MinimizerStatus::converged;
+  Validation at(const VecX& x) {
+    result.minimizer.status = MinimizerStatus::converged;
     result.x = x;
     world->participants.move_to(x);
-    return judge->verdict(result);
+    return stepper_->validate(result);
   }
   VecX shifted(int body, const Vec3& by) const {
     VecX x = step.state.x;
@@ -41,8 +41,8 @@ struct Judge : StepProblem {
     return x;
   }
 
-  const std::unique_ptr<Stepper> judge = component<Stepper>("{type: incremental_potential}");
-  Attempt result{};
+  const std::unique_ptr<Stepper> stepper_ = component<Stepper>("{type: incremental_potential}");
+  SolveResult result{};
 };
 
 bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
@@ -50,93 +50,93 @@ bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
 }  // namespace
 
 TEST_CASE("a converged solve without a fault may be kept", "[stepping][stepper]") {
-  Judge judge(scene());
-  CHECK(judge.result.result.status == MinimizerStatus::converged);
-  const Verdict verdict = judge.judge->verdict(judge.result);
-  CHECK(verdict.wrong.empty());
-  CHECK(verdict.intersections == 0);
-  CHECK(verdict.inverted_tets == 0);
-  CHECK_FALSE(verdict.tolerable);
+  Judged judged(scene());
+  CHECK(judged.result.minimizer.status == MinimizerStatus::converged);
+  const Validation validation = judged.stepper_->validate(judged.result);
+  CHECK(validation.fault.empty());
+  CHECK(validation.intersections == 0);
+  CHECK(validation.inverted_tets == 0);
+  CHECK_FALSE(validation.tolerable);
 }
 
 TEST_CASE("a solve that did not converge is refused with its status, iterations and residual", "[stepping][stepper]") {
-  Judge judge(scene());
-  judge.result.result.iterations = 17;
-  judge.result.result.residual = 3.25;
+  Judged judged(scene());
+  judged.result.minimizer.iterations = 17;
+  judged.result.minimizer.residual = 3.25;
   for (const MinimizerStatus status : {MinimizerStatus::iteration_limit, MinimizerStatus::line_search_failed, MinimizerStatus::blocked, MinimizerStatus::factorization_failed,
                                        MinimizerStatus::not_finite}) {
-    judge.result.result.status = status;
-    const Verdict verdict = judge.judge->verdict(judge.result);
-    CHECK_THAT(verdict.wrong, Catch::StartsWith(std::string(to_string(status))) && Catch::Contains("17 iterations") && Catch::Contains("3.25 times the tolerance"));
-    CHECK_THAT(verdict.remedy, Catch::Contains("solver.max_iterations"));
-    CHECK_FALSE(verdict.tolerable);
-    CHECK(verdict.parts == 2);
+    judged.result.minimizer.status = status;
+    const Validation validation = judged.stepper_->validate(judged.result);
+    CHECK_THAT(validation.fault, Catch::StartsWith(std::string(to_string(status))) && Catch::Contains("17 iterations") && Catch::Contains("3.25 times the tolerance"));
+    CHECK_THAT(validation.remedy, Catch::Contains("solver.max_iterations"));
+    CHECK_FALSE(validation.tolerable);
+    CHECK(validation.substeps == 2);
   }
 }
 
 TEST_CASE("a failure to move prescribed vertices is refused with its own words, whatever the status", "[stepping][stepper]") {
-  Judge judge(scene());
-  judge.result.failure = "the plate is in the way";
+  Judged judged(scene());
+  judged.result.failure = "the plate is in the way";
   for (const MinimizerStatus status : {MinimizerStatus::converged, MinimizerStatus::blocked}) {
-    judge.result.result.status = status;
-    const Verdict verdict = judge.judge->verdict(judge.result);
-    CHECK_THAT(verdict.wrong, Catch::StartsWith("the plate is in the way"));
-    CHECK(verdict.remedy.find("solver.max_iterations") == std::string::npos);
+    judged.result.minimizer.status = status;
+    const Validation validation = judged.stepper_->validate(judged.result);
+    CHECK_THAT(validation.fault, Catch::StartsWith("the plate is in the way"));
+    CHECK(validation.remedy.find("solver.max_iterations") == std::string::npos);
   }
 }
 
 TEST_CASE("a result with an inverted tet is refused, and names it", "[stepping][stepper]") {
-  Judge judge(scene());
-  VecX x = judge.step.state.x;
-  const Tet& tet = judge.world->tets[3];
+  Judged judged(scene());
+  VecX x = judged.step.state.x;
+  const Tet& tet = judged.world->tets[3];
   const Vec3 base = vertex(x, tet[0]), n = Vec3(vertex(x, tet[1]) - base).cross(Vec3(vertex(x, tet[2]) - base));
   vertex(x, tet[3]) -= 2 * n.dot(Vec3(vertex(x, tet[3])) - base) / n.squaredNorm() * n;  // its mirror image
-  const Verdict verdict = judge.at(x);
-  CHECK(verdict.inverted_tets == 1);
-  CHECK_THAT(verdict.wrong, Catch::Contains("inverted"));
+  const Validation validation = judged.at(x);
+  CHECK(validation.inverted_tets == 1);
+  CHECK_THAT(validation.fault, Catch::Contains("inverted"));
 }
 
 TEST_CASE("a result whose surfaces intersect is refused", "[stepping][stepper]") {
-  Judge judge(scene());
-  const Verdict verdict = judge.at(judge.shifted(0, {0.25, 0.013, 0.017}));
-  CHECK(verdict.intersections == 1);
-  CHECK_THAT(verdict.wrong, Catch::Contains("intersect"));
-  CHECK_FALSE(verdict.tolerable);
+  Judged judged(scene());
+  const Validation validation = judged.at(judged.shifted(0, {0.25, 0.013, 0.017}));
+  CHECK(validation.intersections == 1);
+  CHECK_THAT(validation.fault, Catch::Contains("intersect"));
+  CHECK_FALSE(validation.tolerable);
 }
 
 TEST_CASE("a result in which a body has tunnelled is refused, or kept with a warning where steps cannot be smaller", "[stepping][stepper]") {
-  Judge judge(scene());
+  Judged judged(scene());
   for (const double motion : {0.6, 1.3, 5.0}) {
-    const Verdict verdict = judge.at(judge.shifted(0, {motion, 0.013, 0.017}));
+    const Validation validation = judged.at(judged.shifted(0, {motion, 0.013, 0.017}));
     INFO(motion);
-    CHECK_THAT(verdict.wrong, Catch::Contains("'a' went around 'b'"));
-    CHECK(verdict.intersections == 0);
-    CHECK(verdict.tolerable);
+    CHECK_THAT(validation.fault, Catch::Contains("'a' went around 'b'"));
+    CHECK(validation.intersections == 0);
+    CHECK(validation.tolerable);
     // In substeps of that number, none is longer than half of the block's side.
-    CHECK(is_power_of_two(verdict.parts));
-    CHECK(motion / verdict.parts <= 0.05 * (1 + 1e-9));
-    CHECK(motion / (verdict.parts / 2) > 0.05);
+    CHECK(is_power_of_two(validation.substeps));
+    CHECK(motion / validation.substeps <= 0.05 * (1 + 1e-9));
+    CHECK(motion / (validation.substeps / 2) > 0.05);
   }
 }
 
 TEST_CASE("bodies that pass beside each other, or move together, are kept", "[stepping][stepper]") {
-  Judge judge(scene());
-  CHECK(judge.at(judge.shifted(0, {0.6, 0.12, 0})).wrong.empty());
-  CHECK(judge.at(judge.shifted(0, {-3, 0, 0})).wrong.empty());
-  VecX together = judge.step.state.x;
+  Judged judged(scene());
+  CHECK(judged.at(judged.shifted(0, {0.6, 0.12, 0})).fault.empty());
+  CHECK(judged.at(judged.shifted(0, {-3, 0, 0})).fault.empty());
+  VecX together = judged.step.state.x;
   for (int v = 0; v < together.size() / 3; ++v) vertex(together, v) += Vec3(7, 1, 2);
-  CHECK(judge.at(together).wrong.empty());
+  CHECK(judged.at(together).fault.empty());
 }
 
 TEST_CASE("a first guess is the inertial motion, from which a free body converges at once", "[stepping][stepper]") {
-  const Judge rest(scene()), moving(scene("projected_newton", 0.5));
+  const Judged rest(scene()), moving(scene("projected_newton", 0.5));
   for (const int v : moving.world->vertices_of(0)) CHECK((vertex(moving.result.x, v) - vertex(moving.step.state.x, v) - Vec3(0.005, 0, 0)).norm() < 1e-9);
-  CHECK(moving.result.result.iterations <= rest.result.result.iterations + 1);
+  CHECK(moving.result.minimizer.iterations <= rest.result.minimizer.iterations + 1);
 }
 
 TEST_CASE("a minimisation that may not iterate is refused by its limit", "[stepping][stepper]") {
   // The blocks meet in this step.
-  Judge judge(scene("{type: projected_newton, max_iterations: 1}", 30));
-  CHECK(judge.result.result.status == MinimizerStatus::iteration_limit);
-  CHECK_THAT(judge.judge->verdict(judge.result).wrong, Catch::Contains("1 iterations") || Catch::Contains("1 iteration"));
+  Judged judged(scene("{type: projected_newton, max_iterations: 1}", 30));
+  CHECK(judged.result.minimizer.status == MinimizerStatus::iteration_limit);
+  CHECK_THAT(judged.stepper_->validate(judged.result).fault, Catch::Contains("1 iterations") || Catch::Contains("1 iteration"));
 }

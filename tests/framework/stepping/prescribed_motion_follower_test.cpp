@@ -32,8 +32,8 @@ struct Follow : StepProblem {
   }
   bool intersects() const { return !find_intersections(world->contact->surface().mesh, result.x, world->contact->colliding(), 1).empty(); }
   bool arrived() const {
-    for (const int v : step.held.vertices())
-      if (Vec3(vertex(result.x, v)) != Vec3(vertex(step.places, v))) return false;
+    for (const int v : step.fixed.vertices())
+      if (Vec3(vertex(result.x, v)) != Vec3(vertex(step.targets, v))) return false;
     return true;
   }
   double displacement(int body) const {  // largest of its vertices [m]
