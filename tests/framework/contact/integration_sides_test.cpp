@@ -38,7 +38,7 @@ TEST_CASE("integration sides: the side that captures more, the finer one where b
   CHECK(first_chosen(pairs, {1, 8}, {1, 8}));
 }
 
-TEST_CASE("integration sides: one is kept while it captures nearly as much", "[contact]") {
+TEST_CASE("pins the overlap, seven tenths of the other side's, down to which an integration side is kept", "[contact]") {
   const PairTable pairs = pair_by_overlap();
   const IntegrationSides::Pairs second = {{0, 1}};
   CHECK_FALSE(first_chosen(pairs, {1, 8}, {0.75, 8}, second));

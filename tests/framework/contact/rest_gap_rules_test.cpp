@@ -40,7 +40,7 @@ bool cut_ring(double degrees) {
 
 }  // namespace
 
-TEST_CASE("a path over the surface of more than three distances makes a gap of a crease", "[contact][rest]") {
+TEST_CASE("pins the length of path over distance, three, from which a crease is a gap", "[contact][rest]") {
   for (const double neighbours : {120.0, 90.0, 60.0}) {  // 1.2, 1.4 and 2 distances
     INFO(neighbours);
     CHECK_FALSE(crease(neighbours));
@@ -51,7 +51,7 @@ TEST_CASE("a path over the surface of more than three distances makes a gap of a
   }
 }
 
-TEST_CASE("a line that leaves the surface at more than 45 degrees makes a gap of a cut", "[contact][rest]") {
+TEST_CASE("pins the angle to the surface, 45 degrees, from which a cut is a gap", "[contact][rest]") {
   for (const double neighbours : {0.0, 15.0, 30.0}) {
     INFO(neighbours);
     CHECK_FALSE(cut_ring(neighbours));

@@ -159,7 +159,7 @@ TEST_CASE("parallel rods carry the common length times the smaller width, half b
   }
 }
 
-TEST_CASE("nearly parallel rods carry the parallelogram by edges and vertices together", "[contact][rods]") {
+TEST_CASE("pins the angles between which nearly parallel rods carry the parallelogram by edges and vertices together", "[contact][rods]") {
   for (const double sine : {0.025, 0.031, 0.045, 0.059, 0.07}) {
     const Rods rods(flat(1, 0, 0), 1, 0.002, flat(1, std::asin(sine), 0.004), 1, 0.003);
     INFO(sine);

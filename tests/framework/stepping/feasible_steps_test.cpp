@@ -32,7 +32,7 @@ struct Plates : HandMadeWorld {
 
 }  // namespace
 
-TEST_CASE("plates that approach may use nine tenths of their gap, whatever the length of the step", "[stepping][feasible]") {
+TEST_CASE("pins the part of a gap that a step may use, nine tenths, whatever its length", "[stepping][feasible]") {
   Plates plates;
   FeasibleSteps steps(plates.world, plates.clock);
   for (const double factor : {1.2, 2.0, 10.0, 1000.0}) {
@@ -58,7 +58,7 @@ TEST_CASE("plates that do not collide bound no step", "[stepping][feasible]") {
   CHECK(steps.blocker().empty());
 }
 
-TEST_CASE("a tet that is flattened keeps a fifth of its volume at least", "[stepping][feasible]") {
+TEST_CASE("pins the part of a tet's volume that a step leaves, a fifth", "[stepping][feasible]") {
   Plates plates;
   // The apex is a vertex of the upper plate, high above the base: its height, and so its volume, falls linearly.
   plates.world.tets = {{0, 1, 3, plates.world.bodies[1].first_vertex}};

@@ -47,7 +47,7 @@ std::string chosen(LinearSolver& solver, const BlockMatrix& matrix, RandomMotion
 
 }  // namespace
 
-TEST_CASE("auto factorises small systems and iterates on large solids", "[linear]") {
+TEST_CASE("pins the sizes at which auto changes: small systems are factorised, large solids iterated on", "[linear]") {
   RandomMotions random(1);
   const auto solver = component<LinearSolver>("auto");
   CHECK(starts_with(chosen(*solver, random_spd(60, random, 8), random), "lagged_cholesky (180 unknowns"));
@@ -71,7 +71,7 @@ TEST_CASE("auto gives iterations up that take too many or fail", "[linear]") {
   CHECK(starts_with(chosen(*strict, stiff, random), "lagged_cholesky (in place of pcg: it did not converge"));
 }
 
-TEST_CASE("auto weighs again when couplings fill the factor", "[linear]") {
+TEST_CASE("pins the fill at which auto changes: couplings that fill the factor are iterated on", "[linear]") {
   RandomMotions random(4);
   const auto solver = component<LinearSolver>("auto");
   CHECK(starts_with(chosen(*solver, cliques(70, 40), random), "lagged_cholesky (8400 unknowns"));

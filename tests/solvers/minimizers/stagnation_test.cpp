@@ -24,13 +24,13 @@ TEST_CASE("forces that halve are waited for", "[minimizers][crawl]") {
   CHECK(given_up(0.5, 1.0) == 0);   // what still moves by a tolerance is no crawl
 }
 
-TEST_CASE("forces that crawl are given up", "[minimizers][crawl]") {
+TEST_CASE("pins the window of stagnation: forces that do not halve within 8 small steps are given up", "[minimizers][crawl]") {
   CHECK(given_up(1e-3, 1.0) == 8);
   CHECK(given_up(1e-3, 0.95) == 8);
   CHECK(given_up(0.12, 1.1) == 8);
 }
 
-TEST_CASE("a step above the tolerance begins it anew", "[minimizers][crawl]") {
+TEST_CASE("pins the window of stagnation: a step above the tolerance begins it again", "[minimizers][crawl]") {
   Stagnation crawl;
   for (int i = 0; i < 7; ++i) CHECK_FALSE(crawl.stagnates(1e-3, 10));
   crawl.begin();
