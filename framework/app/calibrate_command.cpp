@@ -24,15 +24,15 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double longest_trial = 3;  // s
-// Typical number of points per fitted number in all searches after the design.
+// Typical number of points per parameter in all searches after the design.
 constexpr int usual_of_chains = 45, usual_with_derivatives = 30;
 
 // Prints the current phase: on a terminal in a line that is rewritten, elsewhere as a line when the
 // phase begins.
-class Told {
+class CalibrationProgress {
  public:
-  Told(const std::vector<FittedNumber>& numbers, int live_width, bool quiet) : numbers_(numbers), live_width_(live_width), quiet_(quiet) {}
-  ~Told() { erase(); }
+  CalibrationProgress(const std::vector<FittedParameter>& parameters, int live_width, bool quiet) : parameters_(parameters), live_width_(live_width), quiet_(quiet) {}
+  ~CalibrationProgress() { erase(); }
 
   void begin(const std::string& phase, int points, const PointEvaluation* best) {
     phase_ = phase;
@@ -40,8 +40,8 @@ class Told {
     done_ = 0;
     if (quiet_) return;
     erase();
-    fmt::print("{}{}{}\n", phase, points > 0 ? fmt::format(", {}", counted(points, "point")) : "",
-               best ? fmt::format("; best so far: {}, misfit {:.4g}", values_text(numbers_, best->values), best->misfit) : "");
+    fmt::print("{}{}{}\n", phase, points > 0 ? fmt::format(", {}", counted(points, "evaluation")) : "",
+               best ? fmt::format("; best so far: {}, misfit {:.4g}", values_text(parameters_, best->values), best->misfit) : "");
     std::fflush(stdout);
   }
   void evaluated(const PointEvaluation& e) {
@@ -53,7 +53,7 @@ class Told {
     if (quiet_ || live_width_ <= 0 || Clock::now() - shown_ < std::chrono::milliseconds(500)) return;
     shown_ = Clock::now();
     erase();
-    const std::string line = fmt::format("  {}: {}{} done, {} failed in all, least misfit {:.4g}", phase_, done_, points_ > 0 ? fmt::format(" of {}", points_) : "", failed_, least_);
+    const std::string line = fmt::format("  {}: {}{} done, {} failed in total, smallest misfit {:.4g}", phase_, done_, points_ > 0 ? fmt::format(" of {}", points_) : "", failed_, least_);
     fmt::print("{}", line.substr(0, static_cast<size_t>(std::max(1, live_width_ - 1))));
     std::fflush(stdout);
     live_ = true;
@@ -65,7 +65,7 @@ class Told {
     live_ = false;
   }
 
-  const std::vector<FittedNumber>& numbers_;
+  const std::vector<FittedParameter>& parameters_;
   int live_width_;
   bool quiet_, live_ = false;
   std::string phase_;
@@ -79,7 +79,7 @@ BatchDescription description_of(const CalibrateConfig& config, const CalibrateOp
   d.plan.name = config.name + " - evaluations";
   d.plan.about = config.about;
   if (scenes.runs() > 1) d.plan.columns.push_back("base");
-  for (const FittedNumber& n : scenes.numbers()) {
+  for (const FittedParameter& n : scenes.parameters()) {
     d.plan.columns.push_back(n.name);
     if (n.unit != "1") d.plan.units[n.name] = n.unit;
   }
@@ -93,26 +93,26 @@ BatchDescription description_of(const CalibrateConfig& config, const CalibrateOp
 }
 
 void show_plan(const CalibrateConfig& config, FittedScenes& scenes, BatchDescription d) {
-  for (const FittedNumber& n : scenes.numbers())
+  for (const FittedParameter& n : scenes.parameters())
     fmt::print("  {} from {:.6g} to {:.6g}{}, first {:.6g}, {}\n", n.name, n.from, n.to, n.unit == "1" ? "" : " " + n.unit, n.start, n.log ? "logarithmic" : "linear");
   for (const MeasuredPoints& m : scenes.measured())
     fmt::print("  {}: {} over {}, {} of {}\n", m.name, m.y, m.x, counted(static_cast<long>(m.curve.size()), "point"), m.curve.path);
   std::vector<const BatchCase*> open;
   for (int run = 0; run < scenes.runs(); ++run) d.plan.cases.push_back(scenes.case_of(run, scenes.start()));
   for (const BatchCase& one : d.plan.cases) open.push_back(&one);
-  const int numbers = static_cast<int>(scenes.numbers().size());
-  bool by_runs = false;
+  const int parameters = static_cast<int>(scenes.parameters().size());
+  bool from_runs = false;
   if (config.search.gradients && config.search.polish)
-    for (const std::string& why : scenes.without_derivatives()) by_runs = by_runs || why.empty();
-  int points = (config.search.design > 0 ? config.search.design : 32 * numbers) + (by_runs ? usual_with_derivatives : usual_of_chains) * numbers;
-  if (config.search.evaluations > 0) points = std::min(points, config.search.evaluations + 5 * numbers);
+    for (const std::string& why : scenes.without_derivatives()) from_runs = from_runs || why.empty();
+  int points = (config.search.design > 0 ? config.search.design : 32 * parameters) + (from_runs ? usual_with_derivatives : usual_of_chains) * parameters;
+  if (config.search.evaluations > 0) points = std::min(points, config.search.evaluations + 5 * parameters);
   const BatchEstimate estimate = estimate_of(fs::read_symlink("/proc/self/exe").string(), BatchFolder{}, d.plan, d.limits, open, longest_trial);
   double of_point = 0;
   for (const auto& [base, seconds] : estimate.of_case) {
     fmt::print("a run of {} takes about {}\n", base, short_duration(seconds));
     of_point += seconds;
   }
-  fmt::print("some {} points with {} each, {} side by side: about {} in all; nothing was run yet\n", points, counted(scenes.runs(), "run"), d.limits.jobs,
+  fmt::print("about {} evaluations of {} each, {} concurrent: about {} in total; nothing was run yet\n", points, counted(scenes.runs(), "run"), d.limits.jobs,
              short_duration(of_point * points / d.limits.jobs));
 }
 
@@ -131,7 +131,7 @@ int calibrate_command(const CalibrateOptions& options) {
   CalibrationRecord record{config, d.file, provenance_of(options.command_line, d.limits.threads), 0, 0};
   const CalibrationFolder folder = CalibrationFolder::opened(RunFolder::chosen_root(options.output, config.name), config.name);
   if (folder.moved_aside && !options.quiet) fmt::print("what was there is moved to {}\n", folder.moved_aside->string());
-  Told told(scenes.numbers(), terminal_width(STDOUT_FILENO), options.quiet);
+  CalibrationProgress told(scenes.parameters(), terminal_width(STDOUT_FILENO), options.quiet);
   CaseEvaluator evaluator(scenes, {fs::read_symlink("/proc/self/exe").string(), folder.evaluations, d, options.slurm ? std::optional(config.slurm) : std::nullopt,
                                    options.failed, [&](const PointEvaluation& e) { told.evaluated(e); }, [&] { told.tick(); }});
   evaluator.write_tables();
@@ -140,7 +140,7 @@ int calibrate_command(const CalibrateOptions& options) {
     found = calibrate(scenes, config.search, evaluator, [&](const std::string& phase, int points, const PointEvaluation* best) { told.begin(phase, points, best); });
   } catch (const Interrupted&) {
     evaluator.write_tables();
-    fmt::print("interrupted: call it again to go on; what is done is kept in {}\n", folder.evaluations.root.string());
+    fmt::print("interrupted: call it again to continue; finished runs are kept in {}\n", folder.evaluations.root.string());
     return exit_interrupted;
   } catch (const SimulationError&) {
     evaluator.write_tables();
@@ -153,8 +153,8 @@ int calibrate_command(const CalibrateOptions& options) {
   const std::vector<std::string> failures = draw_calibration(folder, found, scenes);
   if (options.quiet) return exit_done;
   for (const std::string& failure : failures) fmt::print("{}\n", failure);
-  fmt::print("{}: {} of {}, {} now\n{}results in {}\n", config.name, counted(static_cast<long>(found.search.rows.size()), "point"),
-             counted(static_cast<long>(scenes.numbers().size()), "number"), counted(record.started, "run"), summary_text(found, scenes), folder.root.string());
+  fmt::print("{}: {} of {}, {} now\n{}results in {}\n", config.name, counted(static_cast<long>(found.search.rows.size()), "evaluation"),
+             counted(static_cast<long>(scenes.parameters().size()), "parameter"), counted(record.started, "run"), summary_text(found, scenes), folder.root.string());
   return exit_done;
 }
 

@@ -25,7 +25,7 @@ std::string check_names(const std::vector<MeasuredExperiment>& experiments) {
 std::string check_noise(const std::vector<MeasuredExperiment>& experiments) {
   const auto known = std::count_if(experiments.begin(), experiments.end(), [](const MeasuredExperiment& e) { return !e.noise.is_null(); });
   if (known == 0 || known == static_cast<long>(experiments.size())) return "";
-  return "some have a noise, some have none; give it for all of them, or for none, when it is taken from what the fit leaves";
+  return "some have a noise, some have none; give it for all of them, or for none, when it is estimated from the residuals";
 }
 
 std::string check_range(const FitConfig& f) {
@@ -93,7 +93,7 @@ void CalibrateConfig::fields(Fields& f) {
   f.object("slurm", slurm, "resources that `--slurm` requests");
   f.check("experiments", [this] { return check_names(experiments); });
   f.check("experiments", [this] { return check_noise(experiments); });
-  f.check("fit", [this]() -> std::string { return fit.empty() ? "name at least one number: a key of the experiments with its range" : ""; });
+  f.check("fit", [this]() -> std::string { return fit.empty() ? "name at least one parameter: a key of the experiments with its range" : ""; });
 }
 
 CalibrateConfig load_calibration(const std::string& path, const std::vector<std::string>& overrides) {

@@ -43,11 +43,11 @@ struct FitConfig {
 };
 
 struct SearchConfig {
-  int design = 0;       // points; 0: 32 for each number
+  int design = 0;       // points; 0: 32 per parameter
   int chains = 3;       // local searches, from the best points
-  int evaluations = 0;  // at most, design and chains together; 0: no limit
+  int evaluations = 0;  // largest number in design and chains together; 0: no limit
   bool polish = true, gradients = true;
-  // In u (fitted_number.hpp): logarithms, or thirds of the range.
+  // In u (fitted_parameter.hpp): logarithms, or thirds of the range.
   double step = 0.15, difference = 0.05, tolerance = 1e-3;
 
   void fields(Fields& f);
@@ -60,7 +60,7 @@ struct CalibrateConfig {
   std::map<std::string, FitConfig> fit;  // by key path, or any name with `keys`
   SearchConfig search;
   int threads = 1;                   // threads per run
-  int jobs = 0;                      // side by side; 0: as the cores allow
+  int jobs = 0;                      // concurrent runs; 0: as many as the cores allow
   std::optional<double> memory;      // GB, of a run
   std::optional<double> time_limit;  // s, of a run
   SlurmConfig slurm;

@@ -12,55 +12,55 @@ namespace {
 
 std::string unit_text(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
-void warn_of_points_beyond(std::vector<std::string>& warnings, const PointEvaluation& best, const std::vector<MeasuredPoints>& measured) {
+void warn_of_unreached_points(std::vector<std::string>& warnings, const PointEvaluation& best, const std::vector<MeasuredPoints>& measured) {
   for (size_t i = 0; i < measured.size(); ++i)
     if (best.beyond[i] > 0)
-      warnings.push_back(fmt::format("{} of {} points of {} lie where the best run never gets ({} over {}): there its nearest sample counts; leave them out with from "
-                                     "and to, or let the run go further",
+      warnings.push_back(fmt::format("the best run does not reach {} of {} points of {} ({} over {}), and is compared there at its nearest sample; exclude the points with "
+                                     "from and to, or extend the run",
                                      best.beyond[i], measured[i].curve.size(), measured[i].curve.path, measured[i].y, measured[i].x));
 }
 
 }  // namespace
 
-Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell) {
-  Calibration found{search_for(scenes.numbers(), config, evaluator, tell, scenes.noise_known()), {}, {}};
+Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& progress) {
+  Calibration found{search_for(scenes.parameters(), config, evaluator, progress, scenes.noise_known()), {}, {}};
   const SearchResult& s = found.search;
   if (s.derivatives.problem.empty()) {
     std::vector<size_t> series;
     for (const MeasuredPoints& m : scenes.measured()) series.push_back(m.curve.size());
-    found.confidence = confidence_of(scenes.numbers(), s.best.values, s.derivatives.of_residuals, s.best.residuals, scenes.noise_known(), series);
+    found.confidence = find_confidence(scenes.parameters(), s.best.values, s.derivatives.jacobian, s.best.residuals, scenes.noise_known(), series);
     found.warnings = found.confidence->warnings;
   } else {
-    found.warnings.push_back(fmt::format("there are no confidence intervals: {}", s.derivatives.problem));
+    found.warnings.push_back(fmt::format("no confidence intervals: {}", s.derivatives.problem));
   }
-  warn_of_points_beyond(found.warnings, s.best, scenes.measured());
+  warn_of_unreached_points(found.warnings, s.best, scenes.measured());
   const auto failed = std::count_if(s.rows.begin(), s.rows.end(), [](const SearchRow& row) { return !row.evaluation.good; });
   if (failed > 0)
-    found.warnings.push_back(fmt::format("{} of {} points failed, and counted as bad; evaluations.csv says why", failed, s.rows.size()));
+    found.warnings.push_back(fmt::format("{} of {} evaluations failed; evaluations.csv has the reasons", failed, s.rows.size()));
   return found;
 }
 
-std::string derivatives_text(const SearchResult& search, const std::vector<FittedNumber>& numbers) {
+std::string sensitivities_text(const SearchResult& search, const std::vector<FittedParameter>& parameters) {
   const Derivatives& d = search.derivatives;
   std::string text;
   std::vector<std::string> own;
-  for (size_t i = 0; i < numbers.size(); ++i)
-    if (i < d.by_runs.size() && d.by_runs[i]) own.push_back(numbers[i].name);
+  for (size_t i = 0; i < parameters.size(); ++i)
+    if (i < d.from_runs.size() && d.from_runs[i]) own.push_back(parameters[i].name);
   if (!own.empty())
-    text += fmt::format("  derivatives by {} are those of the run itself{}\n", listed(own),
-                        d.compared > 0 ? fmt::format(", which tell all but {:.2g}% of what {} nearby differ by", 100 * d.missed, counted(d.compared, "point")) : "");
-  for (size_t i = 0; i < numbers.size(); ++i)
-    if (i < d.why.size() && !d.why[i].empty()) text += fmt::format("  derivatives by {} are differences of runs: {}\n", numbers[i].name, d.why[i]);
+    text += fmt::format("  sensitivities to {} from the run{}\n", listed(own),
+                        d.compared > 0 ? fmt::format("; unexplained: {:.2g}% of the differences to {}", 100 * d.missed, counted(d.compared, "nearby evaluation")) : "");
+  for (size_t i = 0; i < parameters.size(); ++i)
+    if (i < d.why.size() && !d.why[i].empty()) text += fmt::format("  sensitivities to {} by finite differences: {}\n", parameters[i].name, d.why[i]);
   return text;
 }
 
 std::string summary_text(const Calibration& found, const FittedScenes& scenes) {
-  const Point& best = found.search.best.values;
+  const DesignPoint& best = found.search.best.values;
   std::string text;
   size_t width = 0;
-  for (const FittedNumber& n : scenes.numbers()) width = std::max(width, n.name.size());
+  for (const FittedParameter& n : scenes.parameters()) width = std::max(width, n.name.size());
   for (size_t i = 0; i < best.size(); ++i) {
-    const FittedNumber& n = scenes.numbers()[i];
+    const FittedParameter& n = scenes.parameters()[i];
     text += fmt::format("  {:<{}}  {:.6g}{}", n.name, width, best[i], unit_text(n.unit));
     if (const auto& c = found.confidence; c && std::isfinite(c->sigma[i]))
       text += n.log ? fmt::format("  (95%: {:.4g} to {:.4g}; standard deviation {:.2g}%)", c->low[i], c->high[i], 100 * c->sigma[i])
@@ -70,10 +70,10 @@ std::string summary_text(const Calibration& found, const FittedScenes& scenes) {
   for (size_t k = 0; k < scenes.measured().size(); ++k) {
     const MeasuredPoints& m = scenes.measured()[k];
     const double rms = std::sqrt(found.search.best.misfits[k] / m.weight / static_cast<double>(m.curve.size()));
-    text += fmt::format("  {}: off by {:.3g}{} on average (root mean square of {}){}\n", m.name, rms * m.scale, unit_text(m.y_unit),
+    text += fmt::format("  {}: RMS residual {:.3g}{} ({}){}\n", m.name, rms * m.scale, unit_text(m.y_unit),
                         counted(static_cast<long>(m.curve.size()), "point"), m.noise_known ? fmt::format(", {:.3g} times the noise", rms) : fmt::format(", {:.3g}% of the largest", 100 * rms));
   }
-  text += derivatives_text(found.search, scenes.numbers());
+  text += sensitivities_text(found.search, scenes.parameters());
   for (const std::string& warning : found.warnings) text += "warning: " + warning + "\n";
   return text;
 }

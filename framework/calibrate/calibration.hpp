@@ -14,7 +14,7 @@ struct Calibration {
 };
 
 Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator,
-                      const SearchProgress& tell);
+                      const SearchProgress& progress);
 
 // Returns the fitted values with their intervals, warnings and residuals, for the console.
 std::string summary_text(const Calibration& found, const FittedScenes& scenes);

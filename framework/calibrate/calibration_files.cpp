@@ -18,7 +18,7 @@ Json finite(double number) { return std::isfinite(number) ? Json(number) : Json(
 
 std::string cell(double number) { return std::isfinite(number) ? fmt::format("{}", number) : ""; }
 
-Json number_json(const FittedNumber& n, size_t i, const Calibration& found, const CalibrateConfig& config) {
+Json parameter_json(const FittedParameter& n, size_t i, const Calibration& found, const CalibrateConfig& config) {
   Json keys = Json::object();
   for (size_t e = 0; e < n.keys.size(); ++e) keys[config.experiments[e].name] = n.keys[e];
   Json json{{"name", n.name}, {"keys", keys}, {"unit", n.unit == "1" ? "" : n.unit}, {"scale", n.log ? "log" : "linear"},
@@ -27,9 +27,9 @@ Json number_json(const FittedNumber& n, size_t i, const Calibration& found, cons
   json["sigma"] = c ? finite(c->sigma[i]) : Json();
   json["low"] = c ? finite(c->low[i]) : Json();
   json["high"] = c ? finite(c->high[i]) : Json();
-  json["determined"] = c && c->sigma[i] <= largest_sigma;
+  json["determined"] = c && c->sigma[i] <= determined_sigma_max;
   const Derivatives& d = found.search.derivatives;
-  json["derivatives"] = i < d.by_runs.size() && d.by_runs[i] ? "run" : "differences";
+  json["derivatives"] = i < d.from_runs.size() && d.from_runs[i] ? "run" : "differences";
   json["why_differences"] = i < d.why.size() ? d.why[i] : "";
   return json;
 }
@@ -76,7 +76,7 @@ std::string description(const CalibrationFolder& folder, const CalibrationRecord
                               {"chi_squared", scenes.noise_known() ? finite(c->residuals.chi_squared) : Json()}, {"chi_squared_limit", finite(c->residuals.chi_squared_limit)}};
   json["fits"] = c && c->fits;
   json["numbers"] = Json::array();
-  for (size_t i = 0; i < scenes.numbers().size(); ++i) json["numbers"].push_back(number_json(scenes.numbers()[i], i, found, r.config));
+  for (size_t i = 0; i < scenes.parameters().size(); ++i) json["numbers"].push_back(parameter_json(scenes.parameters()[i], i, found, r.config));
   json["derivatives"] = {{"missed", found.search.derivatives.missed}, {"compared", found.search.derivatives.compared}};
   json["correlation"] = Json::array();
   json["combinations"] = Json::array();
@@ -94,20 +94,20 @@ std::string description(const CalibrationFolder& folder, const CalibrationRecord
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string numbers_csv(const Calibration& found, const FittedScenes& scenes) {
+std::string parameters_csv(const Calibration& found, const FittedScenes& scenes) {
   std::string text = "name,unit,value,low,high,sigma,determined\n";
   const auto& c = found.confidence;
-  for (size_t i = 0; i < scenes.numbers().size(); ++i) {
-    const FittedNumber& n = scenes.numbers()[i];
+  for (size_t i = 0; i < scenes.parameters().size(); ++i) {
+    const FittedParameter& n = scenes.parameters()[i];
     text += fmt::format("{},{},{},{},{},{},{}\n", csv_cell(n.name), csv_cell(n.unit == "1" ? "" : n.unit), found.search.best.values[i], c ? cell(c->low[i]) : "",
-                        c ? cell(c->high[i]) : "", c ? cell(c->sigma[i]) : "", c && c->sigma[i] <= largest_sigma ? 1 : 0);
+                        c ? cell(c->high[i]) : "", c ? cell(c->sigma[i]) : "", c && c->sigma[i] <= determined_sigma_max ? 1 : 0);
   }
   return text;
 }
 
 std::string evaluations_csv(const SearchResult& search, const FittedScenes& scenes) {
   std::string text = "number,phase";
-  for (const FittedNumber& n : scenes.numbers()) text += "," + csv_cell(n.name);
+  for (const FittedParameter& n : scenes.parameters()) text += "," + csv_cell(n.name);
   text += ",misfit";
   if (scenes.measured().size() > 1)
     for (const MeasuredPoints& m : scenes.measured()) text += "," + csv_cell("misfit:" + m.name);
@@ -144,7 +144,7 @@ void write_calibration(const CalibrationFolder& folder, const CalibrationRecord&
   for (size_t k = 0; k < scenes.measured().size(); ++k)
     write_curves(folder, scenes.measured()[k], read_csv(best_runs[static_cast<size_t>(scenes.run_of(static_cast<int>(k)))] / "probes.csv"));
   replace_file(folder.table(), evaluations_csv(found.search, scenes));
-  replace_file(folder.numbers(), numbers_csv(found, scenes));
+  replace_file(folder.parameters(), parameters_csv(found, scenes));
   replace_file(folder.description(), description(folder, record, found, scenes));
 }
 

@@ -1,18 +1,18 @@
 // The files of a calibration.
 //
-// calibration.json (numbers that do not exist or are infinite are null):
+// calibration.json (missing and infinite numbers are null):
 // - name, about, file, status ("done"), wall_seconds, warnings [...]
 // - provenance {...}
 // - runs {started, points, failed, phases {phase: points}, with_derivatives}
 // - misfit, noise {known, of_residuals}
 // - numbers [{name, keys {experiment: [key]}, unit, scale, from, to, start, value, sigma, low,
 //   high, determined, derivatives ("run" or "differences"), why_differences}]
-// - derivatives {missed, compared}: of the runs' own derivatives (derivatives.hpp)
+// - derivatives {missed, compared}: accuracy of the runs' sensitivities (derivatives.hpp)
 // - correlation [[...]], combinations [{text, sigma, weights}]
 // - experiments [{name, base, data, x, y, x_unit, y_unit, points, beyond, misfit, rms, noise,
 //   weight, fit, run, scene}]
 //
-// evaluations.csv: number, phase, a column for each fitted number, misfit, misfit:EXPERIMENT,
+// evaluations.csv: number, phase, a column for each fitted parameter, misfit, misfit:EXPERIMENT,
 // derivatives (1 if the runs gave them, else 0), status, error.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Layout of the folder of a calibration, results/NAME, which a later call continues.
 //
 //   calibration.json   description and results (calibration_files.hpp)
-//   calibration.csv    a row for each fitted number
+//   calibration.csv    a row for each fitted parameter
 //   evaluations.csv    a row for each point
 //   fits/NAME.csv      per experiment: x, measured, simulated
 //   fits/NAME_run.csv  per experiment: all samples of the best run
@@ -21,7 +21,7 @@ struct CalibrationFolder {
   std::optional<std::filesystem::path> moved_aside = {};  // new path of the folder that was there
 
   std::filesystem::path description() const { return root / "calibration.json"; }
-  std::filesystem::path numbers() const { return root / "calibration.csv"; }
+  std::filesystem::path parameters() const { return root / "calibration.csv"; }
   std::filesystem::path table() const { return root / "evaluations.csv"; }
   std::filesystem::path fit(const std::string& experiment) const {
     return root / "fits" / (experiment + ".csv");

@@ -34,52 +34,52 @@ void CaseEvaluator::serve(PointQueue& queue) {
   else serve_here(queue);
 }
 
-const BatchCase* CaseEvaluator::case_of(int run, const Point& values, bool derivatives) {
+const BatchCase* CaseEvaluator::case_of(int run, const DesignPoint& values, bool derivatives) {
   BatchCase one = scenes_.case_of(run, values, derivatives);
-  const auto [known, anew] = by_name_.try_emplace(one.name, cases_.size());
-  if (anew) cases_.push_back(std::move(one));
+  const auto [known, is_new] = by_name_.try_emplace(one.name, cases_.size());
+  if (is_new) cases_.push_back(std::move(one));
   return &cases_[known->second];
 }
 
-bool CaseEvaluator::to_run(const BatchCase& one) {
-  if (tried_.contains(&one)) return false;
+bool CaseEvaluator::needs_run(const BatchCase& one) {
+  if (started_cases_.contains(&one)) return false;
   const CaseStatus status = state_of(settings_.folder, one).status;
   if (!finished(status)) return true;
   if (comparable(status)) return !std::filesystem::exists(settings_.folder.run(one.name) / "probes.csv");
-  return settings_.again;
+  return settings_.rerun_failed;
 }
 
-void CaseEvaluator::begin(PointQueue& queue, PointQueue::Request& request, std::vector<const BatchCase*>& wanted) {
+void CaseEvaluator::request_cases(PointQueue& queue, PointQueue::Request& request, std::vector<const BatchCase*>& new_cases) {
   Pending pending{&request, {}};
   try {
     for (int run = 0; run < scenes_.runs(); ++run) pending.cases.push_back(case_of(run, request.values, request.derivatives));
   } catch (const InputError& error) {
     PointEvaluation e = failed_evaluation(request, std::string(to_string(CaseStatus::refused)), error.what());
-    if (settings_.told) settings_.told(e);
+    if (settings_.on_evaluated) settings_.on_evaluated(e);
     return queue.answer(request, std::move(e));
   }
   for (const BatchCase* one : pending.cases)
-    if (!running_.contains(one) && to_run(*one)) {
+    if (!running_.contains(one) && needs_run(*one)) {
       running_.insert(one);
-      tried_.insert(one);
-      wanted.push_back(one);
-      ++started_;
+      started_cases_.insert(one);
+      new_cases.push_back(one);
+      ++started_count_;
     }
   pending_.push_back(std::move(pending));
 }
 
 // Answers the requests whose runs have all ended.
-void CaseEvaluator::settle(PointQueue& queue) {
+void CaseEvaluator::answer_completed(PointQueue& queue) {
   std::erase_if(pending_, [&](const Pending& p) {
     if (std::any_of(p.cases.begin(), p.cases.end(), [&](const BatchCase* one) { return running_.contains(one); })) return false;
-    PointEvaluation e = outcome(p);
-    if (settings_.told) settings_.told(e);
+    PointEvaluation e = evaluation_of(p);
+    if (settings_.on_evaluated) settings_.on_evaluated(e);
     queue.answer(*p.request, std::move(e));
     return true;
   });
 }
 
-PointEvaluation CaseEvaluator::outcome(const Pending& p) const {
+PointEvaluation CaseEvaluator::evaluation_of(const Pending& p) const {
   std::vector<std::filesystem::path> folders;
   for (const BatchCase* one : p.cases) {
     const CaseState state = state_of(settings_.folder, *one);
@@ -91,38 +91,38 @@ PointEvaluation CaseEvaluator::outcome(const Pending& p) const {
 
 void CaseEvaluator::serve_here(PointQueue& queue) {
   const auto more = [&](std::list<const BatchCase*>& waiting) {
-    std::vector<const BatchCase*> wanted;
-    for (PointQueue::Request* request : queue.take()) begin(queue, *request, wanted);
-    waiting.insert(waiting.end(), wanted.begin(), wanted.end());
-    settle(queue);
-    return !queue.over();
+    std::vector<const BatchCase*> new_cases;
+    for (PointQueue::Request* request : queue.take()) request_cases(queue, *request, new_cases);
+    waiting.insert(waiting.end(), new_cases.begin(), new_cases.end());
+    answer_completed(queue);
+    return !queue.finished();
   };
   const BatchObserver observer{[&](const BatchCase& one, const CaseState& state) {
                                  if (interrupt_requested && state.status == CaseStatus::interrupted) return;
                                  running_.erase(&one);
-                                 settle(queue);
+                                 answer_completed(queue);
                                },
                                [&](const std::vector<BatchObserver::Running>&, size_t) {
-                                 if (settings_.tick) settings_.tick();
+                                 if (settings_.on_tick) settings_.on_tick();
                                }};
   run_cases(settings_.program, settings_.folder, settings_.description.limits, more, observer);
 }
 
 void CaseEvaluator::serve_by_slurm(PointQueue& queue) {
-  for (queue.wait_for_all(); !queue.over() && !interrupt_requested; queue.wait_for_all()) {
-    std::vector<const BatchCase*> wanted;
-    for (PointQueue::Request* request : queue.take()) begin(queue, *request, wanted);
-    if (!wanted.empty()) run_array(wanted);
+  for (queue.wait_for_all(); !queue.finished() && !interrupt_requested; queue.wait_for_all()) {
+    std::vector<const BatchCase*> new_cases;
+    for (PointQueue::Request* request : queue.take()) request_cases(queue, *request, new_cases);
+    if (!new_cases.empty()) run_array(new_cases);
     if (interrupt_requested) return;
     running_.clear();
-    settle(queue);
+    answer_completed(queue);
   }
 }
 
-void CaseEvaluator::run_array(const std::vector<const BatchCase*>& wanted) {
+void CaseEvaluator::run_array(const std::vector<const BatchCase*>& new_cases) {
   const BatchFolder& folder = settings_.folder;
   std::vector<size_t> tasks;
-  for (const BatchCase* one : wanted) {
+  for (const BatchCase* one : new_cases) {
     tasks.push_back(by_name_.at(one->name));
     replace_file(folder.scene(one->name), one->scene);
     // Without the state of a failed case, its task does not skip it.
@@ -134,7 +134,7 @@ void CaseEvaluator::run_array(const std::vector<const BatchCase*>& wanted) {
   replace_file(folder.job_script(), job_script(settings_.program, folder, config, settings_.description.limits, tasks));
   SlurmJob job = submit(folder);
   while (!job.waiting.ended() && !interrupt_requested) {
-    if (settings_.tick) settings_.tick();
+    if (settings_.on_tick) settings_.on_tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
 }

@@ -20,9 +20,9 @@ class CaseEvaluator : public Evaluator {
     BatchFolder folder;
     BatchDescription description;  // its plan without cases
     std::optional<SlurmConfig> slurm;
-    bool again = false;  // run failed cases again
-    std::function<void(const PointEvaluation&)> told;  // called for each evaluated point
-    std::function<void()> tick;                   // called several times a second
+    bool rerun_failed = false;
+    std::function<void(const PointEvaluation&)> on_evaluated;  // called for each evaluated point
+    std::function<void()> on_tick;  // called several times a second
   };
   CaseEvaluator(FittedScenes& scenes, Settings settings);
 
@@ -31,7 +31,7 @@ class CaseEvaluator : public Evaluator {
 
   // Writes batch.json and results.csv of the folder, with all requested cases.
   void write_tables();
-  int started() const { return started_; }  // cases that this program had to run
+  int started() const { return started_count_; }  // number of cases that this program ran
   std::vector<std::filesystem::path> run_folders(const PointEvaluation& of);
 
  private:
@@ -40,25 +40,25 @@ class CaseEvaluator : public Evaluator {
     std::vector<const BatchCase*> cases;  // one for each run
   };
 
-  const BatchCase* case_of(int run, const Point& values, bool derivatives);
-  bool to_run(const BatchCase& one);
-  void begin(PointQueue& queue, PointQueue::Request& request,
-             std::vector<const BatchCase*>& wanted);
-  void settle(PointQueue& queue);
-  PointEvaluation outcome(const Pending& pending) const;
+  const BatchCase* case_of(int run, const DesignPoint& values, bool derivatives);
+  bool needs_run(const BatchCase& one);
+  void request_cases(PointQueue& queue, PointQueue::Request& request,
+             std::vector<const BatchCase*>& new_cases);
+  void answer_completed(PointQueue& queue);
+  PointEvaluation evaluation_of(const Pending& pending) const;
   void serve_here(PointQueue& queue);
   void serve_by_slurm(PointQueue& queue);
-  void run_array(const std::vector<const BatchCase*>& wanted);
+  void run_array(const std::vector<const BatchCase*>& new_cases);
   std::vector<BatchCase> without_scenes() const;
 
   FittedScenes& scenes_;
   Settings settings_;
   std::deque<BatchCase> cases_;
   std::map<std::string, size_t> by_name_;
-  // Cases under way; cases that this program ran.
-  std::set<const BatchCase*> running_, tried_;
+  // Cases that run now; all cases that this program started.
+  std::set<const BatchCase*> running_, started_cases_;
   std::vector<Pending> pending_;
-  int started_ = 0;
+  int started_count_ = 0;
 };
 
 }  // namespace tack

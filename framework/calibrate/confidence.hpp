@@ -1,9 +1,9 @@
-// Confidence in fitted numbers: how well the data determine them, for residuals that are linear
-// around the best point.
+// Confidence in fitted parameters: how well the data determine them. Residuals are assumed to be
+// linear around the best point.
 //
 // With J = d residuals / d u and the standard deviation s of a residual, for independent errors:
 //   H = J^T J / s^2,  C = H^-1
-//   s = 1 for known noise (residuals are in units of it), else |r| / sqrt(points - numbers)
+//   s = 1 for known noise (residuals are in units of it), else |r| / sqrt(points - parameters)
 //
 // Corrections to C:
 // - Correlated residuals (correlated noise, or a model error): n points determine as much as n /
@@ -11,7 +11,7 @@
 // - Residuals above the known noise: C is multiplied by chi^2 per degree of freedom (Birge).
 //
 // Intervals hold the true value with 95%: +-t s_i, with t of Student's distribution for n / tau -
-// numbers degrees of freedom, or 1.96. They do not include the bias of a wrong model: `fits` is
+// parameters degrees of freedom, or 1.96. They do not include the bias of a wrong model: `fits` is
 // false if there is evidence of one.
 //
 // Eigenvectors of H with large eigenvalues are the combinations that the data determine: v_1 ln a +
@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/calibrate/fitted_number.hpp"
+#include "framework/calibrate/fitted_parameter.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -45,7 +45,7 @@ struct ResidualStatistics {
 
 // Computes the statistics. series: number of successive residuals of each experiment; empty: one
 // series.
-ResidualStatistics residual_statistics(const std::vector<double>& residuals, size_t numbers,
+ResidualStatistics residual_statistics(const std::vector<double>& residuals, size_t parameters,
                                        bool noise_known,
                                        const std::vector<size_t>& series = {});
 
@@ -64,12 +64,12 @@ struct Confidence {
   std::vector<std::string> warnings;
 };
 
-// A number with a larger sigma counts as not determined.
-inline constexpr double largest_sigma = 0.25;
+// A parameter with a larger sigma counts as not determined.
+inline constexpr double determined_sigma_max = 0.25;
 
 // Computes the confidence at the best point `values`. `noise_known`: residuals are in units of the
 // noise. `series`: as for residual_statistics.
-Confidence confidence_of(const std::vector<FittedNumber>& numbers,
+Confidence find_confidence(const std::vector<FittedParameter>& parameters,
                          const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
                          const std::vector<double>& residuals, bool noise_known,
                          const std::vector<size_t>& series = {});

@@ -1,4 +1,4 @@
-#include "framework/calibrate/fitted_number.hpp"
+#include "framework/calibrate/fitted_parameter.hpp"
 
 #include <fmt/format.h>
 
@@ -42,12 +42,13 @@ std::vector<std::vector<std::string>> keys_of(const std::string& name, const Fit
   return keys;
 }
 
-std::string last_part(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+std::string last_element(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-// Default name: the last part of the key, if no other key ends alike.
+// Returns the default name: the last element of the key, or the whole key if another key has the
+// same last element.
 std::string short_name(const std::string& key, const CalibrateConfig& config) {
-  const auto same = [&](const auto& other) { return last_part(other.first) == last_part(key); };
-  return std::count_if(config.fit.begin(), config.fit.end(), same) == 1 ? last_part(key) : key;
+  const auto same = [&](const auto& other) { return last_element(other.first) == last_element(key); };
+  return std::count_if(config.fit.begin(), config.fit.end(), same) == 1 ? last_element(key) : key;
 }
 
 }  // namespace
@@ -59,16 +60,16 @@ double six_digits(double value) {
   return rounded;
 }
 
-double FittedNumber::u(double value) const { return log ? std::log(value) : 3 * value / (to - from); }
+double FittedParameter::u(double value) const { return log ? std::log(value) : 3 * value / (to - from); }
 
-double FittedNumber::value(double u) const {
+double FittedParameter::value(double u) const {
   return six_digits(std::clamp(log ? std::exp(u) : u * (to - from) / 3, from, to));
 }
 
-std::vector<FittedNumber> fitted_numbers(const CalibrateConfig& config) {
-  std::vector<FittedNumber> numbers;
+std::vector<FittedParameter> fitted_parameters(const CalibrateConfig& config) {
+  std::vector<FittedParameter> parameters;
   for (const auto& [key, fit] : config.fit) {
-    FittedNumber n;
+    FittedParameter n;
     n.name = fit.as.empty() ? short_name(key, config) : fit.as;
     n.keys = keys_of(key, fit, config.experiments);
     n.units.resize(n.keys.size());
@@ -76,13 +77,13 @@ std::vector<FittedNumber> fitted_numbers(const CalibrateConfig& config) {
     n.to = fit.to->si;
     n.log = fit.scale == FitScale::log || (fit.scale == FitScale::automatic && n.from > 0);
     n.start = fit.start ? fit.start->si : n.value(0.5 * (n.low() + n.high()));
-    for (const FittedNumber& other : numbers)
-      if (other.name == n.name) throw InputError(fmt::format("fit: two numbers are called '{}'; name one of them otherwise with `as`", n.name));
+    for (const FittedParameter& other : parameters)
+      if (other.name == n.name) throw InputError(fmt::format("fit: two parameters are named '{}'; rename one of them with `as`", n.name));
     if (taken_column(n.name) || n.name == "misfit" || n.name == "number" || n.name == "phase" || n.name.starts_with("misfit:"))
-      throw InputError(fmt::format("fit: tables have a column '{}' already; name this number otherwise with `as`", n.name));
-    numbers.push_back(std::move(n));
+      throw InputError(fmt::format("fit: tables already have a column '{}'; rename this parameter with `as`", n.name));
+    parameters.push_back(std::move(n));
   }
-  return numbers;
+  return parameters;
 }
 
 }  // namespace tack

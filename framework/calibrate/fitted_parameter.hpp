@@ -13,7 +13,7 @@
 
 namespace tack {
 
-struct FittedNumber {
+struct FittedParameter {
   std::string name;                            // column in tables
   std::vector<std::vector<std::string>> keys;  // per experiment
   // Per experiment and key: the unit of the number in the scene file, for parameters whose text has
@@ -33,8 +33,8 @@ struct FittedNumber {
 // Rounds to six significant digits.
 double six_digits(double value);
 
-// Returns the fitted numbers sorted by name. Throws InputError for equal names, names of fixed
+// Returns the fitted parameters sorted by name. Throws InputError for equal names, names of fixed
 // columns, and keys that name no experiment.
-std::vector<FittedNumber> fitted_numbers(const CalibrateConfig& config);
+std::vector<FittedParameter> fitted_parameters(const CalibrateConfig& config);
 
 }  // namespace tack

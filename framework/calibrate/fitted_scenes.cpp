@@ -15,8 +15,9 @@
 namespace tack {
 namespace {
 
-constexpr size_t longest_name = 100;  // of a case
-constexpr double gradient_step = 1e-6;  // in u, for linear scales, where a value may be zero
+constexpr size_t case_name_max = 100;  // characters
+// Finite-difference step of sensitivities in u, for linear scales, where a value may be zero.
+constexpr double gradient_step = 1e-6;
 
 Variant::Setting setting(const std::string& key, const std::string& text, const std::string& origin) {
   Value value = Value::scalar(text);
@@ -45,18 +46,18 @@ std::string unit_in(const std::string& comment) {
   return comment.substr(from, comment.size() - 1 - from);
 }
 
-// Returns the part of a key that the scene has: "contact.pairs" of "contact.pears.0".
-std::string known_part(const Value& scene, const std::string& key) {
-  std::string part = key;
-  while (!part.empty() && !value_at(scene, part)) part = part.substr(0, part.rfind('.') == part.npos ? 0 : part.rfind('.'));
-  return part;
+// Returns the longest prefix of a key that the scene has: "contact.pairs" for "contact.pairs.x".
+std::string known_prefix(const Value& scene, const std::string& key) {
+  std::string prefix = key;
+  while (!prefix.empty() && !value_at(scene, prefix)) prefix = prefix.substr(0, prefix.rfind('.') == prefix.npos ? 0 : prefix.rfind('.'));
+  return prefix;
 }
 
 }  // namespace
 
-FittedScenes::FittedScenes(const CalibrateConfig& config, const std::string& program) : numbers_(fitted_numbers(config)), resolver_(program) {
+FittedScenes::FittedScenes(const CalibrateConfig& config, const std::string& program) : parameters_(fitted_parameters(config)), resolver_(program) {
   for (int e = 0; e < static_cast<int>(config.experiments.size()); ++e) run_of_.push_back(scene_of(config, e));
-  const Point values = start();
+  const DesignPoint values = start();
   for (int e = 0; e < static_cast<int>(config.experiments.size()); ++e) {
     const std::string& name = config.experiments[static_cast<size_t>(e)].name;
     try {
@@ -78,8 +79,8 @@ int FittedScenes::scene_of(const CalibrateConfig& config, int experiment) {
   const MeasuredExperiment& mine = all[static_cast<size_t>(experiment)];
   for (size_t k = 0; k < scenes_.size(); ++k) {
     const MeasuredExperiment& other = all[static_cast<size_t>(scenes_[k].experiment)];
-    const auto same_keys = [&](const FittedNumber& n) { return n.keys[static_cast<size_t>(experiment)] == n.keys[static_cast<size_t>(scenes_[k].experiment)]; };
-    if (other.base == mine.base && other.set == mine.set && std::all_of(numbers_.begin(), numbers_.end(), same_keys)) return static_cast<int>(k);
+    const auto same_keys = [&](const FittedParameter& n) { return n.keys[static_cast<size_t>(experiment)] == n.keys[static_cast<size_t>(scenes_[k].experiment)]; };
+    if (other.base == mine.base && other.set == mine.set && std::all_of(parameters_.begin(), parameters_.end(), same_keys)) return static_cast<int>(k);
   }
   Scene scene{mine.name, parse_file(mine.base), experiment};
   for (const auto* list : {&config.set, &mine.set})
@@ -89,15 +90,15 @@ int FittedScenes::scene_of(const CalibrateConfig& config, int experiment) {
 }
 
 void FittedScenes::check_keys(int experiment, const Value& resolved, const CalibrateConfig& config) {
-  auto fit = config.fit.begin();  // in the order of the numbers
-  for (FittedNumber& n : numbers_) {
+  auto fit = config.fit.begin();  // in the order of the parameters
+  for (FittedParameter& n : parameters_) {
     const auto& [name, range] = *fit++;
     for (const std::string& key : n.keys[static_cast<size_t>(experiment)]) {
       const Value* value = value_at(resolved, key);
       if (!value) {
-        const std::string part = known_part(resolved, key);
+        const std::string prefix = known_prefix(resolved, key);
         throw InputError(fmt::format("fit '{}': the scene has no key '{}'{}; if only another experiment has it, say which one: keys: {{NAME: {}}}", name, key,
-                                     part.empty() ? "" : fmt::format(" (it has '{}')", part), key));
+                                     prefix.empty() ? "" : fmt::format(" (it has '{}')", prefix), key));
       }
       const std::optional<WrittenNumber> written = number_of(value);
       if (!written) throw InputError(fmt::format("fit '{}': '{}' is {}, and not a number", name, key, value->description()));
@@ -114,99 +115,99 @@ void FittedScenes::check_keys(int experiment, const Value& resolved, const Calib
   }
 }
 
-std::vector<Variant::Setting> FittedScenes::settings(int run, const Point& values) const {
+std::vector<Variant::Setting> FittedScenes::settings(int run, const DesignPoint& values) const {
   std::vector<Variant::Setting> set;
   const size_t experiment = static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment);
-  for (size_t i = 0; i < numbers_.size(); ++i) {
-    const std::vector<std::string>&keys = numbers_[i].keys[experiment], &units = numbers_[i].units[experiment];
+  for (size_t i = 0; i < parameters_.size(); ++i) {
+    const std::vector<std::string>&keys = parameters_[i].keys[experiment], &units = parameters_[i].units[experiment];
     for (size_t k = 0; k < keys.size(); ++k)
-      set.push_back(setting(keys[k], number_text(values[i]) + (units[k].empty() ? "" : " " + units[k]), fmt::format("fit '{}'", numbers_[i].name)));
+      set.push_back(setting(keys[k], number_text(values[i]) + (units[k].empty() ? "" : " " + units[k]), fmt::format("fit '{}'", parameters_[i].name)));
   }
   return set;
 }
 
-ResolvedCase FittedScenes::resolved(int run, const Point& values, const std::vector<Variant::Setting>& more) {
+ResolvedCase FittedScenes::resolved(int run, const DesignPoint& values, const std::vector<Variant::Setting>& more) {
   std::vector<Variant::Setting> set = settings(run, values);
   set.insert(set.end(), more.begin(), more.end());
   ResolvedCase made = resolver_.resolve(scenes_[static_cast<size_t>(run)].root, set);
   const size_t experiment = static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment);
-  for (size_t i = 0; i < numbers_.size(); ++i)
-    for (const std::string& key : numbers_[i].keys[experiment]) {
+  for (size_t i = 0; i < parameters_.size(); ++i)
+    for (const std::string& key : parameters_[i].keys[experiment]) {
       const std::optional<WrittenNumber> taken = number_of(value_at(made.resolved, key));
       if (!taken || six_digits(taken->si) != six_digits(values[i]))
-        throw InputError(fmt::format("fit '{}': the scene does not take {} for '{}'", numbers_[i].name, number_text(values[i]), key));
+        throw InputError(fmt::format("fit '{}': the scene does not take {} for '{}'", parameters_[i].name, number_text(values[i]), key));
     }
   return made;
 }
 
-const std::vector<std::string>& FittedScenes::keys_of(const FittedNumber& number, int run) const {
-  return number.keys[static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment)];
+const std::vector<std::string>& FittedScenes::keys_of(const FittedParameter& parameter, int run) const {
+  return parameter.keys[static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment)];
 }
 
-GradientConfig FittedScenes::gradient_of(const FittedNumber& number, const std::string& key) const {
+GradientConfig FittedScenes::gradient_of(const FittedParameter& parameter, const std::string& key) const {
   GradientConfig one;
   one.key = key;
-  if (!number.log) one.step = gradient_step * number.slope(0);
+  if (!parameter.log) one.step = gradient_step * parameter.slope(0);
   return one;
 }
 
 const std::vector<std::string>& FittedScenes::without_derivatives() {
   if (without_) return *without_;
-  without_.emplace(numbers_.size());
+  without_.emplace(parameters_.size());
   for (int run = 0; run < runs(); ++run) {
     const BuiltExperiment built(resolved(run, start(), {without_frames()}).loaded);
-    for (size_t i = 0; i < numbers_.size(); ++i)
-      for (const std::string& key : keys_of(numbers_[i], run))
-        if ((*without_)[i].empty()) (*without_)[i] = Gradients::why_not(built, gradient_of(numbers_[i], key));
+    for (size_t i = 0; i < parameters_.size(); ++i)
+      for (const std::string& key : keys_of(parameters_[i], run))
+        if ((*without_)[i].empty()) (*without_)[i] = Gradients::reason_without(built, gradient_of(parameters_[i], key));
   }
   return *without_;
 }
 
-BatchCase FittedScenes::case_of(int run, const Point& values, bool derivatives) {
+BatchCase FittedScenes::case_of(int run, const DesignPoint& values, bool derivatives) {
   std::vector<Variant::Setting> more{without_frames()};
   std::vector<GradientConfig> gradients;
-  for (size_t i = 0; derivatives && i < numbers_.size(); ++i)
+  for (size_t i = 0; derivatives && i < parameters_.size(); ++i)
     if (without_derivatives()[i].empty())
-      for (const std::string& key : keys_of(numbers_[i], run)) gradients.push_back(gradient_of(numbers_[i], key));
+      for (const std::string& key : keys_of(parameters_[i], run)) gradients.push_back(gradient_of(parameters_[i], key));
   if (!gradients.empty()) more.push_back({"output.gradients", gradients_value(gradients)});
   ResolvedCase made = resolved(run, values, more);
   BatchCase one;
   one.base = run_name(run);
   std::vector<std::pair<std::string, std::string>> parts;
   if (runs() > 1) parts.emplace_back("base", one.base), one.values["base"] = one.base;
-  for (size_t i = 0; i < numbers_.size(); ++i) {
-    parts.emplace_back(numbers_[i].name, number_text(values[i]));
-    one.values[numbers_[i].name] = number_text(values[i]);
+  for (size_t i = 0; i < parameters_.size(); ++i) {
+    parts.emplace_back(parameters_[i].name, number_text(values[i]));
+    one.values[parameters_[i].name] = number_text(values[i]);
   }
   if (!gradients.empty()) parts.emplace_back("derivatives", "true");
   one.name = case_name(parts);
-  if (one.name.size() > longest_name) one.name = fmt::format("{}-{:08x}", one.name.substr(0, longest_name / 2), crc32_of(one.name.data(), one.name.size()));
+  if (one.name.size() > case_name_max) one.name = fmt::format("{}-{:08x}", one.name.substr(0, case_name_max / 2), crc32_of(one.name.data(), one.name.size()));
   one.scene = std::move(made.scene);
   one.digest = std::move(made.digest);
   one.duration = made.loaded.experiment.time.duration;
   return one;
 }
 
-std::string FittedScenes::scene_text(int run, const Point& values) { return resolved(run, values, {}).scene; }
+std::string FittedScenes::scene_text(int run, const DesignPoint& values) { return resolved(run, values, {}).scene; }
 
 // Returns d residuals / d u of all experiments; empty if a run has none.
-std::vector<double> FittedScenes::derivatives(size_t number, double value, const std::vector<ProbeSeries>& series, const std::vector<ProbeSeries>& gradients) const {
+std::vector<double> FittedScenes::derivatives(size_t parameter, double value, const std::vector<ProbeSeries>& series, const std::vector<ProbeSeries>& gradients) const {
   std::vector<double> all;
   for (size_t k = 0; k < measured_.size(); ++k) {
     const size_t run = static_cast<size_t>(run_of_[k]);
-    const std::vector<std::string>& keys = numbers_[number].keys[k];
+    const std::vector<std::string>& keys = parameters_[parameter].keys[k];
     std::vector<double> change(measured_[k].curve.size(), 0);
     if (!keys.empty()) {
       const std::vector<double> dx = gradient_column(gradients[run], measured_[k].x, keys), dy = gradient_column(gradients[run], measured_[k].y, keys);
       if (dx.size() != series[run].rows.size() || dy.size() != dx.size()) return {};
       change = measured_[k].derivatives(series[run], dx, dy);
     }
-    for (const double one : change) all.push_back(one * numbers_[number].slope(value));
+    for (const double one : change) all.push_back(one * parameters_[parameter].slope(value));
   }
   return all;
 }
 
-PointEvaluation FittedScenes::evaluation(const Point& values, bool derivatives, const std::vector<std::filesystem::path>& run_folders) const {
+PointEvaluation FittedScenes::evaluation(const DesignPoint& values, bool derivatives, const std::vector<std::filesystem::path>& run_folders) const {
   PointEvaluation e;
   e.values = values;
   e.asked_derivatives = derivatives;
@@ -217,7 +218,7 @@ PointEvaluation FittedScenes::evaluation(const Point& values, bool derivatives, 
       series.push_back(read_csv(folder / "probes.csv"));
       if (derivatives) gradients.push_back(std::filesystem::exists(folder / "gradients.csv") ? read_csv(folder / "gradients.csv") : ProbeSeries{});
     }
-    for (size_t i = 0; derivatives && i < numbers_.size(); ++i) e.derivatives.push_back(this->derivatives(i, values[i], series, gradients));
+    for (size_t i = 0; derivatives && i < parameters_.size(); ++i) e.derivatives.push_back(this->derivatives(i, values[i], series, gradients));
     for (size_t k = 0; k < measured_.size(); ++k) {
       int beyond = 0;
       const std::vector<double> r = measured_[k].residuals(measured_[k].simulated(series[static_cast<size_t>(run_of_[k])], beyond));
@@ -242,16 +243,16 @@ PointEvaluation FittedScenes::evaluation(const Point& values, bool derivatives, 
   return e;
 }
 
-Point FittedScenes::start() const {
-  Point values;
-  for (const FittedNumber& n : numbers_) values.push_back(six_digits(n.start));
+DesignPoint FittedScenes::start() const {
+  DesignPoint values;
+  for (const FittedParameter& n : parameters_) values.push_back(six_digits(n.start));
   return values;
 }
 
-std::string values_text(const std::vector<FittedNumber>& numbers, const Point& values) {
+std::string values_text(const std::vector<FittedParameter>& parameters, const DesignPoint& values) {
   std::string text;
-  for (size_t i = 0; i < numbers.size(); ++i)
-    text += fmt::format("{}{} {}{}", i ? ", " : "", numbers[i].name, number_text(values[i]), numbers[i].unit == "1" || numbers[i].unit.empty() ? "" : " " + numbers[i].unit);
+  for (size_t i = 0; i < parameters.size(); ++i)
+    text += fmt::format("{}{} {}{}", i ? ", " : "", parameters[i].name, number_text(values[i]), parameters[i].unit == "1" || parameters[i].unit.empty() ? "" : " " + parameters[i].unit);
   return text;
 }
 

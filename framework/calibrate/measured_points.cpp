@@ -32,8 +32,8 @@ double largest(const std::vector<double>& numbers) {
 
 double noise_of(const Value& noise, const Unit& unit, double peak) {
   if (!noise.is_scalar()) throw InputError(fmt::format("noise: expects a number or a percentage, got {}", noise.description()));
-  const bool part = noise.text.find('%') != std::string::npos;
-  const double s = part ? to_si(noise.text, units::none) * peak : to_si(noise.text, unit);
+  const bool relative = noise.text.find('%') != std::string::npos;
+  const double s = relative ? to_si(noise.text, units::none) * peak : to_si(noise.text, unit);
   if (!(s > 0)) throw InputError(fmt::format("noise: '{}' must be above zero", noise.text));
   return s;
 }
@@ -45,7 +45,7 @@ MeasuredPoints points_of(const MeasuredExperiment& e, const Experiment& scene) {
   MeasuredPoints points{e.name, e.x, e.y, std::string(x.si), std::string(y.si), {}, !e.noise.is_null(), 1, e.weight};
   points.curve = MeasuredData{e.data, e.x_column, e.y_column, e.from, e.to, {}}.read(e.x, x, e.y, y);
   const double peak = largest(points.curve.y);
-  if (peak == 0) throw InputError(fmt::format("{}: all measured numbers are 0; nothing can be held against them", e.data));
+  if (peak == 0) throw InputError(fmt::format("{}: all measured values are 0; nothing can be compared with them", e.data));
   points.scale = points.noise_known ? noise_of(e.noise, y, peak) : peak;
   if (e.x == "time")
     for (size_t i = 0; i < points.curve.size(); ++i)
@@ -82,7 +82,7 @@ std::vector<double> MeasuredPoints::simulated(const ProbeSeries& run, int& beyon
   const std::vector<double> xs = column_of(run, x), ys = column_of(run, y);
   const auto finite = [](double number) { return std::isfinite(number); };
   if (xs.empty() || !std::all_of(xs.begin(), xs.end(), finite) || !std::all_of(ys.begin(), ys.end(), finite))
-    throw InputError(fmt::format("the run has {} of {} over {}", xs.empty() ? "no samples" : "samples that are no finite numbers", y, x));
+    throw InputError(fmt::format("the run has {} of {} over {}", xs.empty() ? "no samples" : "samples that are not finite", y, x));
   std::vector<double> found;
   beyond = 0;
   for (const auto& [passage, passed] : counted_passages(curve.x, xs)) {
@@ -90,7 +90,7 @@ std::vector<double> MeasuredPoints::simulated(const ProbeSeries& run, int& beyon
     beyond += passed ? 0 : 1;
   }
   if (beyond == static_cast<int>(found.size()))
-    throw InputError(fmt::format("the run passes none of what was measured: its {} goes from {:.4g} to {:.4g}, that of {} from {:.4g} to {:.4g}", x,
+    throw InputError(fmt::format("the run reaches none of the measured points: its {} goes from {:.4g} to {:.4g}, that of {} from {:.4g} to {:.4g}", x,
                                  *std::min_element(xs.begin(), xs.end()), *std::max_element(xs.begin(), xs.end()), curve.path,
                                  *std::min_element(curve.x.begin(), curve.x.end()), *std::max_element(curve.x.begin(), curve.x.end())));
   return found;

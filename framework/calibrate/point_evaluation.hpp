@@ -1,4 +1,4 @@
-// An evaluation of one point: values of the fitted numbers, and the residuals of its runs.
+// An evaluation of one point: values of the fitted parameters, and the residuals of its runs.
 //
 // A residual is r = sqrt(weight) (run - measured) / s, where s is the noise of the experiment, or
 // the largest measured number if the noise is unknown. The misfit is the sum of squared residuals.
@@ -10,10 +10,10 @@
 
 namespace tack {
 
-using Point = std::vector<double>;  // a value for each fitted number, SI, to six digits
+using DesignPoint = std::vector<double>;  // a value for each fitted parameter, SI, to six digits
 
 struct PointEvaluation {
-  Point values;
+  DesignPoint values;
   bool good = false;   // every run finished and passed a measured point
   std::string status;  // "done", or the status of the first run that failed
   std::string error;
@@ -24,7 +24,7 @@ struct PointEvaluation {
   std::vector<int> beyond;
 
   bool asked_derivatives = false;  // output.gradients was requested
-  // d residuals / d u (fitted_number.hpp) for each number; empty for numbers without derivatives.
+  // d residuals / d u (fitted_parameter.hpp) for each parameter; empty for parameters without derivatives.
   std::vector<std::vector<double>> derivatives;
 };
 

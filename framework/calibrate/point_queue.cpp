@@ -8,20 +8,20 @@
 
 namespace tack {
 
-std::list<PointQueue::Request>::iterator PointQueue::put(const Point& values, bool derivatives) {
+std::list<PointQueue::Request>::iterator PointQueue::put(const DesignPoint& values, bool derivatives) {
   requests_.push_back({values, derivatives, {}});
-  fresh_.push_back(&requests_.back());
+  new_requests_.push_back(&requests_.back());
   ++waiting_;
   asked_.notify_all();
   return std::prev(requests_.end());
 }
 
-PointQueue::Request& PointQueue::add(const Point& values, bool derivatives) {
+PointQueue::Request& PointQueue::add(const DesignPoint& values, bool derivatives) {
   const std::lock_guard lock(mutex_);
   return *put(values, derivatives);
 }
 
-std::optional<PointEvaluation> PointQueue::ask(const Point& values) {
+std::optional<PointEvaluation> PointQueue::ask(const DesignPoint& values) {
   std::unique_lock lock(mutex_);
   if (cancelled_) return std::nullopt;
   const auto mine = put(values, false);
@@ -39,7 +39,7 @@ void PointQueue::end_search() {
 
 std::vector<PointQueue::Request*> PointQueue::take() {
   const std::lock_guard lock(mutex_);
-  return std::exchange(fresh_, {});
+  return std::exchange(new_requests_, {});
 }
 
 void PointQueue::answer(Request& request, PointEvaluation evaluation) {
@@ -60,15 +60,15 @@ void PointQueue::wait_for_all() {
   asked_.wait(lock, [&] { return waiting_ >= searching_; });
 }
 
-bool PointQueue::over() const {
+bool PointQueue::finished() const {
   const std::lock_guard lock(mutex_);
   return searching_ == 0 && waiting_ == 0;
 }
 
-std::vector<PointEvaluation> Evaluator::at(const std::vector<Point>& points, bool derivatives) {
+std::vector<PointEvaluation> Evaluator::at(const std::vector<DesignPoint>& points, bool derivatives) {
   PointQueue queue;
   std::vector<PointQueue::Request*> requests;
-  for (const Point& p : points) requests.push_back(&queue.add(p, derivatives));
+  for (const DesignPoint& p : points) requests.push_back(&queue.add(p, derivatives));
   serve(queue);
   if (interrupt_requested) throw Interrupted{};
   std::vector<PointEvaluation> found;
@@ -86,7 +86,7 @@ void Evaluator::search(const std::vector<std::function<void(const Ask&)>>& searc
   for (size_t i = 0; i < searches.size(); ++i)
     threads.emplace_back([&, i] {
       try {
-        searches[i]([&](const Point& values) { return queue.ask(values); });
+        searches[i]([&](const DesignPoint& values) { return queue.ask(values); });
       } catch (...) {
         failures[i] = std::current_exception();
       }

@@ -4,8 +4,8 @@
 // - design: points that fill the ranges evenly, after the initial guess
 // - chain: from each of the best design points, a short search by quadratic models (BOBYQA, Powell
 //   2009, by NLopt)
-// - polish: from the best end of all chains, Levenberg-Marquardt steps (by Ceres), if runs give
-//   their own derivatives and these predict the residuals of nearby points
+// - polish: from the best point of all chains, Levenberg-Marquardt steps (by Ceres), if runs give
+//   sensitivities that predict the residuals of nearby points
 // - final chain: otherwise, a chain down to the tolerance, then Levenberg-Marquardt steps with
 //   central differences
 //
@@ -41,7 +41,7 @@ using SearchProgress =
 
 // Searches for the best point. `noise_known`: residuals are in units of the noise. Throws
 // SimulationError if no point of the design could be evaluated, and Interrupted.
-SearchResult search_for(const std::vector<FittedNumber>& numbers, const SearchConfig& config,
-                        Evaluator& evaluator, const SearchProgress& tell, bool noise_known = true);
+SearchResult search_for(const std::vector<FittedParameter>& parameters, const SearchConfig& config,
+                        Evaluator& evaluator, const SearchProgress& progress, bool noise_known = true);
 
 }  // namespace tack

@@ -25,7 +25,7 @@ Gradients::Gradients(BuiltExperiment& run) : run_(run), system_(run.clock()) {
   for (const GradientConfig& config : run.experiment().output.gradients) neighbours_.push_back(std::make_unique<Neighbour>(run, config));
 }
 
-std::string Gradients::why_not(const BuiltExperiment& run, const GradientConfig& config) {
+std::string Gradients::reason_without(const BuiltExperiment& run, const GradientConfig& config) {
   try {
     require_minimised_steps(run.experiment());
     Neighbour(run, config);

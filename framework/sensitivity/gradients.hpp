@@ -23,7 +23,7 @@ class Gradients {
   explicit Gradients(BuiltExperiment& run);
   // Returns the reason why an experiment has no derivatives by a number; "" if it has them. Builds
   // the experiment once more.
-  static std::string why_not(const BuiltExperiment& run, const GradientConfig& config);
+  static std::string reason_without(const BuiltExperiment& run, const GradientConfig& config);
   bool empty() const { return neighbours_.empty(); }
 
   // Returns the column names, "d(force)/d(young)": all probes of the first number, then of the

@@ -86,10 +86,10 @@ TEST_CASE("a calibration finds strength and work, writes what it found, and asks
   // Steps of 50 ms are an error of the model, beside the noise of the data.
   CHECK(result["fits"] == false);
   REQUIRE(result["warnings"].size() == 1);
-  CHECK(contains(result["warnings"][0].get<std::string>(), "the model misses something that was measured"));
+  CHECK(contains(result["warnings"][0].get<std::string>(), "the model does not describe the data"));
   CHECK(result["runs"]["started"] == result["runs"]["points"]);
   CHECK(result["runs"]["with_derivatives"].get<int>() > 0);
-  CHECK(contains(found.out, "derivatives by strength"));
+  CHECK(contains(found.out, "sensitivities to strength"));
   CHECK(contains(file_text(one / "evaluations.csv"), "number,phase,strength,work,misfit,derivatives,status,error\n1,design,30000,0.4,"));
   CHECK(contains(file_text(one / "calibration.csv"), "\nstrength,Pa,"));
   CHECK(contains(file_text(one / "fits/pull.csv"), "way,measured,simulated\n"));
@@ -169,7 +169,7 @@ TEST_CASE("an interrupted calibration ends with 130 and goes on", "[calibrate]")
   INFO(result.out << result.err);
   if (result.exit_code != 0) {  // it may have been done
     CHECK(result.exit_code == 130);
-    CHECK(contains(result.out, "call it again to go on"));
+    CHECK(contains(result.out, "call it again to continue"));
     CHECK(contains(file_text(place.path / "parts/calibration.json"), "\"running\""));
   }
   CHECK(place.run({"-o", "parts"}).exit_code == 0);
@@ -203,11 +203,11 @@ TEST_CASE("two experiments share a number; runs that fail count as bad, and as t
   INFO(some.out << some.err);
   CHECK(some.exit_code == 0);
   CHECK(contains(file_text(place.path / "some/evaluations.csv"), ",refused,"));
-  CHECK(contains(some.out, "points failed, and counted as bad"));
+  CHECK(contains(some.out, "evaluations failed; evaluations.csv"));
   write_file(place.path / "fit.yaml", pull_fit("", "{design: 3, chains: 1}") + "time_limit: 1 ms\n");
   const ProgramResult none = place.run({"-o", "none"});
   CHECK(none.exit_code == 3);
-  CHECK(contains(none.err, "all 3 points of the design failed; the first one: timed out"));
+  CHECK(contains(none.err, "all 3 evaluations of the initial design failed; the first one: timed out"));
 }
 
 TEST_CASE("what is wrong with a calibration is told before anything runs", "[calibrate]") {
@@ -225,7 +225,7 @@ TEST_CASE("what is wrong with a calibration is told before anything runs", "[cal
   CHECK_THAT(error("start: 30 kPa", "start: 60 kPa"), Catch::Contains("the start is not between from and to"));
   CHECK_THAT(error("noise: 2%", "noise: 2 mm"), Catch::Contains("experiment 'pull': ") && Catch::Contains("'2 mm'"));
   CHECK_THAT(error("work: {", "strength: {"), Catch::Contains("strength"));
-  CHECK_THAT(error("work: {", "work: {as: strength, "), Catch::Contains("two numbers are called 'strength'"));
+  CHECK_THAT(error("work: {", "work: {as: strength, "), Catch::Contains("two parameters are named 'strength'"));
   CHECK_THAT(error("keys: contact.pairs.0.adhesion.work_of_adhesion", "keys: {pul: a}"), Catch::Contains("there is no experiment 'pul'; did you mean 'pull'?"));
   CHECK_THAT(error("design: 12", "desing: 12"), Catch::Contains("design"));
   write_file(place.path / "units.csv", "way [mm], force [mm]\n0.1, 2\n");

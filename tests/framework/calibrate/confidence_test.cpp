@@ -11,11 +11,11 @@ using namespace tack;
 
 namespace {
 
-std::vector<FittedNumber> two(bool log = true) {
-  std::vector<FittedNumber> all(2);
+std::vector<FittedParameter> two(bool log = true) {
+  std::vector<FittedParameter> all(2);
   all[0].name = "strength";
   all[1].name = "work";
-  for (FittedNumber& n : all) n.from = 0.01, n.to = 100, n.log = log;
+  for (FittedParameter& n : all) n.from = 0.01, n.to = 100, n.log = log;
   return all;
 }
 
@@ -25,8 +25,8 @@ bool mentions(const std::vector<std::string>& warnings, const std::string& text)
 
 }  // namespace
 
-TEST_CASE("a straight line: deviations and correlation are those of linear regression", "[calibrate]") {
-  // r_i = (a + b x_i - y_i) / s with x = 0 ... 9: var a = s^2 (1/n + m^2 / S), var b = s^2 / S, cov = -s^2 m / S; m the mean of x, S the sum of (x - m)^2.
+TEST_CASE("standard deviations and correlation of a straight line agree with linear regression", "[calibrate]") {
+  // r_i = (a + b x_i - y_i) / s with x = 0 ... 9: var a = s^2 (1/n + m^2 / S), var b = s^2 / S, cov = -s^2 m / S, with the mean m of x and the sum S of (x - m)^2.
   const int n = 10;
   Eigen::MatrixXd j(n, 2);
   std::vector<double> residuals;
@@ -35,9 +35,9 @@ TEST_CASE("a straight line: deviations and correlation are those of linear regre
     residuals.push_back(i % 2 ? 0.5 : -0.5);
   }
   const double m = 4.5, s2 = 82.5, left = std::sqrt(0.25 * n / (n - 2));
-  std::vector<FittedNumber> line = two(false);
-  for (FittedNumber& number : line) number.from = 0, number.to = 3;  // u is the value
-  const Confidence known = confidence_of(line, {1, 1}, j, residuals, true), estimated = confidence_of(line, {1, 1}, j, residuals, false);
+  std::vector<FittedParameter> line = two(false);
+  for (FittedParameter& parameter : line) parameter.from = 0, parameter.to = 3;  // u is the value
+  const Confidence known = find_confidence(line, {1, 1}, j, residuals, true), estimated = find_confidence(line, {1, 1}, j, residuals, false);
   CHECK(known.noise == 1);
   CHECK(estimated.noise == Approx(left));
   CHECK(known.sigma[0] == Approx(std::sqrt(1. / n + m * m / s2)));
@@ -49,14 +49,14 @@ TEST_CASE("a straight line: deviations and correlation are those of linear regre
   CHECK(1 - estimated.low[1] == Approx(estimated.high[1] - 1));
 }
 
-TEST_CASE("what only depends on a product determines the product alone, and says so", "[calibrate]") {
+TEST_CASE("data that depend on a product determine the product alone, with a warning", "[calibrate]") {
   Eigen::MatrixXd j(30, 2);
   std::vector<double> residuals;
   for (int i = 0; i < 30; ++i) {
     j.row(i) << 10. + i, 10. + i;
     residuals.push_back(0);
   }
-  const Confidence c = confidence_of(two(), {1, 1}, j, residuals, true);
+  const Confidence c = find_confidence(two(), {1, 1}, j, residuals, true);
   CHECK(std::isinf(c.sigma[0]));
   CHECK(std::isinf(c.sigma[1]));
   CHECK(std::isnan(c.correlation(0, 1)));
@@ -70,34 +70,34 @@ TEST_CASE("what only depends on a product determines the product alone, and says
 }
 
 TEST_CASE("a cantilever determines the work and not the strength, a pulled patch both", "[calibrate]") {
-  const std::vector<FittedNumber> numbers = two();
-  const auto confidence = [&](const ModelEvaluator::Model& model, const Point& truth) {
+  const std::vector<FittedParameter> parameters = two();
+  const auto confidence = [&](const ModelEvaluator::Model& model, const DesignPoint& truth) {
     const std::vector<double> data = model(truth);
     ModelEvaluator evaluator(model, data, 0.02 * *std::max_element(data.begin(), data.end()));
     const PointEvaluation middle = evaluator.at({truth}).front();
-    const std::vector<double> u{numbers[0].u(truth[0]), numbers[1].u(truth[1])};
-    const Derivatives d = derivatives_at(numbers, u, 0.05, middle, [&](const std::vector<Point>& points) { return evaluator.at(points); });
+    const std::vector<double> u{parameters[0].u(truth[0]), parameters[1].u(truth[1])};
+    const Derivatives d = derivatives_at(parameters, u, 0.05, middle, [&](const std::vector<DesignPoint>& points) { return evaluator.at(points); });
     REQUIRE(d.problem.empty());
-    return confidence_of(numbers, truth, d.of_residuals, middle.residuals, true);
+    return find_confidence(parameters, truth, d.jacobian, middle.residuals, true);
   };
-  const Confidence cantilever = confidence([](const Point& p) { return cantilever_curve(1e4 * p[0], p[1]); }, {1, 1});
+  const Confidence cantilever = confidence([](const DesignPoint& p) { return cantilever_curve(1e4 * p[0], p[1]); }, {1, 1});
   CHECK(cantilever.sigma[0] == Approx(0.445).epsilon(0.02));
   CHECK(cantilever.sigma[1] == Approx(0.016).epsilon(0.05));
   CHECK(cantilever.correlation(0, 1) == Approx(-0.97).margin(0.01));
   REQUIRE(mentions(cantilever.warnings, "the data do not determine strength"));
   CHECK(mentions(cantilever.warnings, "only strength^0.0"));
   const PulledPatch patch;
-  const Confidence pull = confidence([&](const Point& p) { return patch.curve(1e4 * p[0], p[1], 2e8); }, {1, 1});
+  const Confidence pull = confidence([&](const DesignPoint& p) { return patch.curve(1e4 * p[0], p[1], 2e8); }, {1, 1});
   CHECK(pull.sigma[0] == Approx(0.005).epsilon(0.1));
   CHECK(pull.sigma[1] == Approx(0.004).epsilon(0.1));
   CHECK(pull.warnings.empty());
 }
 
-TEST_CASE("a fit that leaves more than the noise, and one of too few points, are told", "[calibrate]") {
+TEST_CASE("large residuals and too few points give warnings", "[calibrate]") {
   Eigen::MatrixXd j = Eigen::MatrixXd::Random(20, 2);
-  CHECK(mentions(confidence_of(two(), {1, 1}, j, std::vector<double>(20, 5.0), true).warnings, "off by 5.3 times the noise"));
-  const Confidence few = confidence_of(two(), {1, 1}, j.topRows(2), {0.1, 0.1}, false);
-  CHECK(mentions(few.warnings, "2 measured points do not tell how sure 2 numbers are"));
+  CHECK(mentions(find_confidence(two(), {1, 1}, j, std::vector<double>(20, 5.0), true).warnings, "best fit is 5.3 times the noise"));
+  const Confidence few = find_confidence(two(), {1, 1}, j.topRows(2), {0.1, 0.1}, false);
+  CHECK(mentions(few.warnings, "2 measured points are too few for confidence intervals of 2 parameters"));
 }
 
 namespace {
@@ -106,12 +106,12 @@ struct Coverage {
   double held = 0, flagged = 0, held_or_flagged = 0, width = 0;
 };
 
-// Straight lines a + b x through 100 points of the truth 1 + 2 x + bend x^2, with noise of deviation 0.1 that is correlated from one point to the next. With s the
-// deviation that is known or not, least squares give a and b in closed form.
+// Fits straight lines a + b x to 100 points of the truth 1 + 2 x + bend x^2, with noise of standard deviation 0.1 and correlation `correlated` of neighbouring points.
+// Least squares give a and b in closed form, with known or estimated noise.
 Coverage of_lines(double bend, double correlated, bool known, double said = 0.1) {
   const int n = 100, fits = 200;
-  std::vector<FittedNumber> line = two(false);
-  for (FittedNumber& number : line) number.from = 0, number.to = 3;  // u is the value
+  std::vector<FittedParameter> line = two(false);
+  for (FittedParameter& parameter : line) parameter.from = 0, parameter.to = 3;  // u is the value
   Eigen::MatrixXd j(n, 2);
   for (int i = 0; i < n; ++i) j.row(i) << 1, i / double(n);
   Coverage c;
@@ -127,7 +127,7 @@ Coverage of_lines(double bend, double correlated, bool known, double said = 0.1)
     const Eigen::VectorXd best = (j.transpose() * j).ldlt().solve(j.transpose() * y);
     const double unit = known ? said : 1;
     const Eigen::VectorXd r = (j * best - y) / unit;
-    const Confidence one = confidence_of(line, {best[0], best[1]}, j / unit, {r.data(), r.data() + n}, known);
+    const Confidence one = find_confidence(line, {best[0], best[1]}, j / unit, {r.data(), r.data() + n}, known);
     const bool held = one.low[1] <= 2 && 2 <= one.high[1];
     c.held += held / double(fits);
     c.flagged += !one.fits / double(fits);
@@ -139,7 +139,7 @@ Coverage of_lines(double bend, double correlated, bool known, double said = 0.1)
 
 }  // namespace
 
-TEST_CASE("intervals hold the truth, or the fit is flagged", "[calibrate]") {
+TEST_CASE("intervals contain the true value, or the fit is flagged", "[calibrate]") {
   for (const bool known : {true, false}) {
     CAPTURE(known);
     const Coverage white = of_lines(0, 0, known);
@@ -159,13 +159,13 @@ TEST_CASE("intervals hold the truth, or the fit is flagged", "[calibrate]") {
       CHECK(of_lines(bend, 0.9, known).held_or_flagged >= 0.97);
     }
   }
-  // Noise that is larger than said.
+  // The noise is larger than stated.
   const Coverage understated = of_lines(0, 0, true, 0.06);
   CHECK(understated.flagged >= 0.99);
   CHECK(understated.held >= 0.93);
 }
 
-TEST_CASE("residuals of one experiment do not follow those of another", "[calibrate]") {
+TEST_CASE("residuals of different experiments are not correlated with each other", "[calibrate]") {
   std::vector<double> residuals;
   for (int e = 0; e < 20; ++e)
     for (int i = 0; i < 2; ++i) residuals.push_back(i == 0 ? 1 : -1);

@@ -1,4 +1,4 @@
-// Measured points against the samples of a run.
+// Residuals and derivatives of measured points, for given samples of a run.
 #include "framework/calibrate/measured_points.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ MeasuredPoints points(std::vector<double> x, std::vector<double> y) {
 
 }  // namespace
 
-TEST_CASE("residuals are in units of the noise, with the root of the weight", "[calibrate]") {
+TEST_CASE("residuals are in units of the noise, times the square root of the weight", "[calibrate]") {
   int beyond = -1;
   const MeasuredPoints p = points({0.5, 1.5}, {10, 10});
   const std::vector<double> found = p.simulated({{"time", "gap", "force"}, {{0, 0, 0}, {1, 1, 10}, {2, 2, 30}}}, beyond);
@@ -32,7 +32,7 @@ TEST_CASE("residuals are in units of the noise, with the root of the weight", "[
   CHECK(p.residuals(found) == std::vector<double>{-5, 10});
 }
 
-TEST_CASE("derivatives at a measured x are those of y less what x moves along the curve", "[calibrate]") {
+TEST_CASE("the derivative at a measured x is dy minus the slope of the curve times dx", "[calibrate]") {
   // y = p^2 x over x = p t, at p = 2: dy/dp at x is 2 p x.
   const double p = 2;
   ProbeSeries run{{"time", "gap", "force"}, {}};
@@ -46,15 +46,15 @@ TEST_CASE("derivatives at a measured x are those of y less what x moves along th
   const std::vector<double> found = points({0, 0.3, 1.1, 2, 5}, {1, 1, 1, 1, 1}).derivatives(run, dx, dy);
   const double root = 2, scale = 2;
   for (const auto& [i, x] : {std::pair(0, 0.0), std::pair(1, 0.3), std::pair(2, 1.1), std::pair(3, 2.0)}) CHECK(found[i] == Approx(root / scale * 2 * p * x));
-  CHECK(found[4] == Approx(root / scale * dy.back()));  // beyond: of the last sample
+  CHECK(found[4] == Approx(root / scale * dy.back()));  // beyond the run: the derivative of the last sample
 }
 
-TEST_CASE("where a run does not get to a measured point, its nearest sample counts; where it gets to none, it failed", "[calibrate]") {
+TEST_CASE("unreached points are compared with the nearest sample; a run that reaches none is an error", "[calibrate]") {
   int beyond = -1;
   const ProbeSeries run{{"time", "gap", "force"}, {{0, 0, 1}, {1, 1, 10}, {2, 2, 30}}};
   CHECK(points({-1, 1, 5, 9}, {0, 0, 0, 1}).simulated(run, beyond) == std::vector<double>{1, 10, 30, 30});
   CHECK(beyond == 3);
-  CHECK_THROWS_WITH(points({5, 9}, {0, 1}).simulated(run, beyond), Catch::Contains("passes none of what was measured: its gap goes from 0 to 2, that of pull.csv from 5 to 9"));
+  CHECK_THROWS_WITH(points({5, 9}, {0, 1}).simulated(run, beyond), Catch::Contains("reaches none of the measured points: its gap goes from 0 to 2, that of pull.csv from 5 to 9"));
   CHECK_THROWS_WITH(points({1, 2}, {0, 1}).simulated({{"time", "gap", "force"}, {}}, beyond), Catch::Contains("no samples"));
-  CHECK_THROWS_WITH(points({1, 2}, {0, 1}).simulated({{"time", "gap", "force"}, {{0, NAN, 1}}}, beyond), Catch::Contains("no finite numbers"));
+  CHECK_THROWS_WITH(points({1, 2}, {0, 1}).simulated({{"time", "gap", "force"}, {{0, NAN, 1}}}, beyond), Catch::Contains("not finite"));
 }

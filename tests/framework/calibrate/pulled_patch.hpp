@@ -1,5 +1,5 @@
-// A bonded patch that a machine of finite stiffness pulls off: force over the machine's way, in
-// closed form. Soft machines make it snap.
+// A bonded patch that a machine of finite stiffness pulls off: force over the displacement of the
+// machine in closed form. With soft machines the force drops suddenly.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@ namespace tack {
 
 struct PulledPatch {
   int points = 120;
-  double reach = 4e-4;  // m, the machine's way
+  double displacement_max = 4e-4;  // of the machine [m]
 
-  // Bilinear, with the onset at a quarter of 1e-4 m for strength 10 kPa and work 1 J/m^2. Force per
-  // area [Pa].
+  // Returns the force per area [Pa] of a bilinear law. Its onset is a quarter of 1e-4 m for strength
+  // 10 kPa and work 1 J/m^2.
   std::vector<double> curve(double strength, double work, double stiffness) const {
     const double end = 2 * work / strength, onset = 0.25 * work / strength,
                  softening = strength / (end - onset);
@@ -24,27 +24,27 @@ struct PulledPatch {
     bool broken = false;
     std::vector<double> force;
     for (int i = 1; i <= points; ++i) {
-      const double way = reach * i / points;
-      double gap = way;
+      const double displacement = displacement_max * i / points;
+      double gap = displacement;
       if (!broken) {
         const double secant = strength * (end - widest) / (end - onset) / widest;
-        gap = stiffness * way / (stiffness + secant);
+        gap = stiffness * displacement / (stiffness + secant);
         if (gap > widest) {
           if (stiffness > softening)
-            gap = (stiffness * way - softening * end) / (stiffness - softening);
+            gap = (stiffness * displacement - softening * end) / (stiffness - softening);
           else broken = true;
           broken = broken || gap >= end;
           widest = std::max(widest, gap);
         }
       }
-      force.push_back(broken ? 0 : stiffness * (way - gap));
+      force.push_back(broken ? 0 : stiffness * (displacement - gap));
     }
     return force;
   }
 };
 
-// A double cantilever that opens: the force hardly knows of the strength (Euler-Bernoulli arms, the
-// crack longer by a part of the cohesive zone).
+// Returns the force of an opening double cantilever (Euler-Bernoulli arms, crack longer by a
+// fraction of the cohesive zone). It hardly depends on the strength.
 inline std::vector<double> cantilever_curve(double strength, double work) {
   const double stiffness = 8.3e-7, width = 1e-2;  // E I [N m^2], m
   const double zone = std::pow(stiffness * (2 * work / strength) / (strength * width), 0.25);
@@ -58,7 +58,7 @@ inline std::vector<double> cantilever_curve(double strength, double work) {
   return force;
 }
 
-// Normal numbers of mean 0 and deviation 1, the same with every library.
+// Normally distributed numbers of mean 0 and standard deviation 1, equal with every library.
 class Noise {
  public:
   explicit Noise(unsigned seed) : random_(seed) {}
@@ -72,15 +72,15 @@ class Noise {
   std::mt19937_64 random_;
 };
 
-// Residuals of a model in closed form, each run once in the order in which it is asked for.
+// Evaluates a model in closed form, once per request and in their order.
 class ModelEvaluator : public Evaluator {
  public:
-  using Model = std::function<std::vector<double>(const Point&)>;
+  using Model = std::function<std::vector<double>(const DesignPoint&)>;
   ModelEvaluator(Model model, std::vector<double> data, double scale)
       : model_(std::move(model)), data_(std::move(data)), scale_(scale) {}
 
-  // With derivatives of `smooth` by each number for which `without` is empty, the model itself may
-  // be noisy.
+  // Also gives derivatives of `smooth` by each parameter whose entry of `without` is empty; the model
+  // itself may be noisy.
   ModelEvaluator(Model model, std::vector<double> data, double scale, Model smooth,
                  std::vector<std::string> without)
       : model_(std::move(model)),
@@ -91,7 +91,7 @@ class ModelEvaluator : public Evaluator {
   std::vector<std::string> without_derivatives() override { return without_; }
 
   void serve(PointQueue& queue) override {
-    for (queue.wait_for_all(); !queue.over(); queue.wait_for_all())
+    for (queue.wait_for_all(); !queue.finished(); queue.wait_for_all())
       for (PointQueue::Request* request : queue.take()) {
         PointEvaluation e = evaluation(request->values);
         e.asked_derivatives = request->derivatives;
@@ -103,7 +103,7 @@ class ModelEvaluator : public Evaluator {
   int runs = 0, differentiated = 0;
 
  private:
-  PointEvaluation evaluation(const Point& values) {
+  PointEvaluation evaluation(const DesignPoint& values) {
     ++runs;
     PointEvaluation e{values, true, "done", "", 0, {}, model_(values), {}, false, {}};
     if (e.residuals.empty())
@@ -126,12 +126,12 @@ class ModelEvaluator : public Evaluator {
   }
 
   // By u = ln(value).
-  std::vector<std::vector<double>> derivatives(const Point& values) const {
+  std::vector<std::vector<double>> derivatives(const DesignPoint& values) const {
     std::vector<std::vector<double>> all;
     for (size_t i = 0; i < values.size(); ++i) {
       all.emplace_back();
       if (!without_[i].empty()) continue;
-      Point other = values;
+      DesignPoint other = values;
       other[i] *= 1 + 1e-7;
       const std::vector<double> a = smooth_(values), b = smooth_(other);
       for (size_t k = 0; k < a.size(); ++k) all.back().push_back((b[k] - a[k]) / 1e-7 / scale_);

@@ -249,9 +249,9 @@ TEST_CASE("numbers that nothing can be differentiated by are refused", "[sensiti
   const Simulation asked(scene(drawn));
   GradientConfig config;
   config.key = "time.step";
-  CHECK_THAT(Gradients::why_not(asked.built(), config), Catch::StartsWith("'time.step' is a key of the run"));
+  CHECK_THAT(Gradients::reason_without(asked.built(), config), Catch::StartsWith("'time.step' is a key of the run"));
   config.key = "objects.block.energies.0.young";
-  CHECK(Gradients::why_not(asked.built(), config).empty());
+  CHECK(Gradients::reason_without(asked.built(), config).empty());
   Simulation simulation(scene(drawn + "output: {gradients: [{key: objects.block.energies.0.poisson, step: 1e-6}]}\n"));
   CHECK_NOTHROW(Gradients(simulation.built()));
 }
