@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "framework/body/chamber_surface.hpp"
-#include "framework/load/chamber_term.hpp"
+#include "framework/body/cavity_surface.hpp"
+#include "framework/load/fluid_cavity_term.hpp"
 #include "framework/scene/interaction.hpp"
 #include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
@@ -25,7 +25,7 @@ class ChamberBetween : public Interaction {
              "leak through slits between walls that open beyond twice their rest width: the pressure above ambient "
              "decays at the rate vent times the area beyond that width over the volume").nonnegative();
     f.check("vent", [this]() -> std::string {
-      return vent_ == 0 || dynamic_cast<const StoredFilling*>(filling_.get()) ? "" : "a pressure that is given does not fall; fill the chamber with a gas or a liquid, or take it away";
+      return vent_ == 0 || dynamic_cast<const StoredContent*>(filling_.get()) ? "" : "a pressure that is given does not fall; fill the chamber with a gas or a liquid, or take it away";
     });
   }
   std::vector<std::string> objects() const override {
@@ -35,17 +35,17 @@ class ChamberBetween : public Interaction {
   }
 
   void build(InteractionBuilder& builder) const override {
-    std::vector<ChamberPart> parts;
-    for (const ObjectVertices& part : parts_) parts.push_back(chamber_part(*part.select, builder.world().selection_context(builder.body(part.object))));
+    std::vector<CavityWall> parts;
+    for (const ObjectVertices& part : parts_) parts.push_back(cavity_wall(*part.select, builder.world().selection_context(builder.body(part.object))));
     const std::string who = fmt::format("interaction '{}'", builder.name());
-    ChamberSurface around = chamber_surface(parts, builder.rest(), who);
+    CavitySurface around = cavity_surface(parts, builder.rest(), who);
     std::unique_ptr<VolumeTerm> term = filling_->make_term(builder.name(), OrientedSurface(std::move(around.triangles)), builder.rest());
     if (vent_ > 0) {
       if (around.slits.empty()) throw InputError(who + ": has a vent, and no slits between its parts; take it away, or give the gas a leak");
-      auto& chamber = dynamic_cast<ChamberTerm&>(*term);
+      auto& chamber = dynamic_cast<FluidCavityTerm&>(*term);
       std::vector<double> shut;
       for (const Triangle& t : around.slits) shut.push_back(2 * triangle_area(builder.rest(), t));
-      chamber.set_vent([slits = std::move(around.slits), shut = std::move(shut), speed = vent_, &chamber](const VecX& x) {
+      chamber.set_leak([slits = std::move(around.slits), shut = std::move(shut), speed = vent_, &chamber](const VecX& x) {
         double open = 0;
         for (size_t i = 0; i < slits.size(); ++i) open += std::max(0.0, triangle_area(x, slits[i]) - shut[i]);
         return speed * open / chamber.volume(x);
@@ -57,7 +57,7 @@ class ChamberBetween : public Interaction {
 
  private:
   std::vector<ObjectVertices> parts_;
-  std::unique_ptr<Filling> filling_;
+  std::unique_ptr<CavityContent> filling_;
   double vent_ = 0;  // m/s
 };
 

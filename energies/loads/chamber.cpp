@@ -1,8 +1,8 @@
 // A chamber within one object.
 #include <fmt/format.h>
 
-#include "framework/body/chamber_surface.hpp"
-#include "framework/load/filling.hpp"
+#include "framework/body/cavity_surface.hpp"
+#include "framework/load/cavity_content.hpp"
 #include "framework/world/load.hpp"
 
 namespace tack {
@@ -17,13 +17,13 @@ class ChamberLoad : public Load {
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
     const std::string label = name_.empty() ? body.name : name_;
-    ChamberSurface around = chamber_surface({chamber_part(*select_, {body, rest})}, rest, fmt::format("the chamber '{}'", label));
+    CavitySurface around = cavity_surface({cavity_wall(*select_, {body, rest})}, rest, fmt::format("the chamber '{}'", label));
     return filling_->make_term(label, OrientedSurface(std::move(around.triangles)), rest);
   }
 
  private:
   std::string name_;
-  std::unique_ptr<Filling> filling_;
+  std::unique_ptr<CavityContent> filling_;
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 

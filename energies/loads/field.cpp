@@ -196,7 +196,7 @@ class FieldLoad : public Load {
     const ChosenVertices all(body, chosen);
     VecX sum = VecX::Zero(rest.size() / 3);
     for (const Triangle& t : body.triangles) {
-      if (!all.whole(t)) continue;
+      if (!all.contains(t)) continue;
       for (const int v : t) sum(v) += triangle_area(rest, t) / 3;
     }
     return sum;

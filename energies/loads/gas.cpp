@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "energies/loads/ramp.hpp"
-#include "framework/load/filling.hpp"
+#include "framework/load/cavity_content.hpp"
 
 namespace tack {
 namespace {
 
-class Gas : public StoredFilling {
+class Gas : public StoredContent {
  public:
   void fields(Fields& f) override {
     f.optional_number("pressure", pressure_, units::pressure, "absolute pressure of the gas in the chamber at rest; ambient unless given").positive();
@@ -51,7 +51,7 @@ class Gas : public StoredFilling {
 };
 
 // W = K (V - Vt)^2 / (2 Vt), Vt the volume that there is of it without pressure.
-class Liquid : public StoredFilling {
+class Liquid : public StoredContent {
  public:
   void fields(Fields& f) override {
     f.number("bulk_modulus", bulk_modulus_, units::pressure,
@@ -77,8 +77,8 @@ class Liquid : public StoredFilling {
   Ramp volume_;
 };
 
-TACK_REGISTER(Filling, Gas, "gas", "An ideal gas, isothermal or polytropic, with or without a leak.", "");
-TACK_REGISTER(Filling, Liquid, "liquid", "A nearly incompressible liquid, which may be pumped in and out.", "");
+TACK_REGISTER(CavityContent, Gas, "gas", "An ideal gas, isothermal or polytropic, with or without a leak.", "");
+TACK_REGISTER(CavityContent, Liquid, "liquid", "A nearly incompressible liquid, which may be pumped in and out.", "");
 
 }  // namespace
 }  // namespace tack

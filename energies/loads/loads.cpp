@@ -26,7 +26,7 @@ class Traction : public Load {
     const ChosenVertices chosen(body, select(*select_, {body, rest}));
     bool any = false;
     for (const Triangle& tri : body.triangles) {
-      if (!chosen.whole(tri)) continue;
+      if (!chosen.contains(tri)) continue;
       any = true;
       const Vec3 a = vertex(rest, tri[0]), b = vertex(rest, tri[1]), c = vertex(rest, tri[2]);
       const double third = (b - a).cross(c - a).norm() / 6;

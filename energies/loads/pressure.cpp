@@ -1,7 +1,7 @@
 // A pressure on the surface of an object that follows it, and the same of a chamber.
 #include "energies/loads/pressure_term.hpp"
-#include "framework/body/chamber_surface.hpp"
-#include "framework/load/filling.hpp"
+#include "framework/body/cavity_surface.hpp"
+#include "framework/load/cavity_content.hpp"
 #include "framework/world/load.hpp"
 
 namespace tack {
@@ -27,7 +27,7 @@ class Pressure : public Load {
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 
-class PressureFilling : public Filling {
+class PressureContent : public CavityContent {
  public:
   void fields(Fields& f) override {
     f.number("value", value_, units::pressure, "pressure; positive acts from inside").required();
@@ -43,7 +43,7 @@ class PressureFilling : public Filling {
 };
 
 TACK_REGISTER(Load, Pressure, "pressure", "Follower pressure: along the current normals, on the current area of a surface.", "");
-TACK_REGISTER(Filling, PressureFilling, "pressure", "A prescribed pressure, independent of the volume.", "");
+TACK_REGISTER(CavityContent, PressureContent, "pressure", "A prescribed pressure, independent of the volume.", "");
 
 }  // namespace
 }  // namespace tack

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "energies/loads/ramp.hpp"
-#include "framework/body/chamber_surface.hpp"
+#include "framework/body/cavity_surface.hpp"
 #include "framework/body/selection.hpp"
 #include "framework/load/following_load.hpp"
 #include "framework/world/load.hpp"

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "framework/affine/bent_change.hpp"
+#include "framework/affine/retraction.hpp"
 #include "framework/assembly/psd_projection.hpp"
 #include "framework/assembly/stencil_blocks.hpp"
 #include "framework/assembly/symmetric_eigen.hpp"
@@ -40,33 +40,33 @@ double OrthogonalityTerm::largest_strain(const VecX& x) const {
   return largest;
 }
 
-bool OrthogonalityTerm::bend(const DofMap& dofs, const VecX& q, VecX& p, double loss) const {
-  std::vector<char> bent(frames_.size(), 0);
+bool OrthogonalityTerm::retract(const DofMap& dofs, const VecX& q, VecX& p, double loss) const {
+  std::vector<char> retracted(frames_.size(), 0);
   for_each(static_cast<int>(frames_.size()), [&](int b) {
     const Tet& frame = frames_[b];
     if (!std::all_of(frame.begin(), frame.end(), [&](int v) { return dofs.owns(v); })) return;
-    Eigen::Matrix<double, 3, 4> x, way;
+    Eigen::Matrix<double, 3, 4> x, displacement;
     for (int i = 0; i < 4; ++i) {
       x.col(i) = q.segment<3>(3 * dofs.block(frame[i]));
-      way.col(i) = p.segment<3>(3 * dofs.block(frame[i]));
+      displacement.col(i) = p.segment<3>(3 * dofs.block(frame[i]));
     }
     const Eigen::Matrix<double, 4, 3> map = corners(b).transpose();
-    const Mat3 straight = way * map;
+    const Mat3 linear = displacement * map;
     const Mat3 a = x * map;
-    Mat3 change = straight;
-    if (!bend_change(a, change)) return;
-    const Mat3 beyond = strain_of(a + straight) - strain_of(a + change);
-    if (bodies_[b].modulus / 2 * beyond.squaredNorm() <= loss) return;
+    Mat3 change = linear;
+    if (!retract_change(a, change)) return;
+    const Mat3 excess = strain_of(a + linear) - strain_of(a + change);
+    if (bodies_[b].modulus / 2 * excess.squaredNorm() <= loss) return;
     // The change of A acts on the corners at rest, relative to their centroid.
     const Mat3 edges = bodies_[b].shape.inverse();
     const Vec3 first = -edges.rowwise().sum() / 4;
     for (int i = 0; i < 4; ++i) {
       const Vec3 rest = i == 0 ? first : Vec3(first + edges.col(i - 1));
-      p.segment<3>(3 * dofs.block(frame[i])) += (change - straight) * rest;
+      p.segment<3>(3 * dofs.block(frame[i])) += (change - linear) * rest;
     }
-    bent[b] = 1;
+    retracted[b] = 1;
   }, 16);
-  return std::any_of(bent.begin(), bent.end(), [](char b) { return b != 0; });
+  return std::any_of(retracted.begin(), retracted.end(), [](char b) { return b != 0; });
 }
 
 double OrthogonalityTerm::energy(int b, const VecX& x) const { return bodies_[b].modulus / 2 * strain_of(map_of(b, x)).squaredNorm(); }
@@ -113,7 +113,7 @@ std::vector<ResidualBatch> OrthogonalityTerm::residual_batches() const {
   return {{4, 6, static_cast<int>(frames_.size()), frames_.empty() ? nullptr : frames_.front().data()}};
 }
 
-// The six strains, those of shear times the root of two.
+// Returns the six strains of each body, those of shear times the root of two.
 bool OrthogonalityTerm::residuals(const VecX& x, double* r, double* jacobian) const {
   for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
     const Mat3 a = map_of(b, x), strain = strain_of(a);

@@ -22,10 +22,10 @@ class OrthogonalityTerm : public Term, public ResidualView {
   // rest: 3n [m]; volume [m^3]; stiffness [Pa].
   void add(const Tet& frame, const VecX& rest, double volume, double stiffness);
   bool empty() const { return frames_.empty(); }
-  // Retracts the step p from the unknowns q onto rotations (bent_change.hpp), for bodies without
+  // Retracts the step p from the unknowns q onto rotations (retraction.hpp), for bodies without
   // fixed vertices whose strain energy under p would exceed `loss` [J]. Centroids move along p.
   // Returns false if there are no such bodies.
-  bool bend(const DofMap& dofs, const VecX& q, VecX& p, double loss) const;
+  bool retract(const DofMap& dofs, const VecX& q, VecX& p, double loss) const;
   // Returns the principal strain of largest magnitude of all bodies.
   double largest_strain(const VecX& x) const;
 

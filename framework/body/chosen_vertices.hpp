@@ -18,7 +18,7 @@ class ChosenVertices {
   bool has(int v) const { return chosen_[v - first_] != 0; }
   // Returns true if all vertices of an element are chosen.
   template <class Element>
-  bool whole(const Element& element) const {
+  bool contains(const Element& element) const {
     return std::all_of(element.begin(), element.end(), [this](int v) { return has(v); });
   }
 

@@ -30,7 +30,7 @@ Body selected_elements(const Selection& selection, const SelectionContext& conte
   Body body = context.body;
   const ChosenVertices chosen(body, select(selection, context));
   const auto out = [&](int v) { return !chosen.has(v); };
-  const auto cut = [&](auto& elements) { std::erase_if(elements, [&](const auto& element) { return !chosen.whole(element); }); };
+  const auto cut = [&](auto& elements) { std::erase_if(elements, [&](const auto& element) { return !chosen.contains(element); }); };
   if (body.elements == Elements::composite) keep_whole(body.tets, out);
   else cut(body.tets);
   cut(body.triangles);

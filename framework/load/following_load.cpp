@@ -15,21 +15,21 @@ void FollowingLoad::begin_step(const StepStart& start) {
   }
 }
 
-double FollowingLoad::work_of(const VecX& forces, const VecX& way, const DofMap& dofs) {
+double FollowingLoad::work_of(const VecX& forces, const VecX& displacement, const DofMap& dofs) {
   double work = 0;
   for (int v = 0; v < dofs.vertex_count(); ++v)
-    if (dofs.moves(v)) work += vertex(forces, v).dot(vertex(way, v));
+    if (dofs.moves(v)) work += vertex(forces, v).dot(vertex(displacement, v));
   return work;
 }
 
 double FollowingLoad::work(const VecX& x, const DofMap& dofs) const {
-  const VecX way = x - start_;
+  const VecX displacement = x - start_;
   VecX sum = VecX::Zero(x.size()), middle = sum;
   add_forces(start_, 0, sum);
-  add_forces(start_ + way / 2, 0.5, middle);
+  add_forces(start_ + displacement / 2, 0.5, middle);
   sum += 4 * middle;
   add_forces(x, 1, sum);
-  return work_of(sum / 6, way, dofs);
+  return work_of(sum / 6, displacement, dofs);
 }
 
 }  // namespace tack

@@ -18,19 +18,20 @@ class FollowingLoad : public Term, public ResidualView {
   void begin_step(const StepStart& start) override;
   virtual bool needs_velocities() const { return false; }
 
-  // Least squares: the whole potential is `rest`.
+  // Residual form: the load has no residuals, its potential is the remainder.
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override { return {}; }
   bool residuals(const VecX&, double*, double*) const override { return true; }
 
   // Adds the forces at x at a fraction of the step, 0 at its start and 1 at its end (3n) [N].
-  virtual void add_forces(const VecX& x, double part, VecX& forces) const = 0;
-  // Returns the work on everything that moves in a step that ends at x, along the linear
-  // trajectory, by Simpson's rule: exact for pressures [J].
+  virtual void add_forces(const VecX& x, double fraction, VecX& forces) const = 0;
+  // Returns the work on all moving vertices in a step that ends at x, along the linear trajectory,
+  // by Simpson's rule [J]. It is exact for pressures.
   virtual double work(const VecX& x, const DofMap& dofs) const;
 
  protected:
-  static double work_of(const VecX& forces, const VecX& way, const DofMap& dofs);  // on what moves
+  // Returns the work of constant forces on all moving vertices [J].
+  static double work_of(const VecX& forces, const VecX& displacement, const DofMap& dofs);
   const VecX& start() const { return start_; }  // of the step (3n) [m]
   double time() const { return time_; }         // of its start [s]
   double h() const { return h_; }               // its size [s]

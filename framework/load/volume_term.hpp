@@ -7,7 +7,7 @@
 // A surface with a boundary encloses no volume and takes only pressures that do not depend on one.
 // V is then the volume of the cone from a point that is lagged; its gradient is the area except
 // along the boundary. If the boundary is fixed, -p V is the potential. Along a moving boundary, the
-// difference is lagged at the start of the step: the force there is that of the end of the step
+// difference is lagged at the start of the step: the force there is that of the end of the step,
 // except for the rotation and stretch of the boundary edges within the step.
 #pragma once
 
@@ -38,8 +38,9 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
 
   // For probes, at an accepted state.
   double volume(const VecX& x) const { return surface_.volume(x, surface_.mean_place(x)); }  // m^3
-  virtual double pressure(const VecX& x, double time) const = 0;  // what surfaces feel [Pa]
-  // Returns the target volume [m^3]; NaN without one
+  // Returns the pressure on the surface [Pa].
+  virtual double pressure(const VecX& x, double time) const = 0;
+  // Returns the target volume [m^3]; NaN without one.
   virtual double target(double time) const;
   // Returns the amount of gas over that at rest; NaN without gas.
   virtual double amount() const;
@@ -52,22 +53,23 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
   void add_global_modes(const VecX& x, Projection projection, GlobalModes& modes) const override;
-  void add_forces(const VecX& x, double part, VecX& forces) const override;
+  void add_forces(const VecX& x, double fraction, VecX& forces) const override;
 
  protected:
-  // Returns the potential and its derivatives at the fraction `part` of the current step.
-  virtual VolumeSample sample(double volume, double part) const = 0;
+  // Returns the potential and its derivatives at a fraction of the current step.
+  virtual VolumeSample sample(double volume, double fraction) const = 0;
 
  private:
-  double enclosed(const VecX& x) const;  // the volume, or what stands for it
+  // Returns the volume; of an open surface, that of its cone less that at the start of the step.
+  double enclosed(const VecX& x) const;
 
   std::string label_;
   OrientedSurface surface_;
   std::vector<int> ends_;
   Vec3 origin_ = Vec3::Zero();
   // Lagged (a - origin) x (b - origin) / 6 of boundary edges; zero for others; empty without any
-  std::vector<Vec3> rim_;
-  double before_ = 0;      // of an open surface: its cone at the start of the step
+  std::vector<Vec3> boundary_;
+  double cone_volume_t0_ = 0;  // of an open surface: its cone at the start of the step [m^3]
 };
 
 }  // namespace tack

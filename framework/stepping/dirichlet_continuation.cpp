@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/stepping/bent_steps.hpp"
+#include "framework/stepping/step_retraction.hpp"
 #include "framework/stepping/obstacle.hpp"
 #include "framework/stepping/predicted_motion.hpp"
 
@@ -166,7 +166,7 @@ void DirichletContinuation::minimize(Pull& pull, Result& result, const Minimizer
     problem.observer = [&](int iteration, double residual, double value, double seconds) {
       observer(before.iterations + iteration, residual, value, seconds);
     };
-  bend_steps(world_, *potential_, problem);
+  set_retraction(world_, *potential_, problem);
   VecX q;
   dofs_.gather(result.x, q);
   result.solve = minimizer_->minimize(problem, q);

@@ -10,7 +10,7 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/scene_config.hpp"
-#include "framework/stepping/bent_steps.hpp"
+#include "framework/stepping/step_retraction.hpp"
 #include "framework/stepping/convergence.hpp"
 #include "framework/stepping/feasible_steps.hpp"
 #include "framework/stepping/free_bodies.hpp"
@@ -95,7 +95,7 @@ void Minimization::solve(const Step& step, const VecX* guess, SolveResult& resul
   problem.observer = observers_.minimizer;
   problem.true_residuals = observers_.true_residuals;
   convergence_.judge(problem);
-  bend_steps(world_, step.potential, problem);
+  set_retraction(world_, step.potential, problem);
   try {
     minimize_lagged(problem, step, q, result);
   } catch (const FreeBody& free) {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "framework/body/chamber_surface.hpp"
+#include "framework/body/cavity_surface.hpp"
 #include "framework/checks/derivative_check.hpp"
 #include "framework/load/volume_term.hpp"
 #include "geometry/errors.hpp"

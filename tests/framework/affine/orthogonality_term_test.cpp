@@ -76,14 +76,14 @@ TEST_CASE("orthogonality: bent steps turn bodies about centroids that go straigh
   for (int v = 0; v < 4; ++v) p.segment<3>(3 * v) = velocity + spin.cross(Vec3(q.segment<3>(3 * v)));
   p.tail<12>() = f.random.vectors(12).segment<3>(0).replicate<4, 1>();  // turns nothing
   const VecX straight = p;
-  REQUIRE(f.term.bend(dofs, q, p, 1e-3));
+  REQUIRE(f.term.retract(dofs, q, p, 1e-3));
   CHECK(f.term.value(q + straight) > 1e-3);
   CHECK(f.term.value(q + p) < 1e-20);
   const auto mean = [](const VecX& x) { return Vec3((x.segment<3>(0) + x.segment<3>(3) + x.segment<3>(6) + x.segment<3>(9)) / 4); };
   CHECK((mean(p) - mean(straight)).norm() < 1e-14);
   CHECK(p.tail<12>() == straight.tail<12>());
   VecX cheap = straight;
-  CHECK_FALSE(f.term.bend(dofs, q, cheap, 1.01 * f.term.value(q + straight)));
+  CHECK_FALSE(f.term.retract(dofs, q, cheap, 1.01 * f.term.value(q + straight)));
   CHECK(cheap == straight);
   // A body that is held in part stays as it is.
   std::vector<char> held(8, 1);
@@ -91,5 +91,5 @@ TEST_CASE("orthogonality: bent steps turn bodies about centroids that go straigh
   const DofMap fewer(held);
   VecX r, s = straight.tail<21>();
   fewer.gather(f.rest, r);
-  CHECK_FALSE(f.term.bend(fewer, r, s, 1e-3));
+  CHECK_FALSE(f.term.retract(fewer, r, s, 1e-3));
 }

@@ -1,4 +1,4 @@
-// Retraction of minimiser steps: lets the affine bodies of a world turn without strain.
+// Retraction of minimiser steps: lets the affine bodies of a world rotate without strain.
 #pragma once
 
 #include "framework/affine/orthogonality_term.hpp"
@@ -7,12 +7,12 @@
 
 namespace tack {
 
-// Both must outlive the problem.
-inline void bend_steps(const World& world, const StepPotential& potential,
+// Sets the retraction of a problem. World and potential must outlive the problem.
+inline void set_retraction(const World& world, const StepPotential& potential,
                        MinimizerProblem& problem) {
   if (!world.affine) return;
   problem.bend = [&](const VecX& from, VecX& p, double loss) {
-    return world.affine->bend(potential.dofs(), from, p, loss / potential.scale());
+    return world.affine->retract(potential.dofs(), from, p, loss / potential.scale());
   };
 }
 

@@ -1,4 +1,4 @@
-#include "framework/body/chamber_surface.hpp"
+#include "framework/body/cavity_surface.hpp"
 
 #include <fmt/format.h>
 
@@ -16,20 +16,20 @@ namespace tack {
 namespace {
 
 // Enclosed volume that counts as zero, as a fraction of the volume of a ball of equal area.
-constexpr double next_to_nothing = 1e-9;
+constexpr double volume_fraction_min = 1e-9;
 
-struct Chosen {
-  std::vector<Triangle> faces, sheet;
+struct ChosenTriangles {
+  std::vector<Triangle> faces, sheet;  // of solids, of sheets
 };
 
-Chosen chosen_triangles(const Selection& selection, const SelectionContext& context) {
+ChosenTriangles chosen_triangles(const Selection& selection, const SelectionContext& context) {
   const Body& body = context.body;
   const ChosenVertices chosen(body, select(selection, context));
-  Chosen found;
+  ChosenTriangles found;
   const size_t faces = body.triangles.size() - body.sheet.size();
   for (size_t i = 0; i < body.triangles.size(); ++i) {
     const Triangle& t = body.triangles[i];
-    if (!chosen.whole(t)) continue;
+    if (!chosen.contains(t)) continue;
     (i < faces ? found.faces : found.sheet).push_back(t);
   }
   if (found.faces.empty() && found.sheet.empty())
@@ -39,34 +39,34 @@ Chosen chosen_triangles(const Selection& selection, const SelectionContext& cont
   return found;
 }
 
-std::vector<Triangle> turned(std::vector<Triangle> triangles) {
+std::vector<Triangle> reversed(std::vector<Triangle> triangles) {
   for (Triangle& t : triangles) std::swap(t[1], t[2]);
   return triangles;
 }
 
-std::vector<Triangle> of_part(const std::vector<Triangle>& triangles, const std::vector<int>& parts, int part) {
+std::vector<Triangle> of_component(const std::vector<Triangle>& triangles, const std::vector<int>& components, int component) {
   std::vector<Triangle> kept;
   for (size_t t = 0; t < triangles.size(); ++t)
-    if (parts[t] == part) kept.push_back(triangles[t]);
+    if (components[t] == component) kept.push_back(triangles[t]);
   return kept;
 }
 
-int count_of(const std::vector<int>& parts) { return parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1; }
+int count_of(const std::vector<int>& components) { return components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1; }
 
-// Each piece that is closed, so that its normals lead out of it; others as they are.
+// Reverses closed connected components whose normals point inwards.
 std::vector<Triangle> outwards(const std::vector<Triangle>& triangles, const VecX& rest) {
-  const std::vector<int> parts = parts_of(triangles);
+  const std::vector<int> components = parts_of(triangles);
   std::vector<Triangle> all;
-  for (int p = 0; p < count_of(parts); ++p) {
-    std::vector<Triangle> piece = of_part(triangles, parts, p);
-    const OrientedSurface surface(piece);
-    if (surface.closed() && surface.volume(rest, surface.mean_place(rest)) < 0) piece = turned(std::move(piece));
-    all.insert(all.end(), piece.begin(), piece.end());
+  for (int i = 0; i < count_of(components); ++i) {
+    std::vector<Triangle> component = of_component(triangles, components, i);
+    const OrientedSurface surface(component);
+    if (surface.closed() && surface.volume(rest, surface.mean_place(rest)) < 0) component = reversed(std::move(component));
+    all.insert(all.end(), component.begin(), component.end());
   }
   return all;
 }
 
-// Turns triangles so that neighbours are oriented alike; false, and nothing turned, where there is no such orientation.
+// Orients triangles consistently. Returns false, with triangles unchanged, if that is impossible.
 bool orient(std::vector<Triangle>& triangles) {
   try {
     triangles = oriented_alike(triangles);
@@ -76,7 +76,7 @@ bool orient(std::vector<Triangle>& triangles) {
   }
 }
 
-std::string place_of_loop(const std::vector<int>& loop, const VecX& rest) {
+std::string describe_loop(const std::vector<int>& loop, const VecX& rest) {
   Vec3 mean = Vec3::Zero();
   for (const int v : loop) mean += vertex(rest, v) / static_cast<double>(loop.size());
   return fmt::format("one of {} edges around ({:.4g}, {:.4g}, {:.4g}) m", loop.size(), mean.x(), mean.y(), mean.z());
@@ -89,7 +89,7 @@ double least_distance(const std::vector<int>& a, const std::vector<int>& b, cons
   return least;
 }
 
-// Joins the boundaries two by two, nearest first, with the triangles that it returns.
+// Returns triangles that close the slits between pairs of boundary loops, nearest loops first.
 std::vector<Triangle> slits_between(const std::vector<Triangle>& triangles, const VecX& rest, const std::string& who) {
   std::vector<std::vector<int>> loops = boundary_loops(triangles);
   std::vector<Triangle> slits;
@@ -106,7 +106,7 @@ std::vector<Triangle> slits_between(const std::vector<Triangle>& triangles, cons
   }
   if (!loops.empty())
     throw InputError(fmt::format("{}: its surface has a boundary that nothing closes, {}; add the part that lies opposite", who,
-                                 place_of_loop(loops.front(), rest)));
+                                 describe_loop(loops.front(), rest)));
   return slits;
 }
 
@@ -128,16 +128,16 @@ int sense(const std::vector<Triangle>& triangles, const std::set<Triangle>& face
 
 }  // namespace
 
-ChamberPart chamber_part(const Selection& selection, const SelectionContext& context) {
-  Chosen chosen = chosen_triangles(selection, context);
-  if (!chosen.faces.empty()) return {turned(std::move(chosen.faces)), true};
+CavityWall cavity_wall(const Selection& selection, const SelectionContext& context) {
+  ChosenTriangles chosen = chosen_triangles(selection, context);
+  if (!chosen.faces.empty()) return {reversed(std::move(chosen.faces)), true};
   return {std::move(chosen.sheet), false};
 }
 
 std::vector<Triangle> pressed_triangles(const Selection& selection, const SelectionContext& context) {
-  ChamberPart part = chamber_part(selection, context);
+  CavityWall wall = cavity_wall(selection, context);
   try {
-    return part.solid ? part.triangles : outwards(oriented_alike(std::move(part.triangles)), context.rest);
+    return wall.solid ? wall.triangles : outwards(oriented_alike(std::move(wall.triangles)), context.rest);
   } catch (const InputError& error) {
     throw InputError(fmt::format("the surface of object '{}': {}", context.body.name, error.what()));
   }
@@ -148,35 +148,35 @@ ExposedTriangles exposed_triangles(const Selection& selection, const SelectionCo
   const ChosenVertices chosen(body, select(selection, context));
   ExposedTriangles exposed;
   const auto take = [&](const std::vector<Triangle>& triangles, std::vector<Triangle>& to) {
-    std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(to), [&](const Triangle& t) { return chosen.whole(t); });
+    std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(to), [&](const Triangle& t) { return chosen.contains(t); });
   };
   const auto first_sheet = body.triangles.end() - static_cast<std::ptrdiff_t>(body.sheet.size());
   for (const bool solid : {true, false}) {
     const std::vector<Triangle> all(solid ? body.triangles.begin() : first_sheet, solid ? first_sheet : body.triangles.end());
-    const std::vector<int> pieces = parts_of(all);
-    for (int p = 0; p < count_of(pieces); ++p) {
-      std::vector<Triangle> piece = of_part(all, pieces, p);
-      if (!solid && !orient(piece)) {
-        take(piece, exposed.open);
+    const std::vector<int> components = parts_of(all);
+    for (int p = 0; p < count_of(components); ++p) {
+      std::vector<Triangle> component = of_component(all, components, p);
+      if (!solid && !orient(component)) {
+        take(component, exposed.open);
         continue;
       }
-      const OrientedSurface surface(piece);
+      const OrientedSurface surface(component);
       const double volume = surface.volume(context.rest, surface.mean_place(context.rest));
-      if (!solid && !surface.closed()) take(piece, exposed.open);
-      else if (volume > 0) take(piece, exposed.closed);
-      else if (!solid) take(turned(std::move(piece)), exposed.closed);
+      if (!solid && !surface.closed()) take(component, exposed.open);
+      else if (volume > 0) take(component, exposed.closed);
+      else if (!solid) take(reversed(std::move(component)), exposed.closed);
     }
   }
   return exposed;
 }
 
-ChamberSurface chamber_surface(const std::vector<ChamberPart>& parts, const VecX& rest, const std::string& who) {
+CavitySurface cavity_surface(const std::vector<CavityWall>& walls, const VecX& rest, const std::string& who) {
   std::vector<Triangle> all;
   std::vector<Triangle> slits;
   std::set<Triangle> faces;
-  for (const ChamberPart& part : parts) {
-    all.insert(all.end(), part.triangles.begin(), part.triangles.end());
-    if (part.solid) faces.insert(part.triangles.begin(), part.triangles.end());
+  for (const CavityWall& wall : walls) {
+    all.insert(all.end(), wall.triangles.begin(), wall.triangles.end());
+    if (wall.solid) faces.insert(wall.triangles.begin(), wall.triangles.end());
   }
   try {
     all = oriented_alike(std::move(all));
@@ -187,25 +187,25 @@ ChamberSurface chamber_surface(const std::vector<ChamberPart>& parts, const VecX
     const std::string what = error.what();
     throw what.starts_with(who) ? InputError(what) : InputError(fmt::format("{}: {}", who, what));
   }
-  // One piece may lie within another, and is then the inner boundary of what they enclose.
-  const std::vector<int> pieces = parts_of(all);
-  const std::vector<int> around = enclosing_windings(all, pieces, [&](int v) -> Vec3 { return vertex(rest, v); });
-  std::vector<Triangle> turned_out;
-  for (int p = 0; p < count_of(pieces); ++p) {
-    std::vector<Triangle> piece = of_part(all, pieces, p);
-    const bool inner = around[p] % 2 != 0;
-    const int given = sense(piece, faces, who);
-    if (inner && given > 0)
+  // A component within another one is the inner boundary of the enclosed volume.
+  const std::vector<int> components = parts_of(all);
+  const std::vector<int> enclosing = enclosing_windings(all, components, [&](int v) -> Vec3 { return vertex(rest, v); });
+  std::vector<Triangle> oriented;
+  for (int p = 0; p < count_of(components); ++p) {
+    std::vector<Triangle> component = of_component(all, components, p);
+    const bool inner = enclosing[p] % 2 != 0;
+    const int given_sense = sense(component, faces, who);
+    if (inner && given_sense > 0)
       throw InputError(fmt::format("{}: a cavity lies within another part of its surface, and would count twice; choose one of them", who));
-    if (inner || given < 0) piece = turned(std::move(piece));
-    turned_out.insert(turned_out.end(), piece.begin(), piece.end());
+    if (inner || given_sense < 0) component = reversed(std::move(component));
+    oriented.insert(oriented.end(), component.begin(), component.end());
   }
-  const OrientedSurface surface(turned_out);
+  const OrientedSurface surface(oriented);
   const double volume = surface.volume(rest, surface.mean_place(rest)), area = surface.area(rest);
-  if (!(volume > next_to_nothing * area * std::sqrt(area)))
+  if (!(volume > volume_fraction_min * area * std::sqrt(area)))
     throw InputError(fmt::format("{}: its surface encloses {:.3g} m^3 at rest; {}", who, volume,
                                  volume < 0 ? "it is on the wrong side of the faces of solids: choose those of a cavity" : "leave room between its parts"));
-  return {std::move(turned_out), std::move(slits)};
+  return {std::move(oriented), std::move(slits)};
 }
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-#include "framework/affine/bent_change.hpp"
+#include "framework/affine/retraction.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -27,7 +27,7 @@ TEST_CASE("a bent turn strains nothing, however far it goes", "[affine]") {
   for (const double t : {1e-3, 1.0, 100.0}) {
     const Mat3 straight = t * skew(spin) * a;
     Mat3 change = straight;
-    REQUIRE(bend_change(a, change));
+    REQUIRE(retract_change(a, change));
     CHECK(strain(a + change) < 1e-11);
     CHECK(strain(a + straight) > 0.4 * t * t * spin.squaredNorm());
     // Turned about the spin's axis, by its angle's arctangent.
@@ -45,7 +45,7 @@ TEST_CASE("a bent change is the straight one to first order, also of a strained 
   rate << 0.3, 0.7, -0.2, -0.4, 0.1, 0.6, 0.5, -0.8, -0.1;
   for (const double t : {1e-2, 1e-3, 1e-4}) {
     Mat3 change = t * rate;
-    REQUIRE(bend_change(a, change));
+    REQUIRE(retract_change(a, change));
     CHECK((change - t * rate).norm() < 2 * t * t);
   }
 }
@@ -54,6 +54,6 @@ TEST_CASE("what would be turned inside out is not bent", "[affine]") {
   const Mat3 a = turned(1, {0, 1, 1});
   const Mat3 straight = -1.5 * a + skew(spin) * a;
   Mat3 change = straight;
-  CHECK_FALSE(bend_change(a, change));
+  CHECK_FALSE(retract_change(a, change));
   CHECK(change == straight);
 }

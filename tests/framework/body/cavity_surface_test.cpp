@@ -1,4 +1,4 @@
-#include "framework/body/chamber_surface.hpp"
+#include "framework/body/cavity_surface.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -27,8 +27,8 @@ std::vector<Triangle> turned(std::vector<Triangle> triangles) {
   return triangles;
 }
 
-double volume(const std::vector<ChamberPart>& parts, const VecX& rest) {
-  return OrientedSurface(chamber_surface(parts, rest, "chamber 'air'").triangles).volume(rest, Vec3::Zero());
+double volume(const std::vector<CavityWall>& parts, const VecX& rest) {
+  return OrientedSurface(cavity_surface(parts, rest, "chamber 'air'").triangles).volume(rest, Vec3::Zero());
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ TEST_CASE("a chamber encloses the space between surfaces that lie within each ot
   const auto outer = cube(1, rest), inner = cube(0.5, rest), innermost = cube(0.2, rest);
   for (const bool turn : {false, true}) {
     INFO(turn);
-    const ChamberPart balloon{outer, false}, within{turn ? turned(inner) : inner, false}, core{turn ? turned(innermost) : innermost, false};
+    const CavityWall balloon{outer, false}, within{turn ? turned(inner) : inner, false}, core{turn ? turned(innermost) : innermost, false};
     CHECK(volume({balloon}, rest) == Approx(1).epsilon(1e-12));
     CHECK(volume({balloon, within}, rest) == Approx(0.875).epsilon(1e-12));
     CHECK(volume({within, balloon, core}, rest) == Approx(0.883).epsilon(1e-12));
