@@ -253,7 +253,7 @@ void SurfaceOverlap::divide_or_wait(int triangle, int object, const Around& arou
   // Samples are no larger than the reach, as what they stand for has about one gap; where it varies, than the range.
   const int depth = TriangleDivision::depth_of(held_.area(triangle), around.parallel ? 2 * role.range_max() : role.range_max());
   if (around.nearest > role.range_max() && !role.bonds)
-    return found.wait(triangle, object, depth, around.triangles, {{TriangleDivision::all, around.nearest - role.reach()}});
+    return found.wait(triangle, object, depth, around.triangles, {{TriangleDivision::all, around.nearest - role.range_max()}});
   for (const FacedRegion& faced : faced_regions(triangle, object, around.triangles)) {
     std::vector<TriangleDivision::Left> left;
     division.divide({triangle, object, role.range_max(), depth}, faced.triangles, faced.seen(), role.bonds ? std::span<const int>() : around.triangles, found.samples, found.parts, left);
