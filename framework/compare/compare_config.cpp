@@ -18,11 +18,11 @@ void SolverEntry::fields(Fields& f) {
   f.raw("stepper", stepper, "merged over the scene's time.stepper; another `type` replaces it");
   f.raw("time", time, "merged over the scene's time: another integrator, or adaptive steps. A `step` given here replaces time_steps");
   f.check("solver", [this]() -> std::string {
-    return solver.is_null() && stepper.is_null() && time.is_null() ? "give what is compared: a solver, a stepper, a time, or several of them" : "";
+    return solver.is_null() && stepper.is_null() && time.is_null() ? "give a solver, a stepper, a time, or several of them" : "";
   });
   f.check("time", [this]() -> std::string {
     for (const char* key : {"duration", "wall_limit", "stepper"})
-      if (time.find(key)) return fmt::format("takes no {}: {}", key, key == std::string("stepper") ? "that stands beside it" : "the comparison says how far it goes");
+      if (time.find(key)) return fmt::format("takes no {}: {}", key, key == std::string("stepper") ? "give it beside `time`" : "the comparison sets the end time");
     return "";
   });
 }
@@ -71,7 +71,7 @@ void CompareConfig::fields(Fields& f) {
     return "";
   });
   f.check("reference_time_step", [this]() -> std::string {
-    return reference_time_step && !problems.empty() ? "is for a base: a single step's end would lie elsewhere" : "";
+    return reference_time_step && !problems.empty() ? "is for a base only: it would change the end time of a single step" : "";
   });
 }
 

@@ -13,7 +13,7 @@ namespace tack {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double loosest_reference = 1e-6;  // m/s
+constexpr double reference_tolerance_max = 1e-6;  // m/s
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -22,8 +22,8 @@ double median(std::vector<double> values) {
 }
 
 // A combination that is being measured.
-struct Entry {
-  const CompareCase* what;
+struct Measurement {
+  const CompareCase* compare_case;
   const SolverEntry* solver;
   const Reference* reference;
   double reference_step;  // s
@@ -33,8 +33,8 @@ struct Entry {
   TrialSettings settings() const { return {solver->solver, row.tolerance, row.time_step, solver->stepper, solver->time}; }
 };
 
-std::vector<double> time_steps(const CompareConfig& config, const CompareCase& what) {
-  return config.time_steps.empty() ? std::vector<double>{what.step_size} : config.time_steps;
+std::vector<double> time_steps(const CompareConfig& config, const CompareCase& compare_case) {
+  return config.time_steps.empty() ? std::vector<double>{compare_case.step_size} : config.time_steps;
 }
 
 const char* name_of(Branch::Kind kind) {
@@ -46,7 +46,7 @@ const char* name_of(Branch::Kind kind) {
   return "";
 }
 
-void measure_errors(Entry& e, const Trial& trial) {
+void measure_errors(Measurement& e, const Trial& trial) {
   CompareRow& row = e.row;
   const TrialResult& found = trial.result();
   row.error_rms = row.error_max = row.relative_error = row.energy_gap = nan;
@@ -55,23 +55,23 @@ void measure_errors(Entry& e, const Trial& trial) {
   const TrialResult& exact = reference.result();
   VecX solution = exact.x;
   if (found.converged && row.time_step == e.reference_step) {
-    Branch branch = branch_of(*e.what, *e.reference, row.time_step, found.x);
+    Branch branch = branch_of(*e.compare_case, *e.reference, row.time_step, found.x);
     row.branch = name_of(branch.kind);
     solution = std::move(branch.x);
   }
   row.error_rms = rms_distance(trial.world(), found.x, solution);
   row.error_max = largest_distance(trial.world(), found.x, solution);
-  row.relative_error = row.error_max / e.what->size;
+  row.relative_error = row.error_max / e.compare_case->size;
   row.floor = e.reference->floor;
-  row.energy_gap = e.what->single() ? reference.potential_at(found.x) - reference.potential_at(exact.x)
+  row.energy_gap = e.compare_case->single() ? reference.potential_at(found.x) - reference.potential_at(exact.x)
                                     : found.energy - exact.energy;
   const auto columns = trial.probe_columns();
   for (size_t i = 0; i < columns.size(); ++i)
     row.probe_errors.emplace_back(columns[i], found.probes[i] - exact.probes[i]);
 }
 
-void run_once(Entry& e, bool first) {
-  Trial trial(*e.what, e.settings());
+void run_once(Measurement& e, bool first) {
+  Trial trial(*e.compare_case, e.settings());
   const TrialResult& found = trial.run();
   e.wall.push_back(found.wall_seconds);
   e.cpu.push_back(found.cpu_seconds);
@@ -88,30 +88,30 @@ void run_once(Entry& e, bool first) {
   measure_errors(e, trial);
 }
 
-ReferenceRow row_of(const CompareCase& what, const Reference& reference, double h) {
-  ReferenceRow row{what.name, h, reference.tolerance, reference.disagreement, reference.floor, what.size, reference.other_branch,
-                   what.quasi_static, 0, reference.status};
+ReferenceRow row_of(const CompareCase& compare_case, const Reference& reference, double h) {
+  ReferenceRow row{compare_case.name, h, reference.tolerance, reference.disagreement, reference.floor, compare_case.size, reference.other_branch,
+                   compare_case.quasi_static, 0, reference.status};
   if (reference.found()) row.unknowns = reference.trial->world().dofs.size();
   return row;
 }
 
-std::string line_of(const CompareRow& r) {
+std::string progress_line(const CompareRow& r) {
   return fmt::format("{} h {:.3g} s: {} at {:.0e} m/s: {} iterations, {:.4g} s, error {:.2e} m{}{}{}", r.problem,
                      r.time_step, r.solver, r.tolerance, r.iterations, r.wall_seconds, r.error_rms,
-                     r.noise() ? fmt::format(" (noise, below {:.1e} m)", r.floor) : "", r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : r.branch == "inaccurate" ? ", not accurate" : "");
+                     r.below_floor() ? fmt::format(" (noise, below {:.1e} m)", r.floor) : "", r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : r.branch == "inaccurate" ? ", inaccurate" : "");
 }
 
 // Records the convergence of each solver with its smallest tolerance, in the problem with most
 // iterations.
-void record_histories(const CompareConfig& config, std::vector<Entry>& entries, Comparison& result) {
+void record_histories(const CompareConfig& config, std::vector<Measurement>& entries, Comparison& result) {
   const double tightest = *std::min_element(config.tolerances.begin(), config.tolerances.end());
-  const Entry* hardest = nullptr;
-  for (const Entry& e : entries)
+  const Measurement* hardest = nullptr;
+  for (const Measurement& e : entries)
     if (e.row.tolerance == tightest && (!hardest || e.row.iterations > hardest->row.iterations)) hardest = &e;
-  result.history_of = hardest->what->name;
-  for (const Entry& e : entries) {
-    if (e.row.tolerance != tightest || e.what != hardest->what || e.row.time_step != hardest->row.time_step) continue;
-    Trial trial(*e.what, e.settings());
+  result.history_of = hardest->compare_case->name;
+  for (const Measurement& e : entries) {
+    if (e.row.tolerance != tightest || e.compare_case != hardest->compare_case || e.row.time_step != hardest->row.time_step) continue;
+    Trial trial(*e.compare_case, e.settings());
     trial.record();
     trial.run();
     result.histories.push_back({e.row.solver, tightest, trial.history()});
@@ -120,7 +120,7 @@ void record_histories(const CompareConfig& config, std::vector<Entry>& entries, 
 
 }  // namespace
 
-void tell_branches_apart(std::vector<CompareRow>& rows) {
+void classify_branches(std::vector<CompareRow>& rows) {
   constexpr double closer = 0.5;
   const std::vector<CompareRow> before = rows;
   for (CompareRow& row : rows) {
@@ -147,7 +147,7 @@ std::vector<CompareCase> cases_of(const CompareConfig& config) {
   std::set<std::string> names;
   for (const CompareCase& c : cases)
     if (!names.insert(c.name).second)
-      throw InputError(fmt::format("{}: two of what is compared are called '{}'; give those of `bases` a `name`", c.path, c.name));
+      throw InputError(fmt::format("{}: two problems are named '{}'; give the entries of `bases` a `name`", c.path, c.name));
   // Builds each case with every solver and time step, so that errors show before the measurement.
   for (const CompareCase& c : cases) {
     if (config.reference_time_step && !c.single()) c.steps_of(*config.reference_time_step);
@@ -161,31 +161,31 @@ std::vector<CompareCase> cases_of(const CompareConfig& config) {
 }
 
 Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& cases,
-                   const std::function<void(const std::string&)>& tell) {
+                   const std::function<void(const std::string&)>& progress) {
   Comparison result;
   std::vector<std::unique_ptr<Reference>> references;
-  std::vector<Entry> entries;
-  for (const CompareCase& what : cases) {
+  std::vector<Measurement> entries;
+  for (const CompareCase& compare_case : cases) {
     const Reference* common = nullptr;
-    for (const double h : time_steps(config, what)) {
+    for (const double h : time_steps(config, compare_case)) {
       const double h_reference = config.reference_time_step.value_or(h);
       if (!common || !config.reference_time_step) {
         references.push_back(std::make_unique<Reference>(
-            make_reference(what, h_reference, config.reference_tolerance, loosest_reference)));
+            make_reference(compare_case, h_reference, config.reference_tolerance, reference_tolerance_max)));
         common = references.back().get();
-        result.references.push_back(row_of(what, *common, h_reference));
-        tell(common->found() ? fmt::format("{} h {:.3g} s: reference at {:.0e} m/s, its two solutions {:.1e} m apart",
-                                           what.name, h_reference, common->tolerance, common->disagreement)
-                             : fmt::format("{}: no reference: {}", what.name, common->status));
+        result.references.push_back(row_of(compare_case, *common, h_reference));
+        progress(common->found() ? fmt::format("{} h {:.3g} s: reference at {:.0e} m/s, disagreement {:.1e} m",
+                                           compare_case.name, h_reference, common->tolerance, common->disagreement)
+                             : fmt::format("{}: no reference: {}", compare_case.name, common->status));
       }
       for (const double tolerance : config.tolerances)
         for (const SolverEntry& solver : config.solvers) {
           const std::optional<double> own = solver.own_step();
-          if (own && h != time_steps(config, what).front()) continue;
-          Entry e{&what, &solver, common, h_reference, {}, {}, {}};
-          e.row.problem = what.name;
-          e.row.single_step = what.single();
-          e.row.size = what.size;
+          if (own && h != time_steps(config, compare_case).front()) continue;
+          Measurement e{&compare_case, &solver, common, h_reference, {}, {}, {}};
+          e.row.problem = compare_case.name;
+          e.row.single_step = compare_case.single();
+          e.row.size = compare_case.size;
           e.row.solver = solver.name;
           e.row.tolerance = tolerance;
           e.row.time_step = own.value_or(h);
@@ -194,19 +194,19 @@ Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& 
     }
   }
   for (int round = 0; round < config.repeat; ++round)
-    for (Entry& e : entries) run_once(e, round == 0);
-  for (Entry& e : entries) {
+    for (Measurement& e : entries) run_once(e, round == 0);
+  for (Measurement& e : entries) {
     const auto [least, most] = std::minmax_element(e.wall.begin(), e.wall.end());
     e.row.wall_seconds = median(e.wall);
-    e.row.wall_least = *least;
-    e.row.wall_most = *most;
+    e.row.wall_min = *least;
+    e.row.wall_max = *most;
     e.row.wall_spread = *most - *least;
     e.row.cpu_seconds = median(e.cpu);
   }
   record_histories(config, entries, result);
-  for (Entry& e : entries) result.rows.push_back(std::move(e.row));
-  tell_branches_apart(result.rows);
-  for (const CompareRow& row : result.rows) tell(line_of(row));
+  for (Measurement& e : entries) result.rows.push_back(std::move(e.row));
+  classify_branches(result.rows);
+  for (const CompareRow& row : result.rows) progress(progress_line(row));
   return result;
 }
 

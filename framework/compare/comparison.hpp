@@ -15,7 +15,7 @@ struct CompareRow {
   double tolerance = 0, time_step = 0;                           // m/s, s
   // wall_seconds and cpu_seconds are medians; wall_spread is largest - smallest.
   double wall_seconds = 0, wall_spread = 0, cpu_seconds = 0;
-  double wall_least = 0, wall_most = 0;                          // over the repetitions
+  double wall_min = 0, wall_max = 0;                             // over the repetitions
   long iterations = 0, evaluations = 0, linear_solves = 0;
   std::string status;
   bool converged = false;
@@ -39,14 +39,14 @@ struct CompareRow {
   int intersections = 0;
   double penetration = 0, crossing_pairs = 0;  // TrialResult
   bool single_step = false;
-  bool noise() const { return error_rms <= floor; }
-  double known_error() const { return noise() ? floor : error_rms; }  // upper bound
+  bool below_floor() const { return error_rms <= floor; }
+  double known_error() const { return below_floor() ? floor : error_rms; }  // upper bound
   bool solved() const { return converged && (single_step || branch != "another"); }
 };
 
 // Marks runs that ended away from the reference as "another" or "inaccurate". Inaccurate are runs
 // whose solver reaches the reference, or halves the distance to it, with a smaller tolerance.
-void tell_branches_apart(std::vector<CompareRow>& rows);
+void classify_branches(std::vector<CompareRow>& rows);
 
 // A task is a problem with a tolerance and a time step.
 inline bool same_task(const CompareRow& a, const CompareRow& b) {
@@ -54,7 +54,7 @@ inline bool same_task(const CompareRow& a, const CompareRow& b) {
 }
 // Returns true if a is as fast as b, up to the spread of the repetitions.
 inline bool as_fast(const CompareRow& a, const CompareRow& b) {
-  return a.wall_least <= b.wall_most;
+  return a.wall_min <= b.wall_max;
 }
 
 struct ReferenceRow {
@@ -78,9 +78,9 @@ struct Comparison {
   std::vector<IterationHistory> histories;
 };
 
-// Compares all solvers. `tell` is called with a line of progress for each finished run.
+// Compares all solvers. `progress` is called with a line for each finished run.
 Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& cases,
-                   const std::function<void(const std::string&)>& tell);
+                   const std::function<void(const std::string&)>& progress);
 
 // Builds each case of a file once. Throws InputError for settings that do not fit, before any
 // measurement.

@@ -53,7 +53,7 @@ std::vector<LevelLine> floors(const std::vector<CompareRow>& rows, bool by_step)
     double sum = 0;
     for (const auto& [problem, floor] : of_problem) sum += std::log(floor);
     std::string& title = lines[std::exp(sum / static_cast<double>(of_problem.size()))];
-    title += by_step ? fmt::format("{}{:g} s", title.empty() ? "floor, h = " : ", ", step) : "floor: errors to the left are noise";
+    title += by_step ? fmt::format("{}{:g} s", title.empty() ? "floor, h = " : ", ", step) : "noise floor: errors to the left are noise";
   }
   std::vector<LevelLine> found;
   for (const auto& [at, title] : lines) found.push_back({at, title});
@@ -63,16 +63,16 @@ std::vector<LevelLine> floors(const std::vector<CompareRow>& rows, bool by_step)
 }  // namespace
 
 Plot work_precision(const std::vector<CompareRow>& all) {
-  // A problem that no solver solves would leave every solver without points.
-  std::set<std::string> nobodys = problems_of(all);
+  // An unsolved problem would leave every solver without points.
+  std::set<std::string> unsolved_problems = problems_of(all);
   for (const CompareRow& r : all)
-    if (r.solved()) nobodys.erase(r.problem);
+    if (r.solved()) unsolved_problems.erase(r.problem);
   std::vector<CompareRow> rows;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(rows), [&](const CompareRow& r) { return !nobodys.count(r.problem); });
+  std::copy_if(all.begin(), all.end(), std::back_inserter(rows), [&](const CompareRow& r) { return !unsolved_problems.count(r.problem); });
   Plot plot;
-  add_notes(plot, "without what nobody solves:", {nobodys.begin(), nobodys.end()});
+  add_notes(plot, "omitted, as no solver solves it:", {unsolved_problems.begin(), unsolved_problems.end()});
   plot.title = "time against error";
-  plot.x_label = "error / size of what moves (RMS over vertices, mean over problems)";
+  plot.x_label = "relative error (RMS over vertices, mean over problems)";
   plot.y_label = "wall time";
   plot.y_unit = "s";
   plot.log_x = plot.log_y = true;
@@ -83,7 +83,7 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   struct Sum {
     // least, most: of the sum of times, if they vary together.
     double seconds = 0, least = 0, most = 0, log_error = 0;
-    size_t count = 0, noise = 0;
+    size_t count = 0, below_floor = 0;
   };
   std::vector<std::pair<std::string, std::vector<std::pair<double, Sum>>>> sums;  // title, tolerance
   std::set<std::pair<std::string, double>> incomplete;
@@ -100,39 +100,39 @@ Plot work_precision(const std::vector<CompareRow>& all) {
       failed[title].insert(r.problem);
     }
     sum->second.seconds += r.wall_seconds;
-    sum->second.least += r.wall_least;
-    sum->second.most += r.wall_most;
+    sum->second.least += r.wall_min;
+    sum->second.most += r.wall_max;
     sum->second.log_error += std::log(std::max(r.known_error() / r.size, smallest_error));
     ++sum->second.count;
-    sum->second.noise += r.noise() ? 1 : 0;
+    sum->second.below_floor += r.below_floor() ? 1 : 0;
   }
-  std::vector<std::string> unsolved, partly, noise;
+  std::vector<std::string> unsolved, partly, below_floor;
   for (const auto& [title, list] : sums) {
     Curve& curve = curve_of(plot, title);
     for (const auto& [tolerance, sum] : list) {
       if (incomplete.count({title, tolerance})) continue;
-      if (sum.noise == sum.count) {
-        noise.push_back(fmt::format("{} at {:g} m/s", title, tolerance));
+      if (sum.below_floor == sum.count) {
+        below_floor.push_back(fmt::format("{} at {:g} m/s", title, tolerance));
         continue;
       }
       curve.points.emplace_back(std::exp(sum.log_error / static_cast<double>(sum.count)), sum.seconds);
       curve.spread.emplace_back(sum.least, sum.most);
     }
     if (failed[title].empty()) continue;
-    const size_t where = failed[title].size();
-    const std::string problem = problems == 1 ? "" : where == 1 ? *failed[title].begin() : fmt::format("{} of {} problems", where, problems);
-    const std::string what = problem.empty() ? title : fmt::format("{} ({})", title, problem);
-    (curve.points.empty() ? unsolved : partly).push_back(what);
+    const size_t failures = failed[title].size();
+    const std::string problem = problems == 1 ? "" : failures == 1 ? *failed[title].begin() : fmt::format("{} of {} problems", failures, problems);
+    const std::string label = problem.empty() ? title : fmt::format("{} ({})", title, problem);
+    (curve.points.empty() ? unsolved : partly).push_back(label);
   }
-  add_notes(plot, fmt::format("no tolerance at which {} solved:", problems > 1 ? "all problems were" : "it was"), unsolved);
-  add_notes(plot, "not at all tolerances:", partly);
-  add_notes(plot, "no point, as the error is below the floor:", noise);
+  add_notes(plot, std::string(problems > 1 ? "all problems " : "") + "solved at no tolerance:", unsolved);
+  add_notes(plot, "failed at some tolerances:", partly);
+  add_notes(plot, "no point, as the error is below the noise floor:", below_floor);
   double least = std::numeric_limits<double>::infinity();
   for (const Curve& c : plot.curves)
     for (const auto& [error, seconds] : c.points) least = std::min(least, error);
   for (LevelLine& floor : floors(rows, by_step)) {
     if (floor.at > least / far_from_points) plot.uprights.push_back(std::move(floor));
-    else plot.notes.push_back(fmt::format("the floor of errors lies at {:.1g}, further left", floor.at));
+    else plot.notes.push_back(fmt::format("the noise floor is {:.1g}, further left", floor.at));
   }
   return plot;
 }
@@ -141,7 +141,7 @@ Plot profile_plot(const std::vector<CompareRow>& rows) {
   Plot plot;
   plot.title = "performance profile";
   plot.x_label = "time / time of the fastest";
-  plot.y_label = "part of the tasks done";
+  plot.y_label = "fraction of tasks solved";
   plot.log_x = true;
   plot.style = Plot::Style::steps;
   const std::vector<PerformanceProfile> profiles = performance_profiles(rows);

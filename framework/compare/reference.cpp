@@ -8,10 +8,10 @@
 namespace tack {
 namespace {
 
-// Relative to the size of the moving objects: minimisers at a larger distance are different.
-constexpr double one_and_the_same = 1e-6;
-constexpr double one_potential = 1e-9;         // relative
-constexpr double one_and_the_same_run = 1e-3;  // small differences grow from step to step
+// Relative to the size of the moving objects: solutions at a larger distance are different.
+constexpr double same_minimum = 1e-6;
+constexpr double same_run = 1e-3;  // small differences grow from step to step
+constexpr double same_potential = 1e-9;  // relative
 
 Value settings(const char* projection, const char* linear, double tolerance) {
   Value solver = parse_string("stopping: velocity\nmax_iterations: 5000\n", "(reference)");
@@ -24,7 +24,7 @@ Value settings(const char* projection, const char* linear, double tolerance) {
 }
 
 // Turns off adaptive steps.
-Value one_size() { return parse_string("adaptive: null\n", "(reference)"); }
+Value fixed_steps() { return parse_string("adaptive: null\n", "(reference)"); }
 
 template <class Act>
 void for_each_movable(const World& world, const Act& act) {
@@ -35,11 +35,12 @@ void for_each_movable(const World& world, const Act& act) {
 // Returns true if x has the potential of the trial's own solution of the same single step.
 bool equal_potential(Trial& trial, const VecX& x) {
   const double here = trial.potential_at(x), there = trial.potential_at(trial.result().x);
-  return std::abs(here - there) <= one_potential * std::abs(there);
+  return std::abs(here - there) <= same_potential * std::abs(there);
 }
 
-double most_apart(const CompareCase& what) {
-  return what.size * (what.single() ? one_and_the_same : one_and_the_same_run);
+// Returns the distance up to which two solutions count as one [m].
+double same_branch_distance(const CompareCase& compare_case) {
+  return compare_case.size * (compare_case.single() ? same_minimum : same_run);
 }
 
 }  // namespace
@@ -57,10 +58,10 @@ double rms_distance(const World& world, const VecX& a, const VecX& b) {
   return std::sqrt(sum / std::max(count, 1));
 }
 
-Reference make_reference(const CompareCase& what, double step_size, double tolerance, double largest) {
+Reference make_reference(const CompareCase& compare_case, double step_size, double tolerance, double largest) {
   Reference reference;
   const auto solve = [&](const char* projection, const char* linear, double to) {
-    auto trial = std::make_unique<Trial>(what, TrialSettings{settings(projection, linear, to), to, step_size, {}, one_size()});
+    auto trial = std::make_unique<Trial>(compare_case, TrialSettings{settings(projection, linear, to), to, step_size, {}, fixed_steps()});
     reference.status = trial->run().status;
     return trial;
   };
@@ -77,19 +78,19 @@ Reference make_reference(const CompareCase& what, double step_size, double toler
   if (!second->result().converged) return reference;
   const Trial& first = *reference.trial;
   reference.disagreement = largest_distance(first.world(), first.result().x, second->result().x);
-  const bool equal = what.single() && equal_potential(*reference.trial, second->result().x);
+  const bool equal = compare_case.single() && equal_potential(*reference.trial, second->result().x);
   // A single step is measured from the minimum that it found, as for the compared solvers.
-  reference.floor = rms_distance(first.world(), second->result().x, branch_of(what, reference, step_size, second->result().x).x);
-  reference.other_branch = reference.disagreement > most_apart(what) && !equal;
+  reference.floor = rms_distance(first.world(), second->result().x, branch_of(compare_case, reference, step_size, second->result().x).x);
+  reference.other_branch = reference.disagreement > same_branch_distance(compare_case) && !equal;
   return reference;
 }
 
-Branch branch_of(const CompareCase& what, const Reference& reference, double step_size, const VecX& x) {
+Branch branch_of(const CompareCase& compare_case, const Reference& reference, double step_size, const VecX& x) {
   Trial& first = *reference.trial;
   const VecX& exact = first.result().x;
-  const auto near = [&](const VecX& y) { return largest_distance(first.world(), exact, y) <= most_apart(what); };
-  if (!what.single()) return {near(x) ? Branch::Kind::same : Branch::Kind::another, exact};
-  Trial refined(what, {settings("clamp", "lagged_cholesky", reference.tolerance), reference.tolerance, step_size});
+  const auto near = [&](const VecX& y) { return largest_distance(first.world(), exact, y) <= same_branch_distance(compare_case); };
+  if (!compare_case.single()) return {near(x) ? Branch::Kind::same : Branch::Kind::another, exact};
+  Trial refined(compare_case, {settings("clamp", "lagged_cholesky", reference.tolerance), reference.tolerance, step_size});
   if (!refined.run(&x).complete) return {Branch::Kind::another, exact};
   const VecX& own = refined.result().x;
   if (near(own)) return {Branch::Kind::same, exact};

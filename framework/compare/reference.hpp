@@ -24,7 +24,7 @@ struct Reference {
 
 // Tries `tolerance`, then tenfold tolerances up to `largest`, since round-off may prevent
 // convergence.
-Reference make_reference(const CompareCase& what, double step_size, double tolerance,
+Reference make_reference(const CompareCase& compare_case, double step_size, double tolerance,
                          double largest);
 
 // The solution that x belongs to, relative to the reference.
@@ -40,7 +40,7 @@ struct Branch {
 };
 // Classifies the end x of a solve. For a single step, refines x as far as the reference. For a run,
 // judges by the distance from the end of the reference.
-Branch branch_of(const CompareCase& what, const Reference& reference, double step_size,
+Branch branch_of(const CompareCase& compare_case, const Reference& reference, double step_size,
                  const VecX& x);
 
 // Returns the distance of the moving vertices [m].

@@ -21,24 +21,24 @@ std::string cell(const std::string& text) {
 }
 
 std::string header(const CompareConfig& config, const Provenance& p, double wall_seconds) {
-  return fmt::format("# {}\n\n{}\n\nMeasured with tack {} ({}; {}, {}) on {} ({}), {} threads, from {}, by `{}`; {} repetitions, "
-                     "interleaved, medians; every solve in a world of its own, loading not timed. {:.0f} s in all.{} Times depend "
-                     "on the machine and on what else it does: compare them within this table.\n",
+  return fmt::format("# {}\n\n{}\n\nMeasured with tack {} ({}; {}, {}) on {} ({}), {} threads, from {}, by `{}`. Times are medians of {} repetitions, "
+                     "interleaved; each measurement has its own world, and loading is not timed. {:.0f} s in total.{} Times depend "
+                     "on the machine and its load: compare them within this table.\n",
                      cell(config.name), config.about, p.build.version, p.build.sources(), p.build.compiler, p.build.flags,
                      p.machine.host, p.machine.description(), p.threads, p.date, p.command_line, config.repeat, wall_seconds,
-                     config.repeat < 2 ? " One repetition does not tell how much times differ." : "");
+                     config.repeat < 2 ? " One repetition does not show how much times vary." : "");
 }
 
 std::string references(const Comparison& c) {
-  std::string out = "\n## References\n\nProjected Newton (clamped) to the tolerance shown; *apart* is the largest distance to "
-                    "a second solution with absolute projection and CHOLMOD. *Floor*: the same as an RMS error, of a single step from the "
-                    "minimum that it came to: errors below it mean nothing.\n\n"
-                    "| problem | h [s] | unknowns | size [m] | tolerance [m/s] | apart [m] | floor [m] | |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string out = "\n## References\n\nProjected Newton (clamped) to the tolerance shown. *Disagreement*: the largest distance to "
+                    "a second solution with absolute projection and CHOLMOD. *Noise floor*: the RMS distance of the two solutions; in a single step, that of the "
+                    "second solution to its own minimum. Errors below the floor are noise.\n\n"
+                    "| problem | h [s] | unknowns | size [m] | tolerance [m/s] | disagreement [m] | noise floor [m] | |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const ReferenceRow& r : c.references) {
     std::string remark = r.other_branch ? "**the two are different solutions**" : "";
     if (r.tolerance == 0) remark = "**none: " + cell(r.status) + "**";
-    else if (std::isnan(r.floor)) remark = "**the second failed: nothing is known of the floor**";
-    if (r.quasi_static) remark += " quasi-static: stops by `force_tolerance`";
+    else if (std::isnan(r.floor)) remark = "**the second solution failed: the noise floor is unknown**";
+    if (r.quasi_static) remark += " quasi-static: converges by `force_tolerance`";
     out += fmt::format("| {} | {:g} | {} | {:.3g} | {:.0e} | {:.1e} | {:.1e} | {} |\n", cell(r.problem), r.time_step, r.unknowns,
                        r.size, r.tolerance, r.disagreement, r.floor, remark);
   }
@@ -57,7 +57,7 @@ const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double le
 
 // Names the other solvers of a problem that reach `level` as fast as `best`, up to the spread of
 // the repetitions.
-std::string no_slower(const Comparison& c, const CompareRow& best, double level) {
+std::string equally_fast(const Comparison& c, const CompareRow& best, double level) {
   std::vector<std::string> names;
   for (const CompareRow& r : c.rows)
     if (r.problem == best.problem && r.solver != best.solver && r.solved() && r.known_error() <= level && as_fast(r, best) &&
@@ -75,7 +75,7 @@ std::string joint_table(const Comparison& c) {
     double log_ratio = 0, log_error = 0;
   };
   std::vector<Sum> sums;
-  int tasks = 0, nobody = 0;
+  int tasks = 0, unsolved = 0;
   for (const CompareRow& r : c.rows) {
     auto at = std::find_if(sums.begin(), sums.end(), [&](const Sum& s) { return s.solver == r.solver; });
     if (at == sums.end()) at = sums.insert(sums.end(), {r.solver, 0, 0, 0, 0, 0, 0, 0, 0, 0});
@@ -84,7 +84,7 @@ std::string joint_table(const Comparison& c) {
       if (same_task(other, r) && other.solved() && (!best || other.wall_seconds < best->wall_seconds)) best = &other;
     if (at == sums.begin()) {
       ++tasks;
-      nobody += best ? 0 : 1;
+      unsolved += best ? 0 : 1;
     }
     ++at->tasks;
     at->elsewhere += r.branch == "another" ? 1 : 0;
@@ -98,12 +98,12 @@ std::string joint_table(const Comparison& c) {
     ++at->with_error;
     at->log_error += std::log(std::max(r.known_error() / r.size, 1e-17));
   }
-  std::string out = fmt::format("\n## All {} tasks together\n\nA task is a problem with a tolerance and a time step. *Fastest*: or no "
-                                "slower than what repetitions differ by. The time over the fastest one's and the error (RMS, "
-                                "relative to the size of what moves; one below the floor counts as the floor) are geometric means, iterations a sum, over the tasks that the "
-                                "solver did.", tasks);
-  if (nobody > 0) out += fmt::format(" {} were done by nobody.", nobody);
-  out += "\n\n| solver | done | fastest | times the fastest | iterations | error | another branch | not accurate |\n"
+  std::string out = fmt::format("\n## All {} tasks together\n\nA task is a problem with a tolerance and a time step. *Fastest*: tasks in which the solver is as fast as the "
+                                "fastest one, within the spread of the repetitions. *Slowdown* is the time over that of the fastest solver, *error* the RMS error over the size of "
+                                "the moving objects (errors below the noise floor count as the floor). Both are geometric means over the tasks that the solver solved; "
+                                "iterations are their sum.", tasks);
+  if (unsolved > 0) out += fmt::format(" No solver solved {} of the tasks.", unsolved);
+  out += "\n\n| solver | solved | fastest | slowdown | iterations | error | another branch | inaccurate |\n"
          "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   std::stable_sort(sums.begin(), sums.end(), [](const Sum& a, const Sum& b) {
     const auto slowness = [](const Sum& s) { return s.log_ratio / std::max(s.solved, 1); };
@@ -117,32 +117,32 @@ std::string joint_table(const Comparison& c) {
 }
 
 // Returns the reason why errors do not rank the solvers of a problem; "" if they do.
-std::string unranked(const Comparison& c, const ReferenceRow& of) {
-  if (of.tolerance == 0) return "there is no reference, so errors are not known";
-  size_t solved = 0, noise = 0;
+std::string ranking_obstacle(const Comparison& c, const ReferenceRow& of) {
+  if (of.tolerance == 0) return "there is no reference, so that errors are unknown";
+  size_t solved = 0, below_floor = 0;
   for (const CompareRow& r : c.rows) {
     if (r.problem != of.problem || !r.solved() || !std::isfinite(r.error_rms)) continue;
     ++solved;
-    noise += r.noise() ? 1 : 0;
+    below_floor += r.below_floor() ? 1 : 0;
   }
-  if (solved == 0) return "nobody solved it";
-  if (noise < solved) return "";
-  return fmt::format("all errors are below the floor, {:.1e} m: what is left is noise, and smaller tolerances buy nothing that can be seen. Where two "
-                     "runs drift apart by themselves (past a detachment, in a chaotic motion), compare fewer `steps`", of.floor);
+  if (solved == 0) return "no solver solved it";
+  if (below_floor < solved) return "";
+  return fmt::format("all errors are below the noise floor of {:.1e} m, and smaller tolerances have no visible effect. If nearby runs "
+                     "diverge (after a detachment, in chaotic motion), compare fewer `steps`", of.floor);
 }
 
 // Formats an error, or its upper bound if it is noise.
-std::string error_text(const CompareRow& r) { return r.noise() ? fmt::format("below {:.1e}", r.floor) : fmt::format("{:.1e}", r.error_rms); }
+std::string error_text(const CompareRow& r) { return r.below_floor() ? fmt::format("below {:.1e}", r.floor) : fmt::format("{:.1e}", r.error_rms); }
 
 std::string pareto(const Comparison& c) {
-  const std::string head = "\n## Fastest at each level of error\n\nRMS error of the positions: of a run, at its end; "
-                           "of a single step, against the minimum that the solver came to, refined. Levels end at the floor of the references. A "
-                           "level that a looser one's winner meets as well is left out.\n";
+  const std::string head = "\n## Fastest at each level of error\n\nRMS error of the positions at the end of a run; "
+                           "in a single step, the distance to the refined minimum of the solver. Levels end at the noise floor. A "
+                           "level is omitted if the fastest solver of a looser level reaches it too.\n";
   std::string rows, without, last_problem;
   for (const ReferenceRow& of : c.references) {
     if (of.problem == last_problem) continue;
     last_problem = of.problem;
-    if (const std::string why = unranked(c, of); !why.empty()) {
+    if (const std::string why = ranking_obstacle(c, of); !why.empty()) {
       without += fmt::format("- {}: {}.\n", cell(of.problem), why);
       continue;
     }
@@ -159,7 +159,7 @@ std::string pareto(const Comparison& c) {
       shown = best;
       rows += fmt::format("| {} | 1e{} | {} | {:.0e} | {:g} | {:.4g} | {:.2g} | {} | {} | {} |\n", cell(of.problem), decade,
                           cell(best->solver), best->tolerance, best->time_step, best->wall_seconds, best->wall_spread,
-                          best->iterations, error_text(*best), cell(no_slower(c, *best, level)));
+                          best->iterations, error_text(*best), cell(equally_fast(c, *best, level)));
     }
   }
   if (!rows.empty())
@@ -173,20 +173,20 @@ std::string failures(const Comparison& c) {
   for (const CompareRow& r : c.rows) {
     const bool elsewhere = r.branch == "another" || r.branch == "inaccurate";
     if (r.converged && !elsewhere && r.intersections == 0 && r.crossing_pairs == 0) continue;
-    std::string what = r.converged ? "" : r.status;
+    std::string outcome = r.converged ? "" : r.status;
     if (r.branch == "another")
-      what = r.single_step ? fmt::format("another minimum, {:.3g} J {} the reference's", std::abs(r.energy_gap),
+      outcome = r.single_step ? fmt::format("another minimum, {:.3g} J {} the reference's", std::abs(r.energy_gap),
                                          r.energy_gap < 0 ? "below" : "above")
                            : fmt::format("another branch: ended {:.1e} m from the reference", r.error_max);
     if (r.branch == "inaccurate")
-      what = fmt::format("not accurate: ended {:.1e} m from the reference, closer with smaller tolerances", r.error_max);
-    if (r.intersections > 0) what += fmt::format(" {} intersections", r.intersections);
-    if (r.crossing_pairs > 0) what += fmt::format(" surfaces passed through each other: at most {:g} pairs, {:.2g} m deep", r.crossing_pairs, r.penetration);
+      outcome = fmt::format("inaccurate: ended {:.1e} m from the reference, closer with smaller tolerances", r.error_max);
+    if (r.intersections > 0) outcome += fmt::format(" {} intersections", r.intersections);
+    if (r.crossing_pairs > 0) outcome += fmt::format(" surfaces passed through each other: at most {:g} pairs, {:.2g} m deep", r.crossing_pairs, r.penetration);
     rows += fmt::format("| {} | {} | {:.0e} | {:g} | {} |\n", cell(r.problem), cell(r.solver), r.tolerance, r.time_step,
-                        cell(what));
+                        cell(outcome));
   }
   if (rows.empty()) return "\nEverything converged, to the solution of the reference.\n";
-  return "\n## What failed or went elsewhere\n\n| problem | solver | tolerance [m/s] | h [s] | what |\n"
+  return "\n## Failures and other solutions\n\n| problem | solver | tolerance [m/s] | h [s] | result |\n"
          "| --- | --- | --- | --- | --- |\n" + rows;
 }
 
@@ -194,7 +194,7 @@ std::string failures(const Comparison& c) {
 
 std::string compare_report(const CompareConfig& config, const Comparison& c, const Provenance& provenance, double wall_seconds) {
   return header(config, provenance, wall_seconds) + references(c) + joint_table(c) + pareto(c) + failures(c) +
-         "\nAll numbers: compare.csv, and compare.json for where they come from. Pictures: plots/.\n";
+         "\nAll numbers: compare.csv; their provenance: compare.json. Pictures: plots/.\n";
 }
 
 }  // namespace tack

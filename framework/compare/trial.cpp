@@ -51,9 +51,9 @@ double extent_of_movable(const World& world) {
   return box.diagonal().norm();
 }
 
-// Returns a component of the scene with overrides.
+// Returns the keys of a component with overrides merged into them.
 template <class Kind>
-Value laid_over(const Kind* component, const Value& written) {
+Value merged_component(const Kind* component, const Value& written) {
   Value value = to_value(component);
   if (!written.is_null()) merge(value, written);
   if (value.is_scalar()) {  // only a name
@@ -67,10 +67,10 @@ Value laid_over(const Kind* component, const Value& written) {
 // Applies the settings to an experiment that runs up to a time [s].
 LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings, double until) {
   Experiment& experiment = loaded.experiment;
-  Value solver = laid_over(experiment.solver.get(), settings.solver);
+  Value solver = merged_component(experiment.solver.get(), settings.solver);
   solver.set("tolerance", Value::number(settings.tolerance));
   experiment.solver = bind_component<Minimizer>(solver);
-  if (!settings.stepper.is_null()) experiment.time.stepper = bind_component<Stepper>(laid_over(experiment.time.stepper.get(), settings.stepper));
+  if (!settings.stepper.is_null()) experiment.time.stepper = bind_component<Stepper>(merged_component(experiment.time.stepper.get(), settings.stepper));
   experiment.time.step = settings.step_size;
   if (!settings.time.is_null()) bind(settings.time, experiment.time, "time");
   if (experiment.time.adaptive) experiment.time.duration = until;
@@ -79,7 +79,7 @@ LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings, do
 }
 
 // Builds the case once, so that its errors show before the measurement.
-void complete(CompareCase& c) {
+void measure_case(CompareCase& c) {
   const BuiltExperiment built(c.load());
   probes_of(built);
   const World& world = built.world();
@@ -109,13 +109,13 @@ CompareCase experiment_case(const std::string& path, const std::vector<std::stri
   c.overrides = overrides;
   const LoadedExperiment loaded = c.load();
   if (any_remeshed(loaded.experiment))
-    throw InputError(fmt::format("{}: objects that are meshed anew (remesh) have other vertices in each run, and results at vertices cannot be compared; take "
+    throw InputError(fmt::format("{}: remeshed objects have other vertices in each run, so that positions of vertices cannot be compared; take "
                                  "`remesh` away (--set objects.NAME.remesh=null)", path));
   c.name = loaded.experiment.name;
   c.step_size = loaded.experiment.time.step;
   const double all = loaded.experiment.time.duration / c.step_size;
   c.steps = steps > 0 ? steps : std::max(1, static_cast<int>(std::ceil(all - 1e-9)));
-  complete(c);
+  measure_case(c);
   return c;
 }
 
@@ -125,12 +125,12 @@ CompareCase problem_case(const std::string& path) {
   c.name = std::filesystem::path(path).stem().string();
   c.problem = read_state_file(path, StateFile::Kind::problem);
   c.step_size = c.problem->step_size;
-  complete(c);
+  measure_case(c);
   return c;
 }
 
-Trial::Trial(const CompareCase& what, const TrialSettings& settings)
-    : case_(what), h_(settings.step_size), simulation_(with(what.load(), settings, what.steps * what.step_size)),
+Trial::Trial(const CompareCase& compare_case, const TrialSettings& settings)
+    : case_(compare_case), h_(settings.step_size), simulation_(with(compare_case.load(), settings, compare_case.steps * compare_case.step_size)),
       probes_(probes_of(simulation_.built())) {
 }
 
@@ -144,7 +144,7 @@ const TrialResult& Trial::run(const VecX* guess) {
   simulation_.start_from(case_.problem ? case_.problem->state : simulation_.world().start);
   if (case_.single()) solve_step(guess);
   else solve_run();
-  if (result_.complete) look_at_end();
+  if (result_.complete) evaluate_end();
   return result_;
 }
 
@@ -158,7 +158,7 @@ void Trial::solve_step(const VecX* guess) {
   result_.iterations = solve.iterations;
   result_.evaluations = solve.line_search_evaluations;
   result_.linear_solves = solve.linear_solves;
-  look_at(solved->metrics);
+  record_maxima(solved->metrics);
   result_.converged = solved->failure.empty() && solve.status == MinimizerStatus::converged;
   result_.status = solved->failure.empty() ? std::string(to_string(solve.status)) : solved->failure;
   result_.complete = solved->failure.empty() && solved->x.allFinite();
@@ -181,7 +181,7 @@ void Trial::solve_run() {
       result_.linear_solves += report.solve.linear_solves;
       ++result_.steps;
       unconverged += report.converged ? 0 : 1;
-      look_at(report.metrics);
+      record_maxima(report.metrics);
     }
     if (unconverged > 0) result_.status = fmt::format("{} of {} steps kept without having converged", unconverged, result_.steps);
     result_.converged = result_.complete = true;
@@ -192,14 +192,14 @@ void Trial::solve_run() {
   result_.energy += stored_energy(report.energies);
 }
 
-void Trial::look_at(const std::vector<StepMetric>& metrics) {
+void Trial::record_maxima(const std::vector<StepMetric>& metrics) {
   for (const StepMetric& metric : metrics) {
     if (metric.name == "penetration") result_.penetration = std::max(result_.penetration, metric.value);
     if (metric.name == "crossing_pairs") result_.crossing_pairs = std::max(result_.crossing_pairs, metric.value);
   }
 }
 
-void Trial::look_at_end() {
+void Trial::evaluate_end() {
   result_.x = simulation_.state().x;
   const World& world = simulation_.world();
   result_.intersections = first_inverted_tet(world.tets, result_.x) >= 0 ? 1 : 0;

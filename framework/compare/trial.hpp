@@ -70,7 +70,7 @@ struct Iteration {
 class Trial {
  public:
   // Builds the world of the trial. Throws InputError for settings that do not fit the case.
-  Trial(const CompareCase& what, const TrialSettings& settings);
+  Trial(const CompareCase& compare_case, const TrialSettings& settings);
   // Runs the trial. `guess`: feasible initial guess of a single step (3n).
   const TrialResult& run(const VecX* guess = nullptr);
   const TrialResult& result() const { return result_; }
@@ -85,8 +85,8 @@ class Trial {
  private:
   void solve_step(const VecX* guess);
   void solve_run();
-  void look_at(const std::vector<StepMetric>& metrics);
-  void look_at_end();
+  void record_maxima(const std::vector<StepMetric>& metrics);
+  void evaluate_end();
 
   const CompareCase& case_;
   double h_;

@@ -75,11 +75,11 @@ std::map<std::string, Plot> law_plots(const std::string& title, const BondStudy&
   double least = study.slow.front().shown, shown = 0;
   for (const BondPath& p : study.slow) least = std::min(least, p.shown), shown = std::max(shown, p.shown);
   shown = std::min(shown, shown_ratio_max * least);
-  Plot& traction = plots["traction"] = plot_of(title, "opening or slip", "traction along the way", "Pa");
+  Plot& traction = plots["traction"] = plot_of(title, "opening or slip", "traction along the displacement", "Pa");
   for (const BondPath& p : study.slow)
     traction.curves.push_back(curve_of(direction_name(p.angle), p.points, shown, [&](const BondPoint& at) { return traction_along(at, p.angle); }));
   const BondPath& first = study.slow.front();
-  const char* along = first.angle == 0 ? "opening" : "way";
+  const char* along = first.angle == 0 ? "opening" : "displacement";
   Plot& energy = plots["energy"] = plot_of(fmt::format("{}, {}", title, direction_name(first.angle)), along, "energy per area", "J/m^2");
   energy.curves = {curve_of("stored", first.points, first.shown, [](const BondPoint& p) { return p.stored; }),
                    curve_of("dissipated", first.points, first.shown, [](const BondPoint& p) { return p.dissipated; }),
@@ -92,8 +92,8 @@ std::map<std::string, Plot> law_plots(const std::string& title, const BondStudy&
   for (size_t i = 0; i < study.unloading.size(); ++i) {
     const BondPath& p = study.unloading[i];
     const auto pull = [&](const BondPoint& at) { return traction_along(at, p.angle); };
-    Plot& plot = plots[picture_of(p.angle)] = plot_of(fmt::format("{}, {}", title, direction_name(p.angle)), p.angle == 0 ? "opening" : p.angle > 1 ? "slip" : "way",
-                                                      "traction along the way", "Pa");
+    Plot& plot = plots[picture_of(p.angle)] = plot_of(fmt::format("{}, {}", title, direction_name(p.angle)), p.angle == 0 ? "opening" : p.angle > 1 ? "slip" : "displacement",
+                                                      "traction along the displacement", "Pa");
     plot.curves = {curve_of("loaded once", study.slow[i].points, p.shown, pull), unloading_curve(p, pull)};
   }
   if (!study.rates.empty()) {

@@ -100,10 +100,10 @@ TEST_CASE("tack compare solves several experiments, and tells of all of them tog
   const std::string report = place.text("results/two/compare.md");
   CHECK(contains(report, "## All 2 tasks together"));
   CHECK(contains(report, "| clamp | 2 | "));
-  CHECK(contains(report, "One repetition does not tell"));
+  CHECK(contains(report, "One repetition does not show"));
   const ProgramResult twice = place.compare({"--set", "bases=[{file: scene.yaml}]"});
   CHECK(twice.exit_code == 2);
-  CHECK(contains(twice.err, "two of what is compared are called 'tiny'; give those of `bases` a `name`"));
+  CHECK(contains(twice.err, "two problems are named 'tiny'; give the entries of `bases` a `name`"));
 }
 
 TEST_CASE("without gnuplot, tables are written and the message says what is missing") {

@@ -70,8 +70,8 @@ TEST_CASE("tack law writes tables and pictures with named axes and units", "[law
   struct Picture {
     std::string name, along, up;
   };
-  for (const auto& [name, along, up] : {Picture{"traction", "opening or slip [µm]", "traction along the way [kPa]"}, Picture{"energy", "opening [µm]", "energy per area [J/m²]"},
-                                        Picture{"unloading", "opening [µm]", "traction along the way [kPa]"}, Picture{"rate", "opening [", "traction [kPa]"},
+  for (const auto& [name, along, up] : {Picture{"traction", "opening or slip [µm]", "traction along the displacement [kPa]"}, Picture{"energy", "opening [µm]", "energy per area [J/m²]"},
+                                        Picture{"unloading", "opening [µm]", "traction along the displacement [kPa]"}, Picture{"rate", "opening [", "traction [kPa]"},
                                         Picture{"healing", "time of pressing [s]", "strength [kPa]"}, Picture{"intensity", "opening or slip [µm]", "intensity"}}) {
     INFO(name);
     const std::string svg = file_text(folder.path() / "out" / (name + ".svg"));

@@ -10,7 +10,7 @@
 
 using namespace tack;
 
-TEST_CASE("every shipped comparison fits together", "[compare]") {
+TEST_CASE("every shipped comparison file is valid", "[compare]") {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(TACK_SOURCE_DIR "/experiments/compare")) {
     INFO(entry.path());
@@ -23,7 +23,7 @@ TEST_CASE("every shipped comparison fits together", "[compare]") {
   CHECK(files >= 4);
 }
 
-TEST_CASE("the time of an entry is laid over the scene's: steps that adapt go as far, in fewer", "[compare]") {
+TEST_CASE("the time of an entry overrides the scene's: adaptive steps reach the same end in fewer steps", "[compare]") {
   const CompareCase pull = experiment_case(TACK_SOURCE_DIR "/experiments/debonding/pull.yaml",
                                            {"objects.upper.shape.cells=[3, 1, 3]", "objects.lower.shape.cells=[4, 1, 4]"}, 100);
   Trial fixed(pull, {Value(), 1e-4, 1e-3});
@@ -35,7 +35,7 @@ TEST_CASE("the time of an entry is laid over the scene's: steps that adapt go as
   CHECK(largest_distance(fixed.world(), fixed.result().x, adaptive.result().x) < 20e-6);
 }
 
-TEST_CASE("the time of an entry has a step of its own, or that of the comparison, and no end", "[compare]") {
+TEST_CASE("the time of an entry may have its own step, but no end and no stepper", "[compare]") {
   const auto entry = [](const std::string& time) {
     SolverEntry e;
     bind(parse_string("{name: a, time: " + time + "}", "test.yaml"), e, "an entry");

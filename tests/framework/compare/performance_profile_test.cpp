@@ -16,7 +16,7 @@ CompareRow row(const char* problem, const char* solver, double seconds, bool con
   r.solver = solver;
   r.tolerance = 1e-3;
   r.time_step = 0.01;
-  r.wall_seconds = r.wall_least = r.wall_most = seconds;
+  r.wall_seconds = r.wall_min = r.wall_max = seconds;
   r.converged = converged;
   r.error_rms = r.error_max = 1e-6;
   r.relative_error = 1e-5;
@@ -24,29 +24,29 @@ CompareRow row(const char* problem, const char* solver, double seconds, bool con
   return r;
 }
 
-// a is twice as slow on the first task, b fails on the second, nobody does the third.
+// Solver a is twice as slow on the first task, b fails on the second, both fail on the third.
 const std::vector<CompareRow> rows = {row("one", "a", 2), row("one", "b", 1), row("two", "a", 3), row("two", "b", 1, false),
                                       row("three", "a", 1, false), row("three", "b", 1, false)};
 
 }  // namespace
 
-TEST_CASE("a performance profile is the ratios to the fastest of each task", "[compare]") {
+TEST_CASE("a performance profile holds the ratios to the fastest time of each task", "[compare]") {
   const auto profiles = performance_profiles(rows);
   REQUIRE(profiles.size() == 2);
   CHECK(profiles[0].solver == "a");
   REQUIRE(profiles[0].ratios.size() == 3);
   CHECK(profiles[0].ratios[0] == 1);
   CHECK(profiles[0].ratios[1] == 2);
-  CHECK(std::isinf(profiles[0].ratios[2]));  // what nobody solves stays
+  CHECK(std::isinf(profiles[0].ratios[2]));  // tasks that no solver solves count
   CHECK(profiles[1].ratios[0] == 1);
   CHECK(std::isinf(profiles[1].ratios[1]));
 }
 
-TEST_CASE("a solver that repetitions cannot tell from the fastest is as fast", "[compare]") {
+TEST_CASE("a solver whose times overlap with those of the fastest counts as fastest", "[compare]") {
   std::vector<CompareRow> close = {row("one", "a", 1), row("one", "b", 1.1), row("one", "c", 1.3)};
-  close[0].wall_most = 1.12;
-  close[1].wall_least = 1.05;
-  close[2].wall_least = 1.13;
+  close[0].wall_max = 1.12;
+  close[1].wall_min = 1.05;
+  close[2].wall_min = 1.13;
   const CompareConfig config;
   const std::string report = compare_report(config, {{{"one", 0.01, 1e-10, 0, 0, 1, false, false, 1, ""}}, close, "", {}}, {}, 0);
   CHECK(report.find("| one | 1e-6 | a | 1e-03 | 0.01 | 1 | 0 | 0 | 1.0e-06 | b |") != std::string::npos);
@@ -54,7 +54,7 @@ TEST_CASE("a solver that repetitions cannot tell from the fastest is as fast", "
   CHECK(report.find("| c | 1 | 0 | 1.30 |") != std::string::npos);
 }
 
-TEST_CASE("errors below what the references are apart are noise: no ranking, no point, and the floor is shown", "[compare]") {
+TEST_CASE("errors below the noise floor have no rank and no point, and the floor is shown", "[compare]") {
   const auto with = [](const char* solver, double tolerance, double seconds, double error) {
     CompareRow r = row("one", solver, seconds);
     r.tolerance = tolerance;
@@ -77,33 +77,33 @@ TEST_CASE("errors below what the references are apart are noise: no ranking, no 
   CHECK(plot.curves[1].points.size() == 1);
   REQUIRE(plot.uprights.size() == 1);
   CHECK(plot.uprights[0].at == Approx(3e-6));  // of the size
-  CHECK(plot.notes == std::vector<std::string>{"no point, as the error is below the floor: a at 0.0001 m/s, b at 0.0001 m/s"});
-  // Far left of all points its line would leave them no room.
+  CHECK(plot.notes == std::vector<std::string>{"no point, as the error is below the noise floor: a at 0.0001 m/s, b at 0.0001 m/s"});
+  // The line of a floor far left of all points would squeeze the points.
   std::vector<CompareRow> far = {with("a", 1e-2, 1, 5e-4), with("b", 1e-2, 2, 4e-3)};
   plot = work_precision(far);
   CHECK(plot.uprights.empty());
-  CHECK(plot.notes == std::vector<std::string>{"the floor of errors lies at 3e-06, further left"});
-  // Where nothing is above the floor, nothing is ranked, and the reason stands there.
+  CHECK(plot.notes == std::vector<std::string>{"the noise floor is 3e-06, further left"});
+  // Without errors above the floor there is no ranking, and the report has the reason.
   some = {with("a", 1e-2, 1, 1e-7), with("b", 1e-2, 2, 1e-8)};
   const std::string noisy = compare_report({}, {{reference}, some, "", {}}, {}, 0);
-  CHECK(noisy.find("- one: all errors are below the floor, 3.0e-07 m") != std::string::npos);
+  CHECK(noisy.find("- one: all errors are below the noise floor of 3.0e-07 m") != std::string::npos);
   CHECK(noisy.find("| problem | error at most") == std::string::npos);
   CHECK(work_precision(some).curves[0].points.empty());
   some = {row("one", "a", 1, false)};
-  CHECK(compare_report({}, {{reference}, some, "", {}}, {}, 0).find("- one: nobody solved it.") != std::string::npos);
+  CHECK(compare_report({}, {{reference}, some, "", {}}, {}, 0).find("- one: no solver solved it.") != std::string::npos);
   ReferenceRow none = reference;
   none.tolerance = 0;
-  CHECK(compare_report({}, {{none}, some, "", {}}, {}, 0).find("- one: there is no reference, so errors are not known.") != std::string::npos);
+  CHECK(compare_report({}, {{none}, some, "", {}}, {}, 0).find("- one: there is no reference, so that errors are unknown.") != std::string::npos);
 }
 
-TEST_CASE("errors of large scenes are ranked as well", "[compare]") {
+TEST_CASE("large errors of large scenes are ranked", "[compare]") {
   CompareRow far = row("one", "a", 1);
   far.error_rms = far.error_max = 300;
   const ReferenceRow reference{"one", 0.01, 1e-10, 0, 0, 1e4, false, false, 1, ""};
   CHECK(compare_report({}, {{reference}, {far}, "", {}}, {}, 0).find("| one | 1e3 | a |") != std::string::npos);
 }
 
-TEST_CASE("runs that come closer with smaller tolerances were not accurate, others are on another branch", "[compare]") {
+TEST_CASE("runs that come closer with smaller tolerances are inaccurate, others are on another branch", "[compare]") {
   const auto run = [](const char* solver, double tolerance, double error, const char* branch) {
     CompareRow r = row("one", solver, 1);
     r.tolerance = tolerance;
@@ -116,12 +116,12 @@ TEST_CASE("runs that come closer with smaller tolerances were not accurate, othe
                                   run("c", 1e-1, 4e-3, "another"), run("c", 1e-3, 4.1e-3, "another"),
                                   run("d", 1e-1, 4e-3, "another")};
   some.back().single_step = true;
-  tell_branches_apart(some);
+  classify_branches(some);
   const std::vector<std::string> expected = {"inaccurate", "same", "inaccurate", "inaccurate", "another", "another", "another"};
   for (size_t i = 0; i < some.size(); ++i) CHECK(some[i].branch == expected[i]);
 }
 
-TEST_CASE("profiles are drawn as the part of the tasks done", "[compare]") {
+TEST_CASE("profile plots show the fraction of tasks solved", "[compare]") {
   const Plot plot = profile_plot(rows);
   REQUIRE(plot.curves.size() == 2);
   const auto& a = plot.curves[0].points;
@@ -133,7 +133,7 @@ TEST_CASE("profiles are drawn as the part of the tasks done", "[compare]") {
   CHECK(profile_plot(failing).notes == std::vector<std::string>{"solved nothing: never"});
 }
 
-TEST_CASE("work and precision add up over problems, and need all of them", "[compare]") {
+TEST_CASE("work-precision points sum times over problems, and exist only where all problems are solved", "[compare]") {
   std::vector<CompareRow> some = {row("one", "a", 2), row("two", "a", 3), row("one", "b", 1), row("two", "b", 1, false)};
   some[1].error_rms = some[1].error_max = 1e-4;
   some[1].relative_error = 1e-3;
@@ -143,20 +143,20 @@ TEST_CASE("work and precision add up over problems, and need all of them", "[com
   CHECK(plot.curves[0].points[0].first == Approx(1e-4));  // the mean of 1e-5 and 1e-3
   CHECK(plot.curves[0].points[0].second == 5);
   CHECK(plot.curves[1].points.empty());
-  CHECK(plot.notes == std::vector<std::string>{"no tolerance at which all problems were solved: b (two)"});
+  CHECK(plot.notes == std::vector<std::string>{"all problems solved at no tolerance: b (two)"});
   some.push_back(row("three", "a", 1, false));
   some.push_back(row("three", "b", 1, false));
-  CHECK(work_precision(some).notes.front() == "without what nobody solves: three");
+  CHECK(work_precision(some).notes.front() == "omitted, as no solver solves it: three");
   CHECK(work_precision(some).curves[0].points == plot.curves[0].points);
   some.push_back(row("two", "a", 1, false));
   some.back().tolerance = 1e-4;
-  CHECK(work_precision(some).notes.back() == "not at all tolerances: a (two)");
+  CHECK(work_precision(some).notes.back() == "failed at some tolerances: a (two)");
 }
 
-TEST_CASE("work and precision show the spread of repetitions", "[compare]") {
+TEST_CASE("work-precision plots show the spread of repetitions", "[compare]") {
   std::vector<CompareRow> some = {row("one", "a", 2)};
-  some[0].wall_least = 1.9;
-  some[0].wall_most = 2.4;
+  some[0].wall_min = 1.9;
+  some[0].wall_max = 2.4;
   const Plot plot = work_precision(some);
   REQUIRE(plot.curves[0].spread.size() == 1);
   CHECK(plot.curves[0].spread[0].first == Approx(1.9));

@@ -30,24 +30,24 @@ const std::vector<StoredProblem> problems = {
 TEST_CASE("hard steps converge within their bounds, with every projection to a minimum that is known", "[compare][problems]") {
   for (const StoredProblem& stored : problems) {
     INFO(stored.name);
-    const CompareCase what = problem_case(std::string(TACK_TEST_DATA "/problems/") + stored.name + ".problem");
-    const Reference reference = make_reference(what, what.step_size, 1e-9, 1e-7);
+    const CompareCase compared = problem_case(std::string(TACK_TEST_DATA "/problems/") + stored.name + ".problem");
+    const Reference reference = make_reference(compared, compared.step_size, 1e-9, 1e-7);
     REQUIRE(reference.found());
     if (!stored.branches) CHECK_FALSE(reference.other_branch);
     std::map<std::string, int> iterations;
     for (const char* projection : {"clamp", "absolute", "on_demand"}) {
       INFO(projection);
-      Trial trial(what, {parse_string(std::string("{projection: ") + projection + "}", "(test)"), 1e-5, what.step_size});
+      Trial trial(compared, {parse_string(std::string("{projection: ") + projection + "}", "(test)"), 1e-5, compared.step_size});
       trial.record();
       const TrialResult& result = trial.run();
       REQUIRE_FALSE(trial.history().empty());
-      if (!what.quasi_static) CHECK(trial.history().back().residual <= 1);
+      if (!compared.quasi_static) CHECK(trial.history().back().residual <= 1);
       CHECK(result.status == "converged");
       CHECK(result.intersections == 0);
       iterations[projection] = result.iterations;
-      const Branch branch = branch_of(what, reference, what.step_size, result.x);
+      const Branch branch = branch_of(compared, reference, compared.step_size, result.x);
       if (!stored.branches) CHECK(branch.kind != Branch::Kind::another);
-      CHECK(largest_distance(trial.world(), result.x, branch.x) < 1e-3 * what.size);
+      CHECK(largest_distance(trial.world(), result.x, branch.x) < 1e-3 * compared.size);
     }
     const int fewest = std::min({iterations["clamp"], iterations["absolute"], iterations["on_demand"]});
     INFO("clamp " << iterations["clamp"] << ", absolute " << iterations["absolute"] << ", on demand "
