@@ -1,5 +1,5 @@
-// Motion by formulas: x = anchor + (x(t, X, Y, Z), y(...), z(...)) in metres, t in seconds, X, Y, Z the
-// rest position in metres.
+// Motion by formulas: x = reference + (x(t, X, Y, Z), y(t, X, Y, Z), z(t, X, Y, Z)) [m]; t is the
+// time [s], X, Y, Z the rest position [m].
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ class FormulaMotion : public Motion {
     }
     Motion::fields(f);
   }
-  void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t,
+  void set_positions(std::span<const int> vertices, const VecX& rest, const VecX& reference, double t,
              VecX& x) const override {
     for (const int v : vertices) {
       const Vec3 r = vertex(rest, v);
@@ -33,7 +33,7 @@ class FormulaMotion : public Motion {
         if (!(std::abs(d) <= 1e100))
           throw SimulationError(fmt::format("{}: '{}' is {} at t = {} s, X = {}, Y = {}, Z = {}; it must be finite and at "
                                             "most 1e100 m", "xyz"[i], text_[i], d, t, r.x(), r.y(), r.z()));
-        x(3 * v + i) = anchor(3 * v + i) + d;
+        x(3 * v + i) = reference(3 * v + i) + d;
       }
     }
   }

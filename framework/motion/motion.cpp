@@ -14,7 +14,7 @@ void Motion::fields(Fields& f) {
                     "skipped");
   f.optional_vector("across", across_, units::none,
                     "prescribes only the components perpendicular to this direction; the vertices are free along it (a slider)");
-  f.check("carrier", [this]() -> std::string { return carrier_.empty() || !partial() ? "" : "takes along what is held whole; take `along` or `across` away"; });
+  f.check("carrier", [this]() -> std::string { return carrier_.empty() || !partial() ? "" : "moves vertices that are fixed in all directions; remove `along` or `across`"; });
   for (const char* key : {"along", "across"})
     f.check(key, [this]() -> std::string {
       if (along_ && across_) return "give either along or across";
@@ -35,9 +35,9 @@ namespace {
 
 class Fixed : public Motion {
  public:
-  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double,
+  void set_positions(std::span<const int> vertices, const VecX&, const VecX& reference, double,
              VecX& x) const override {
-    for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
+    for (const int v : vertices) vertex(x, v) = vertex(reference, v);
   }
   bool moves() const override { return false; }
   std::optional<RigidMap> pose(double) const override { return RigidMap{}; }

@@ -1,10 +1,10 @@
 // Prescribed motion (Dirichlet condition) of vertices of an object, at rest or moving, during a
 // time span. Before and after the span the vertices are free. Fixed vertices own no unknowns;
 // released vertices keep their velocity.
-//   anchor         reference position of the motion: the position at the start of the span, or at
+//   reference      reference position of the motion: the position at the start of the span, or at
 //                  rest if the span begins with the run
 //   partial steps  a step that contains the start or the end of a span belongs to the side that
-//                  has the larger share of it
+//                  has the larger fraction of it
 //   carrier        another object: the motion is given in its frame and followed by its rigid
 //                  motion (relative_motion.hpp)
 #pragma once
@@ -31,27 +31,28 @@ class Motion : public Component {
   Motion(double from, double until) : from_(from), until_(until) {}
   void fields(Fields& f) override;
   const Selection& selection() const { return *select_; }
-  // Returns the carrier object; empty: none
-  const std::string& carrier() const {
-    return carrier_;
-  }
-  double from() const { return from_; }                                                     // s
-  double until() const { return until_.value_or(std::numeric_limits<double>::infinity()); }  // s
+  // Returns the name of the carrier; empty: none.
+  const std::string& carrier() const { return carrier_; }
+  // Return the start and the end of the time span [s].
+  double from() const { return from_; }
+  double until() const { return until_.value_or(std::numeric_limits<double>::infinity()); }
 
-  // partial: true if the motion fixes only some directions; fixed_directions: the projection onto
-  // them.
+  // Returns whether the motion fixes only some directions.
   bool partial() const { return along_ || across_; }
+  // Returns the projection onto the fixed directions.
   Mat3 fixed_directions() const;
 
-  // Writes the prescribed positions at time t [s] into the rows of x; rest, anchor: 3n [m].
-  virtual void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t,
+  // Writes the prescribed positions at time t [s] into the rows of x; rest, reference: 3n [m].
+  virtual void set_positions(std::span<const int> vertices, const VecX& rest, const VecX& reference, double t,
                      VecX& x) const = 0;
-  // Returns the times of discontinuities [s], beside `from` and `until`; adaptive steps end there.
+  // Returns the times of discontinuities [s] other than `from` and `until`. Adaptive steps end there.
   virtual std::vector<double> corners() const { return {}; }
-  virtual bool moves() const { return true; }  // false: they stay at their anchor
-  virtual bool rigid() const { return true; }  // distances between them do not change
-  // Returns the rigid map of space until time t [s]; nothing if the motion is not rigid, so that it
-  // carries no other motion.
+  // Returns false if the vertices stay at their reference positions.
+  virtual bool moves() const { return true; }
+  // Returns whether the vertices keep their distances.
+  virtual bool rigid() const { return true; }
+  // Returns the rigid map from the start of the motion to time t [s]. Returns nothing if the motion
+  // is not rigid; then it cannot be the carrier of another motion.
   virtual std::optional<RigidMap> pose(double) const { return {}; }
 
  private:

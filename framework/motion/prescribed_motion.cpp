@@ -25,8 +25,9 @@ void check_positions(const std::vector<int>& vertices, double t, const VecX& x) 
   }
 }
 
-// Returns true if two motions of a vertex contradict each other: both fix all directions, or both fix some that are not
-// orthogonal. A motion of all directions has precedence over one of some directions.
+// Returns true if two motions of a vertex contradict each other: both fix all directions, or both fix
+// directions that are not orthogonal. A motion that fixes all directions has precedence over one
+// that fixes some.
 bool contradict(const Motion& a, const Motion& b) {
   constexpr double round_off = 1e-9;
   if (a.partial() != b.partial()) return false;
@@ -131,18 +132,18 @@ std::vector<HeldDirections> PrescribedMotion::fixed_directions(const std::vector
   return all;
 }
 
-void PrescribedMotion::place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
+void PrescribedMotion::set_positions(const std::vector<char>& active, const VecX& rest, const VecX& reference, double t,
                    VecX& x) const {
   for (const bool partial : {true, false})
     for (size_t i = 0; i < assignments_.size(); ++i)
-      if (active[i] && assignments_[i].motion->partial() == partial) place(assignments_[i], rest, anchor, t, x);
+      if (active[i] && assignments_[i].motion->partial() == partial) set_positions(assignments_[i], rest, reference, t, x);
 }
 
-void PrescribedMotion::place(const Assignment& assignment, const VecX& rest, const VecX& anchor, double t, VecX& x) {
+void PrescribedMotion::set_positions(const Assignment& assignment, const VecX& rest, const VecX& reference, double t, VecX& x) {
   try {
     VecX before;
     if (assignment.motion->partial()) before = x;
-    assignment.motion->place(assignment.vertices, rest, anchor, t, x);
+    assignment.motion->set_positions(assignment.vertices, rest, reference, t, x);
     check_positions(assignment.vertices, t, x);
     if (!assignment.motion->partial()) return;
     const Mat3 fixed = assignment.motion->fixed_directions();

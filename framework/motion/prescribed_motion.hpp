@@ -46,8 +46,8 @@ class PrescribedMotion {
   std::vector<char> free(const std::vector<char>& active) const;
   // Returns the vertices with fixed directions under the active motions.
   std::vector<HeldDirections> fixed_directions(const std::vector<char>& active) const;
-  // Writes the positions prescribed by active motions at time t into x; anchor, rest: 3n [m].
-  void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
+  // Writes the positions prescribed by active motions at time t into x; reference, rest: 3n [m].
+  void set_positions(const std::vector<char>& active, const VecX& rest, const VecX& reference, double t,
              VecX& x) const;
 
   bool ever_fixed(int v) const { return ever_fixed_[v]; }
@@ -60,7 +60,7 @@ class PrescribedMotion {
   int rigid_group(int v) const { return rigid_group_[v]; }
 
  private:
-  static void place(const Assignment& assignment, const VecX& rest, const VecX& anchor, double t, VecX& x);
+  static void set_positions(const Assignment& assignment, const VecX& rest, const VecX& reference, double t, VecX& x);
 
   std::vector<Assignment> assignments_;
   std::vector<HeldDirections> always_fixed_;

@@ -7,9 +7,9 @@
 namespace tack {
 namespace {
 
-Mat3 turned(double angle, const Vec3& axis) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+Mat3 rotation(double angle, const Vec3& axis) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
 
-// Speed at the start and the end of the path between two frames.
+// Interpolation between two frames: constant speed, or rest at both ends.
 enum class Easing { linear, smooth };
 
 void easing_field(Fields& f, Easing& easing) {
@@ -20,7 +20,7 @@ void easing_field(Fields& f, Easing& easing) {
 
 double eased(Easing easing, double u) { return easing == Easing::smooth ? u * u * (3 - 2 * u) : u; }
 
-// Motion at constant speed for a while.
+// Motion at constant speed for a limited duration.
 class SteadyMotion : public Motion {
  public:
   std::vector<double> corners() const override { return duration_ ? std::vector{from() + *duration_} : std::vector<double>(); }
@@ -30,20 +30,21 @@ class SteadyMotion : public Motion {
     f.optional_number("duration", duration_, units::time, doc).positive();
   }
   bool ends() const { return duration_ || until() < std::numeric_limits<double>::infinity(); }
-  // Returns the displacement at time t, from a speed or a total displacement. Without a duration the motion
-  // continues to the end of the last step, which may lie a little after `until`, so that released vertices keep their speed.
+  // Returns the displacement at time t, from a speed or a total displacement. Without a duration the
+  // motion continues to the end of the last step, which may lie a little after `until`. Released
+  // vertices thus keep their speed.
   template <class T>
-  T way(const std::optional<T>& speed, const std::optional<T>& whole, double t) const {
+  T displacement(const std::optional<T>& speed, const std::optional<T>& total, double t) const {
     double s = std::max(t - from(), 0.0);
     if (duration_) s = std::min(s, *duration_);
-    return speed ? T(*speed * s) : T(*whole * (s / duration_.value_or(until() - from())));
+    return speed ? T(*speed * s) : T(*total * (s / duration_.value_or(until() - from())));
   }
 
  private:
   std::optional<double> duration_;  // s
 };
 
-// x = anchor + v s or anchor + d s / duration, s the time since `from`, at most the duration.
+// x = reference + v s or reference + d s / duration, s the time since `from`, at most the duration.
 class Translate : public SteadyMotion {
  public:
   void fields(Fields& f) override {
@@ -59,18 +60,18 @@ class Translate : public SteadyMotion {
     });
     Motion::fields(f);
   }
-  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
+  void set_positions(std::span<const int> vertices, const VecX&, const VecX& reference, double t,
              VecX& x) const override {
-    const Vec3 d = way(velocity_, displacement_, t);
-    for (const int v : vertices) vertex(x, v) = vertex(anchor, v) + d;
+    const Vec3 d = displacement(velocity_, displacement_, t);
+    for (const int v : vertices) vertex(x, v) = vertex(reference, v) + d;
   }
-  std::optional<RigidMap> pose(double t) const override { return RigidMap{Mat3::Identity(), way(velocity_, displacement_, t)}; }
+  std::optional<RigidMap> pose(double t) const override { return RigidMap{Mat3::Identity(), displacement(velocity_, displacement_, t)}; }
 
  private:
   std::optional<Vec3> velocity_, displacement_;  // m/s, m
 };
 
-// x = c + R(axis, angle) (anchor - c).
+// x = c + R(axis, angle) (reference - c).
 class Rotate : public SteadyMotion {
  public:
   void fields(Fields& f) override {
@@ -90,13 +91,13 @@ class Rotate : public SteadyMotion {
     });
     Motion::fields(f);
   }
-  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
+  void set_positions(std::span<const int> vertices, const VecX&, const VecX& reference, double t,
              VecX& x) const override {
-    const Mat3 r = turned(way(speed_, angle_, t), axis_.normalized());
-    for (const int v : vertices) vertex(x, v) = centre_ + r * (vertex(anchor, v) - centre_);
+    const Mat3 r = rotation(displacement(speed_, angle_, t), axis_.normalized());
+    for (const int v : vertices) vertex(x, v) = centre_ + r * (vertex(reference, v) - centre_);
   }
   std::optional<RigidMap> pose(double t) const override {
-    return RigidMap::about(centre_, turned(way(speed_, angle_, t), axis_.normalized()));
+    return RigidMap::about(centre_, rotation(displacement(speed_, angle_, t), axis_.normalized()));
   }
 
  private:
@@ -104,7 +105,7 @@ class Rotate : public SteadyMotion {
   std::optional<double> speed_, angle_;                // rad/s, rad
 };
 
-// x = c + R(axis, angle(t)) (anchor - c).
+// x = c + R(axis, angle(t)) (reference - c).
 class Hinge : public Motion {
  public:
   void fields(Fields& f) override {
@@ -115,13 +116,13 @@ class Hinge : public Motion {
     f.check("axis", [this]() -> std::string { return axis_.norm() > 0 ? "" : "must not be zero"; });
     Motion::fields(f);
   }
-  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t, VecX& x) const override {
+  void set_positions(std::span<const int> vertices, const VecX&, const VecX& reference, double t, VecX& x) const override {
     const RigidMap map = *pose(t);
-    for (const int v : vertices) vertex(x, v) = map(vertex(anchor, v));
+    for (const int v : vertices) vertex(x, v) = map(vertex(reference, v));
   }
   std::vector<double> corners() const override { return angle_.corners(); }
   bool moves() const override { return !angle_.constant(); }
-  std::optional<RigidMap> pose(double t) const override { return RigidMap::about(centre_, turned(angle(t), axis_.normalized())); }
+  std::optional<RigidMap> pose(double t) const override { return RigidMap::about(centre_, rotation(angle(t), axis_.normalized())); }
 
  private:
   double angle(double t) const {
@@ -148,8 +149,8 @@ struct Keyframe {
   }
 };
 
-// x = c + R(w) (anchor - c) + d, with d and the rotation vector w straight between the frames and
-// constant outside them.
+// x = c + R(w) (reference - c) + d. The displacement d and the rotation vector w are interpolated
+// between the frames and constant outside them.
 class Keyframes : public Motion {
  public:
   void fields(Fields& f) override {
@@ -164,16 +165,16 @@ class Keyframes : public Motion {
     });
     Motion::fields(f);
   }
-  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
+  void set_positions(std::span<const int> vertices, const VecX&, const VecX& reference, double t,
              VecX& x) const override {
     const Keyframe k = at(t);
-    const Mat3 r = turn(k);
+    const Mat3 r = rotation_of(k);
     for (const int v : vertices)
-      vertex(x, v) = centre_ + r * (vertex(anchor, v) - centre_) + k.translation;
+      vertex(x, v) = centre_ + r * (vertex(reference, v) - centre_) + k.translation;
   }
   std::optional<RigidMap> pose(double t) const override {
     const Keyframe k = at(t);
-    return RigidMap::about(centre_, turn(k), k.translation);
+    return RigidMap::about(centre_, rotation_of(k), k.translation);
   }
 
   std::vector<double> corners() const override {
@@ -183,9 +184,9 @@ class Keyframes : public Motion {
   }
 
  private:
-  static Mat3 turn(const Keyframe& k) {
+  static Mat3 rotation_of(const Keyframe& k) {
     const double angle = k.rotation.norm();
-    return turned(angle, angle > 0 ? Vec3(k.rotation / angle) : Vec3::UnitX());
+    return rotation(angle, angle > 0 ? Vec3(k.rotation / angle) : Vec3::UnitX());
   }
   Keyframe at(double t) const {
     const auto later =

@@ -36,7 +36,7 @@ std::vector<double> prescribed_displacements(const World& world, double duration
     const double t = duration * k / motion_samples;
     VecX x = world.rest;
     try {
-      prescribed_motion.place(prescribed_motion.active(t), world.rest, world.rest, t, x);
+      prescribed_motion.set_positions(prescribed_motion.active(t), world.rest, world.rest, t, x);
     } catch (const SimulationError&) {
       for (const auto& [body, v] : moved) displacements[body] = std::numeric_limits<double>::infinity();
       break;

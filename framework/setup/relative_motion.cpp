@@ -18,8 +18,8 @@ class RelativeMotion : public Motion {
       : Motion(own.from(), own.until()), own_(own), carriers_(std::move(carriers)) {
     if (from() > 0) start_inverse_ = carrier_map(from()).inverse();
   }
-  void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t, VecX& x) const override {
-    own_.place(vertices, rest, anchor, t, x);
+  void set_positions(std::span<const int> vertices, const VecX& rest, const VecX& reference, double t, VecX& x) const override {
+    own_.set_positions(vertices, rest, reference, t, x);
     // A vertex that is prescribed later moves with the carrier from its position then.
     const RigidMap map = carrier_map(t) * start_inverse_;
     for (const int v : vertices) vertex(x, v) = map(vertex(x, v));

@@ -86,25 +86,25 @@ std::vector<Edge> twisted_edges(const ObjectConfig& object, const Body& body, co
 class PrescribedTwist : public Motion {
  public:
   PrescribedTwist(const Motion& motion, const RodFrames& rod) : Motion(motion.from(), motion.until()), motion_(motion), rod_(rod) {}
-  void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t, VecX& x) const override {
-    for (const int v : vertices) x(3 * v) = motion_.moves() ? arc(v - rod_.twists()[0], rest, anchor, t, x) : anchor(3 * v);
+  void set_positions(std::span<const int> vertices, const VecX& rest, const VecX& reference, double t, VecX& x) const override {
+    for (const int v : vertices) x(3 * v) = motion_.moves() ? arc(v - rod_.twists()[0], rest, reference, t, x) : reference(3 * v);
   }
   bool moves() const override { return motion_.moves(); }
   bool rigid() const override { return false; }  // a twist is not a position
 
  private:
-  double arc(int e, const VecX& rest, const VecX& anchor, double t, const VecX& x) const {
+  double arc(int e, const VecX& rest, const VecX& reference, double t, const VecX& x) const {
     const VecX& start = rod_.start();
     const double t0 = rod_.start_time(), theta = rod_.angle(e, start);
     if (t == t0) return rod_.radius() * theta;
-    const Mat3 back = linear_part(e, rest, anchor, t0).inverse();
+    const Mat3 back = linear_part(e, rest, reference, t0).inverse();
     const Vec3 tangent = rod_.tangent(e, start), director = rod_.director(e, start);
     // Counts whole turns in substeps: the angle between the moved director and the transported one.
     constexpr int substeps = 32;
     double angle_sum = 0;
     Eigen::Vector3d t_before = tangent, d_before = director;
     for (int i = 1; i <= substeps; ++i) {
-      const Mat3 moved = linear_part(e, rest, anchor, t0 + (t - t0) * i / substeps) * back;
+      const Mat3 moved = linear_part(e, rest, reference, t0 + (t - t0) * i / substeps) * back;
       const Vec3 t_now = (moved * tangent).normalized(), d_now = moved * director;
       const Vec3 transported = parallel_transport(t_before, t_now, d_before);
       angle_sum += std::atan2(t_now.dot(transported.cross(d_now)), transported.dot(d_now));
@@ -112,22 +112,22 @@ class PrescribedTwist : public Motion {
       d_before = (d_now - d_now.dot(t_now) * t_now).normalized();
     }
     constexpr double turn = 2 * std::numbers::pi;
-    const double angle = rod_.angle_to(e, x, linear_part(e, rest, anchor, t) * (back * director));
+    const double angle = rod_.angle_to(e, x, linear_part(e, rest, reference, t) * (back * director));
     return rod_.radius() * (angle + turn * std::round((theta + angle_sum - angle) / turn));
   }
 
   // Returns the linear part of the motion at the edge from the reference position to time t, by three points
   // beside its first vertex.
-  Mat3 linear_part(int e, const VecX& rest, const VecX& anchor, double t) const {
+  Mat3 linear_part(int e, const VecX& rest, const VecX& reference, double t) const {
     const Edge& edge = rod_.edge(e);
     const double length = span(edge, rest).norm();
     VecX from_rest(12), from_reference(12), to = VecX::Zero(12);
     for (int k = 0; k < 4; ++k) {
       const Vec3 beside = k > 0 ? Vec3(length * Vec3::Unit(k - 1)) : Vec3::Zero();
       vertex(from_rest, k) = vertex(rest, edge[0]) + beside;
-      vertex(from_reference, k) = vertex(anchor, edge[0]) + beside;
+      vertex(from_reference, k) = vertex(reference, edge[0]) + beside;
     }
-    motion_.place(std::array{0, 1, 2, 3}, from_rest, from_reference, t, to);
+    motion_.set_positions(std::array{0, 1, 2, 3}, from_rest, from_reference, t, to);
     Mat3 linear;
     for (int k = 0; k < 3; ++k) linear.col(k) = (vertex(to, k + 1) - vertex(to, 0)) / length;
     return linear;

@@ -27,8 +27,8 @@ double gyration_of(const Body& body) { return std::sqrt(0.4) * body.radius; }
 class FixedArcs : public Motion {
  public:
   explicit FixedArcs(const Motion& motion) : Motion(motion.from(), motion.until()) {}
-  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double, VecX& x) const override {
-    for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
+  void set_positions(std::span<const int> vertices, const VecX&, const VecX& reference, double, VecX& x) const override {
+    for (const int v : vertices) vertex(x, v) = vertex(reference, v);
   }
   bool moves() const override { return false; }
   bool rigid() const override { return false; }  // an arc is not a position

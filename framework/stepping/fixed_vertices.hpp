@@ -1,5 +1,5 @@
-// Fixed vertices of the present step, the origins of their motions, and dependent vertices. A step
-// that is rolled back changes none of them: anchors become those of the state at commit.
+// Fixed vertices of the present step, the reference positions of their motions, and dependent
+// vertices. The state gets them at commit, so that a rejected step leaves it unchanged.
 #pragma once
 
 #include <vector>
@@ -16,25 +16,29 @@ class FixedVertices {
   FixedVertices(const PrescribedMotion& prescribed_motion, const MultiPointConstraints& constraints, const VecX& rest)
       : prescribed_motion_(prescribed_motion), constraints_(constraints), rest_(rest) {}
 
-  // Activates the holds and ties at `middle`, the middle of the step; returns false if they were
-  // active already. Vertices that become fixed stay at their positions in the state.
-  bool change(const State& state, double middle);
+  // Activates the motions and timed constraints at `middle`, the middle of the step [s]. Returns
+  // false if nothing changed. Vertices that become fixed keep their positions in the state.
+  bool activate(const State& state, double middle);
   void commit(State& state);
 
   const DofMap& dofs() const { return dofs_; }
-  std::vector<char> moving() const;  // per vertex: whether unknowns move it
-  const std::vector<int>& vertices() const { return held_; }  // that none moves, ascending
-  // By the last change: that have unknowns of their own, and none moved them before it.
+  // Returns a flag per vertex: whether unknowns move it.
+  std::vector<char> moving() const;
+  // Returns the vertices that no unknown moves, ascending.
+  const std::vector<int>& vertices() const { return fixed_; }
+  // Returns the vertices that the last change released: they have unknowns of their own now, and no
+  // unknown moved them before.
   const std::vector<int>& released() const { return released_; }
-  // Returns whether some of the held vertices may be elsewhere at another time.
+  // Returns whether a prescribed motion may ever move some of the fixed vertices.
   bool may_move() const;
-  // Writes the positions of the held vertices at time t, and of those that depend on them, into x
-  // (3n). Throws SimulationError if an affine body would have to deform otherwise than affinely.
-  void place(double t, VecX& x) const;
-  // Returns the number of equal substeps from t to t + h in which no rigid motion turns by more
-  // than a quarter: the linear trajectories of a half turn cross in the axis, those of a quarter
-  // neither intersect nor invert the body. A power of two, at most 64.
-  int straight_parts(double t, double h) const;
+  // Writes the positions at time t [s] of the fixed vertices, and of vertices that depend on them,
+  // into x (3n). Throws SimulationError if an affine body would not deform affinely, or a joint
+  // would be torn.
+  void set_positions(double t, VecX& x) const;
+  // Returns the number of equal substeps from t to t + h in each of which no rigid motion rotates by
+  // more than a quarter turn: a power of two, at most 64. The linear trajectories of a half turn
+  // cross at the axis; those of a quarter turn neither intersect nor invert the body.
+  int rotation_substeps(double t, double h) const;
 
  private:
   DofMap dofs_of(const std::vector<char>& active) const;
@@ -43,10 +47,10 @@ class FixedVertices {
   const MultiPointConstraints& constraints_;
   const VecX& rest_;
   bool known_ = false;
-  std::vector<char> active_;  // per hold of the script, then per tie
+  std::vector<char> active_;  // per motion, then per timed constraint
   DofMap dofs_;
-  std::vector<int> held_, released_;
-  VecX anchor_;  // 3n [m]
+  std::vector<int> fixed_, released_;
+  VecX x_motion_start_;  // 3n: reference positions of the motions [m]
 };
 
 }  // namespace tack

@@ -17,7 +17,7 @@ DirichletContinuation::Result PrescribedMotionFollower::follow(const Step& step,
                                           const MinimizerProblem::Observer& observer) {
   const State& state = step.state;
   const TimeIntegrator::Prediction& prediction = step.prediction;
-  const int parts = step.fixed.straight_parts(state.time, step.h);
+  const int parts = step.fixed.rotation_substeps(state.time, step.h);
   Along along;
   if (prediction.inertia) {
     world_.dofs.gather(step.h / parts * (state.v + step.h * state.a), along.full);
@@ -27,7 +27,7 @@ DirichletContinuation::Result PrescribedMotionFollower::follow(const Step& step,
   DirichletContinuation::Result result{{}, state.x, ""};
   for (int i = 1; i <= parts; ++i) {
     VecX places = result.x;
-    step.fixed.place(state.time + step.h * i / parts, places);
+    step.fixed.set_positions(state.time + step.h * i / parts, places);
     step.potential.begin_step(places, prediction.x, prediction.scales(), prediction.inertia);
     if (i > 1) world_.participants.move_to(result.x);
     const MinimizerResult before = result.solve;

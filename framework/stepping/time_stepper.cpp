@@ -83,7 +83,7 @@ void TimeStepper::begin_records() {
 
 // Makes those the unknowns that are free in the step from now to now + h.
 void TimeStepper::fix_vertices(double h) {
-  const bool others = fixed_.change(state_, state_.time + h / 2);
+  const bool others = fixed_.activate(state_, state_.time + h / 2);
   if (others) world_.dofs = fixed_.dofs();
   stepper_->begin(others);
   if (!others) return;
@@ -130,7 +130,7 @@ Step TimeStepper::open(double h) {
   if (velocities_matter()) velocity = integrator_->end_velocity(state_, h);
   world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr, step.prediction.inertia ? &state_.v : nullptr});
   lag_impulses(step);
-  fixed_.place(state_.time + h, step.targets);
+  fixed_.set_positions(state_.time + h, step.targets);
   if (accounts_) balance_.begin(state_, step.has_prescribed_motion());
   potential_->begin_step(step.targets, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
   return step;

@@ -33,16 +33,16 @@ ScriptedFrames scripted_frames(const World& world, double duration, int frames) 
   if (!(duration > 0) || frames < 2 || !anything_moves(world)) return shown;
   std::vector<double> times;
   for (int i = 0; i < frames; ++i) times.push_back(duration * i / (frames - 1));
-  FixedVertices held(world.prescribed_motion, world.constraints, world.rest);
+  FixedVertices fixed(world.prescribed_motion, world.constraints, world.rest);
   State state = world.start;
   double before = 0;
   try {
     for (const double t : stops_of(world, times)) {
       if (t <= 0) continue;
-      held.change(state, (before + t) / 2);
-      held.place(t, state.x);
+      fixed.activate(state, (before + t) / 2);
+      fixed.set_positions(t, state.x);
       state.time = before = t;
-      held.commit(state);
+      fixed.commit(state);
       if (!std::binary_search(times.begin(), times.end(), t)) continue;
       shown.times.push_back(t);
       shown.places.push_back(state.x);

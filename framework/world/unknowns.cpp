@@ -13,8 +13,8 @@ namespace {
 
 class FixedMotion : public Motion {
  public:
-  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double, VecX& x) const override {
-    for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
+  void set_positions(std::span<const int> vertices, const VecX&, const VecX& reference, double, VecX& x) const override {
+    for (const int v : vertices) vertex(x, v) = vertex(reference, v);
   }
   bool moves() const override { return false; }
 };
@@ -23,7 +23,7 @@ class FixedMotion : public Motion {
 class PrescribedValues : public Motion {
  public:
   PrescribedValues(Schedule values, double length) : values_(std::move(values)), length_(length) {}
-  void place(std::span<const int> vertices, const VecX&, const VecX&, double t, VecX& x) const override {
+  void set_positions(std::span<const int> vertices, const VecX&, const VecX&, double t, VecX& x) const override {
     for (const int v : vertices) vertex(x, v) = Vec3(length_ * values_.at(t), 0, 0);
   }
   bool moves() const override { return !values_.constant(); }

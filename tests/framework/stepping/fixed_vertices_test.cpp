@@ -24,9 +24,9 @@ TEST_CASE("half turns a step are made in parts, which push what is in the way") 
     TestScene scene("time: {step: 0.01, duration: 1}\nobjects: [" + far +
                     ", {name: bar, shape: {type: box, size: [0.2, 0.02, 0.02], cells: [4, 1, 1]}, motion: [" +
                     motion + "]}]\n");
-    FixedVertices held(scene.world->prescribed_motion, scene.world->constraints, scene.world->rest);
-    REQUIRE(held.change(scene.world->start, 0.005));
-    return held.straight_parts(0, 0.01);
+    FixedVertices fixed(scene.world->prescribed_motion, scene.world->constraints, scene.world->rest);
+    REQUIRE(fixed.activate(scene.world->start, 0.005));
+    return fixed.rotation_substeps(0, 0.01);
   };
   const auto turn = [&](double degrees) {
     return parts(fmt::format("{{type: rotate, axis: [0, 0, 1], angular_velocity: {}}}", degrees / 180 * M_PI / 0.01));
