@@ -145,7 +145,7 @@ void Assembler::add_linear(const VecX& x, const TermScales& scales, VecX& gradie
     }
     term->add_linear_gradient(full);
   }
-  dofs_.collect(full);
+  dofs_.move_to_independents(full);
   for (int b = 0; b < dofs_.block_count(); ++b)
     gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
 }
@@ -162,10 +162,10 @@ void Assembler::gather_modes(const VecX& x, const TermScales& scales, const Hess
     source->add_global_modes(x, request.clamp_at ? Projection::clamp : asked, modes);
     for (size_t k = first; k < modes.size(); ++k) {
       VecX& full = modes[k].vector;
-      dofs_.collect(full);
+      dofs_.move_to_independents(full);
       VecX own(dofs_.size());
       for (int b = 0; b < dofs_.block_count(); ++b) own.segment<3>(3 * b) = vertex(full, dofs_.vertex_of_block(b));
-      take_held_directions_out(own);
+      project_out_fixed_directions(own);
       full = std::move(own);
       modes[k].coefficient *= scales.of(*term);
     }
@@ -181,19 +181,19 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
   add_linear(x, scales, gradient);
-  take_held_directions_out(gradient);
+  project_out_fixed_directions(gradient);
 }
 
-void Assembler::take_held_directions_out(VecX& gradient) const {
-  for (const DofMap::HeldBlock& h : dofs_.held_blocks())
-    gradient.segment<3>(3 * h.block) -= (h.held * gradient.segment<3>(3 * h.block)).eval();
+void Assembler::project_out_fixed_directions(VecX& gradient) const {
+  for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks())
+    gradient.segment<3>(3 * h.block) -= (h.projection * gradient.segment<3>(3 * h.block)).eval();
 }
 
 // Rows and columns of held directions are those of a multiple of the identity.
-void Assembler::take_held_directions_out(BlockMatrix& matrix) const {
-  if (dofs_.held_blocks().empty()) return;
+void Assembler::project_out_fixed_directions(BlockMatrix& matrix) const {
+  if (dofs_.partly_fixed_blocks().empty()) return;
   std::vector<const Mat3*> held(dofs_.block_count(), nullptr);
-  for (const DofMap::HeldBlock& h : dofs_.held_blocks()) held[h.block] = &h.held;
+  for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks()) held[h.block] = &h.projection;
   for (int c = 0; c < matrix.columns(); ++c)
     for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
       const int r = matrix.row[k];
@@ -235,8 +235,8 @@ void Assembler::number_parts() {
   int parts = 0;
   for (int b = 0; b < dofs_.block_count(); ++b) part_[b] = sets.find(b) == b ? parts++ : part_[sets.find(b)];
   // A number does not move along with its part.
-  for (const DofMap::HeldBlock& h : dofs_.held_blocks())
-    if (h.twist) part_[h.block] = parts++;
+  for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks())
+    if (h.scalar) part_[h.block] = parts++;
 }
 
 // The pattern's static keys are those of both maps and the diagonals.
@@ -296,8 +296,8 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianR
   static_.gather_hessian(scales.body, static_positions_, matrix);
   if (!request.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
   add_linear(x, scales, gradient);
-  take_held_directions_out(gradient);
-  take_held_directions_out(matrix);
+  project_out_fixed_directions(gradient);
+  project_out_fixed_directions(matrix);
   gather_modes(x, scales, request, matrix.modes);
 }
 

@@ -78,8 +78,8 @@ class Assembler {
   void add_linear(const VecX& x, const TermScales& scales, VecX& gradient) const;
   void gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request,
                     GlobalModes& modes) const;
-  void take_held_directions_out(VecX& gradient) const;
-  void take_held_directions_out(BlockMatrix& matrix) const;
+  void project_out_fixed_directions(VecX& gradient) const;
+  void project_out_fixed_directions(BlockMatrix& matrix) const;
 
   const DofMap& dofs_;
   PhaseClock& clock_;

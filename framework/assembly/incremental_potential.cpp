@@ -37,9 +37,9 @@ void IncrementalPotential::set_mass(const VecX& mass) {
 void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction,
                                       const TermScales& scales, bool inertia) {
   x_ = x_start;
-  dofs_.follow(x_);
+  dofs_.update_dependents(x_);
   dofs_.gather(prediction, prediction_);
-  dofs_.keep_held(x_, prediction_);
+  dofs_.copy_fixed_directions(x_, prediction_);
   mixed_inertia_.set_prediction(prediction, scales.body, inertia);
   scales_ = scales;
   inertia_ = inertia;
@@ -50,7 +50,7 @@ void IncrementalPotential::begin_step(const VecX& x_start, const VecX& predictio
 
 void IncrementalPotential::move_to(const VecX& q) {
   q_ = q;
-  dofs_.keep_held(x_, q_);
+  dofs_.copy_fixed_directions(x_, q_);
   dofs_.scatter(q_, x_);
   value_known_ = gradient_known_ = false;
   if (on_move_) on_move_(x_);

@@ -18,7 +18,7 @@ void blocks_of(const StencilBatch& batch, int stencil, const DofMap& dofs, std::
     const int v = batch.vertices[static_cast<size_t>(batch.arity) * stencil + i];
     if (dofs.block(v) >= 0) blocks.push_back(dofs.block(v));
     else if (dofs.mixed(v))
-      for (const DofMap::Part& part : dofs.blocks(v)) blocks.push_back(part.leaf);
+      for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) blocks.push_back(entry.index);
   }
   std::sort(blocks.begin(), blocks.end());
   blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
@@ -107,7 +107,7 @@ ReducedStencils::Member ReducedStencils::member_of(const PlacedBatch& placed, in
     };
     if (dofs.block(v) >= 0) set(dofs.block(v), 1);
     else if (dofs.mixed(v))
-      for (const DofMap::Part& part : dofs.blocks(v)) set(part.leaf, part.weight);
+      for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) set(entry.index, entry.weight);
   }
   return member;
 }

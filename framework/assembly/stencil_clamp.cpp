@@ -68,7 +68,7 @@ void clamp_stencils(const StencilBatch& batch, int first, int last, const std::v
     if (dofs.block(vertex) >= 0) return flags[dofs.block(vertex)] != 0;
     if (!dofs.mixed(vertex)) return false;
     const auto blocks = dofs.blocks(vertex);
-    return std::any_of(blocks.begin(), blocks.end(), [&](const DofMap::Part& part) { return flags[part.leaf] != 0; });
+    return std::any_of(blocks.begin(), blocks.end(), [&](const DofMap::WeightedIndex& entry) { return flags[entry.index] != 0; });
   };
   for (int s = first; s < last; ++s, slots += 9 * hessian_blocks(batch.arity)) {
     const int* v = batch.vertices + static_cast<size_t>(batch.arity) * s;

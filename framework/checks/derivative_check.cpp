@@ -113,7 +113,7 @@ std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseCloc
   world.dofs.gather(all, unit);
   const auto free_direction = [&](RandomDirections& random) {
     VecX d = unit.cwiseProduct(random(q.size()));
-    world.dofs.keep_held(VecX::Zero(start.size()), d);
+    world.dofs.copy_fixed_directions(VecX::Zero(start.size()), d);
     return d;
   };
   std::vector<DerivativeCheck> checks;

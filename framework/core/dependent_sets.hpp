@@ -14,8 +14,8 @@ namespace tack {
 inline void join_dependent(const DofMap& dofs, std::span<const int> set_of, DisjointSets& sets) {
   for (size_t k = 0; k < dofs.dependents().size(); ++k) {
     int first = set_of[dofs.dependents()[k]];
-    for (const DofMap::Part& part : dofs.parts(static_cast<int>(k))) {
-      const int set = set_of[part.leaf];
+    for (const DofMap::WeightedIndex& entry : dofs.independents(static_cast<int>(k))) {
+      const int set = set_of[entry.index];
       if (first >= 0 && set >= 0) sets.join(first, set);
       if (set >= 0) first = set;
     }

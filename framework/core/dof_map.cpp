@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/core/leaves.hpp"
+#include "framework/core/independent_vertices.hpp"
 
 namespace tack {
 
-DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, const std::vector<HeldDirections>& held)
+DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, const std::vector<FixedDirections>& fixed)
     : block_of_(movable.size(), -1) {
-  Leaves leaves(static_cast<int>(dependences.empty() ? 0 : movable.size()), dependences);
-  const auto depends = [&](int v) { return !dependences.empty() && leaves.depends(v); };
+  IndependentVertices independent(static_cast<int>(dependences.empty() ? 0 : movable.size()), dependences);
+  const auto depends = [&](int v) { return !dependences.empty() && independent.depends(v); };
   for (int i = 0; i < vertex_count(); ++i) {
     if (depends(i)) dependents_.push_back(i);
     if (!movable[i] || depends(i)) continue;
@@ -18,16 +18,16 @@ DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, co
     vertex_of_.push_back(i);
   }
   for (const int v : dependents_) {
-    std::vector<Part> blocks;
-    for (const auto& [leaf, weight] : leaves.of(v)) {
-      parts_.push_back({leaf, weight});
-      if (block_of_[leaf] >= 0) blocks.push_back({block_of_[leaf], weight});
+    std::vector<WeightedIndex> blocks;
+    for (const auto& [vertex, weight] : independent.of(v)) {
+      independents_.push_back({vertex, weight});
+      if (block_of_[vertex] >= 0) blocks.push_back({block_of_[vertex], weight});
     }
-    start_.push_back(static_cast<int>(parts_.size()));
+    start_.push_back(static_cast<int>(independents_.size()));
     if (blocks.empty()) continue;
     const bool shared = blocks.size() == 1 && blocks[0].weight == 1 && start_.back() - start_[start_.size() - 2] == 1;
     if (shared) {
-      block_of_[v] = blocks[0].leaf;
+      block_of_[v] = blocks[0].index;
       shares_ = true;
       continue;
     }
@@ -37,12 +37,12 @@ DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, co
     }
     mixed_[v] = 1;
     block_entry_[v] = static_cast<int>(block_start_.size()) - 1;
-    block_parts_.insert(block_parts_.end(), blocks.begin(), blocks.end());
-    block_start_.push_back(static_cast<int>(block_parts_.size()));
+    weighted_blocks_.insert(weighted_blocks_.end(), blocks.begin(), blocks.end());
+    block_start_.push_back(static_cast<int>(weighted_blocks_.size()));
   }
-  for (const HeldDirections& h : held)
-    if (owns(h.vertex)) held_blocks_.push_back({block_of_[h.vertex], h.held, h.twist});
-  std::sort(held_blocks_.begin(), held_blocks_.end(), [](const HeldBlock& a, const HeldBlock& b) { return a.block < b.block; });
+  for (const FixedDirections& h : fixed)
+    if (owns(h.vertex)) partly_fixed_blocks_.push_back({block_of_[h.vertex], h.projection, h.scalar});
+  std::sort(partly_fixed_blocks_.begin(), partly_fixed_blocks_.end(), [](const PartlyFixedBlock& a, const PartlyFixedBlock& b) { return a.block < b.block; });
 }
 
 void DofMap::gather(const VecX& x, VecX& q) const {
@@ -51,22 +51,22 @@ void DofMap::gather(const VecX& x, VecX& q) const {
 }
 
 void DofMap::scatter(const VecX& q, VecX& x) const {
-  std::vector<Vec3> kept;
-  for (const HeldBlock& h : held_blocks_) kept.emplace_back(h.held * (vertex(x, vertex_of_[h.block]) - q.segment<3>(3 * h.block)));
+  std::vector<Vec3> fixed;
+  for (const PartlyFixedBlock& h : partly_fixed_blocks_) fixed.emplace_back(h.projection * (vertex(x, vertex_of_[h.block]) - q.segment<3>(3 * h.block)));
   for (int b = 0; b < block_count(); ++b) vertex(x, vertex_of_[b]) = q.segment<3>(3 * b);
-  for (size_t i = 0; i < kept.size(); ++i) vertex(x, vertex_of_[held_blocks_[i].block]) += kept[i];
-  follow(x);
+  for (size_t i = 0; i < fixed.size(); ++i) vertex(x, vertex_of_[partly_fixed_blocks_[i].block]) += fixed[i];
+  update_dependents(x);
 }
 
-void DofMap::keep_held(const VecX& x, VecX& q) const {
-  for (const HeldBlock& h : held_blocks_)
-    q.segment<3>(3 * h.block) += h.held * (vertex(x, vertex_of_[h.block]) - q.segment<3>(3 * h.block));
+void DofMap::copy_fixed_directions(const VecX& x, VecX& q) const {
+  for (const PartlyFixedBlock& h : partly_fixed_blocks_)
+    q.segment<3>(3 * h.block) += h.projection * (vertex(x, vertex_of_[h.block]) - q.segment<3>(3 * h.block));
 }
 
-void DofMap::follow(VecX& x) const {
+void DofMap::update_dependents(VecX& x) const {
   for (size_t k = 0; k < dependents_.size(); ++k) {
     Vec3 sum = Vec3::Zero();
-    for (const Part& part : parts(static_cast<int>(k))) sum += part.weight * vertex(x, part.leaf);
+    for (const WeightedIndex& entry : independents(static_cast<int>(k))) sum += entry.weight * vertex(x, entry.index);
     vertex(x, dependents_[k]) = sum;
   }
 }
@@ -75,7 +75,7 @@ Dependences DofMap::dependences() const {
   Dependences all;
   for (size_t k = 0; k < dependents_.size(); ++k) {
     Dependence& d = all.emplace_back(Dependence{dependents_[k], {}});
-    for (const Part& part : parts(static_cast<int>(k))) d.on.emplace_back(part.leaf, part.weight);
+    for (const WeightedIndex& entry : independents(static_cast<int>(k))) d.on.emplace_back(entry.index, entry.weight);
   }
   return all;
 }
@@ -91,14 +91,14 @@ VecX DofMap::block_masses(const VecX& mass) const {
   VecX sum = own_masses(mass);
   for (int v = 0; v < vertex_count(); ++v)
     if (mixed(v))
-      for (const Part& part : blocks(v)) sum(part.leaf) += part.weight * part.weight * mass(v);
+      for (const WeightedIndex& entry : blocks(v)) sum(entry.index) += entry.weight * entry.weight * mass(v);
   return sum;
 }
 
-void DofMap::collect(VecX& forces) const {
+void DofMap::move_to_independents(VecX& forces) const {
   for (size_t k = 0; k < dependents_.size(); ++k) {
     const Vec3 force = vertex(forces, dependents_[k]);
-    for (const Part& part : parts(static_cast<int>(k))) vertex(forces, part.leaf) += part.weight * force;
+    for (const WeightedIndex& entry : independents(static_cast<int>(k))) vertex(forces, entry.index) += entry.weight * force;
     vertex(forces, dependents_[k]).setZero();
   }
 }

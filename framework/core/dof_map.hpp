@@ -21,24 +21,25 @@
 namespace tack {
 
 /// Fixed directions of a free vertex: a roller, a slider, a plane of symmetry.
-struct HeldDirections {
+struct FixedDirections {
   int vertex = -1;
-  Mat3 held = Mat3::Zero();  // projection onto the fixed directions
-  bool twist = false;        // the twist of an edge (rod/rod_frames.hpp), not a position
+  Mat3 projection = Mat3::Zero();  // onto the fixed directions
+  bool scalar = false;             // a scalar dof, not a position: the twist of an edge
 };
 
 /// Map between unknowns and vertices.
 class DofMap {
  public:
-  struct Part {
-    int leaf;       // a free or fixed vertex
+  /// A vertex or a block with a weight.
+  struct WeightedIndex {
+    int index;
     double weight;
   };
 
   DofMap() = default;
   /// movable[i]: 0 if vertex i is fixed. Throws InputError if a vertex depends on itself.
   explicit DofMap(std::span<const char> movable, const Dependences& dependences = {},
-                  const std::vector<HeldDirections>& held = {});
+                  const std::vector<FixedDirections>& fixed = {});
 
   int vertex_count() const { return static_cast<int>(block_of_.size()); }
   int block_count() const { return static_cast<int>(vertex_of_.size()); }
@@ -54,23 +55,26 @@ class DofMap {
   bool plain() const { return mixed_.empty() && !shares_; }
 
   /// A block with fixed directions, and the projection onto them; blocks ascend.
-  struct HeldBlock {
+  struct PartlyFixedBlock {
     int block;
-    Mat3 held;
-    bool twist;
+    Mat3 projection;
+    bool scalar;
   };
-  const std::vector<HeldBlock>& held_blocks() const { return held_blocks_; }
+  const std::vector<PartlyFixedBlock>& partly_fixed_blocks() const {
+    return partly_fixed_blocks_;
+  }
 
   const std::vector<int>& dependents() const { return dependents_; }  // ascending
   /// Returns the free and fixed vertices on which dependent vertex k depends, with weights.
-  std::span<const Part> parts(int k) const {
-    return {parts_.data() + start_[k], parts_.data() + start_[k + 1]};
+  std::span<const WeightedIndex> independents(int k) const {
+    return {independents_.data() + start_[k], independents_.data() + start_[k + 1]};
   }
-  Dependences dependences() const;  // on leaves alone
-  /// Returns the blocks (as `leaf`) that move a mixed vertex, with weights; blocks ascend.
-  std::span<const Part> blocks(int mixed_vertex) const {
+  Dependences dependences() const;  // on independent vertices alone
+  /// Returns the blocks that move a mixed vertex, with weights; blocks ascend.
+  std::span<const WeightedIndex> blocks(int mixed_vertex) const {
     const int k = block_entry_[mixed_vertex];
-    return {block_parts_.data() + block_start_[k], block_parts_.data() + block_start_[k + 1]};
+    return {weighted_blocks_.data() + block_start_[k],
+            weighted_blocks_.data() + block_start_[k + 1]};
   }
 
   /// q <- the positions of free vertices in x.
@@ -78,11 +82,11 @@ class DofMap {
   /// Sets free vertices of x to q, then updates dependent vertices. Fixed vertices stay.
   void scatter(const VecX& q, VecX& x) const;
   /// Copies the fixed directions of x into q.
-  void keep_held(const VecX& x, VecX& q) const;
+  void copy_fixed_directions(const VecX& x, VecX& q) const;
   /// Updates the dependent vertices of x from the others.
-  void follow(VecX& x) const;
-  /// Adds the forces on dependent vertices (3n) to the free and fixed vertices they depend on.
-  void collect(VecX& forces) const;
+  void update_dependents(VecX& x) const;
+  /// Moves the forces (3n) on dependent vertices to the vertices on which these depend.
+  void move_to_independents(VecX& forces) const;
   /// Returns per block the mass of the vertices that it alone moves [kg]. mass: n.
   VecX own_masses(const VecX& mass) const;
   /// Returns the diagonal of W^T M W per block [kg]. mass: n.
@@ -92,12 +96,12 @@ class DofMap {
   std::vector<int> block_of_;
   std::vector<int> vertex_of_;
   std::vector<int> dependents_, start_{0};
-  std::vector<Part> parts_;
-  std::vector<HeldBlock> held_blocks_;
+  std::vector<WeightedIndex> independents_;
+  std::vector<PartlyFixedBlock> partly_fixed_blocks_;
   std::vector<char> mixed_;  // per vertex; empty without any
   bool shares_ = false;
   std::vector<int> block_entry_, block_start_{0};
-  std::vector<Part> block_parts_;
+  std::vector<WeightedIndex> weighted_blocks_;
 };
 
 }  // namespace tack

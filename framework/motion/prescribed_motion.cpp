@@ -118,16 +118,16 @@ std::vector<char> PrescribedMotion::free(const std::vector<char>& active) const 
   return free;
 }
 
-std::vector<HeldDirections> PrescribedMotion::fixed_directions(const std::vector<char>& active) const {
+std::vector<FixedDirections> PrescribedMotion::fixed_directions(const std::vector<char>& active) const {
   const std::vector<char> free = this->free(active);
   std::map<int, Mat3> fixed;
   for (size_t i = 0; i < assignments_.size(); ++i)
     if (active[i] && assignments_[i].motion->partial())
       for (const int v : assignments_[i].vertices)
         if (free[v]) fixed.try_emplace(v, Mat3::Zero()).first->second += assignments_[i].motion->fixed_directions();
-  std::vector<HeldDirections> all;
+  std::vector<FixedDirections> all;
   for (const auto& [v, directions] : fixed) all.push_back({v, directions});
-  for (const HeldDirections& always : always_fixed_)
+  for (const FixedDirections& always : always_fixed_)
     if (free[always.vertex]) all.push_back(always);
   return all;
 }

@@ -35,8 +35,8 @@ class PrescribedMotion {
   // be called after all motions are added.
   void add_dependence(const Dependence& dependence);
   // Fixes directions of a vertex for the whole run, e.g. those of a scalar dof (unknowns.hpp).
-  void fix_always(const HeldDirections& fixed) { always_fixed_.push_back(fixed); }
-  const std::vector<HeldDirections>& always_fixed() const { return always_fixed_; }
+  void fix_always(const FixedDirections& fixed) { always_fixed_.push_back(fixed); }
+  const std::vector<FixedDirections>& always_fixed() const { return always_fixed_; }
   const std::vector<Assignment>& assignments() const { return assignments_; }
   int vertex_count() const { return static_cast<int>(ever_free_.size()); }
 
@@ -45,7 +45,7 @@ class PrescribedMotion {
   // Returns a flag per vertex: whether it is free in some direction.
   std::vector<char> free(const std::vector<char>& active) const;
   // Returns the vertices with fixed directions under the active motions.
-  std::vector<HeldDirections> fixed_directions(const std::vector<char>& active) const;
+  std::vector<FixedDirections> fixed_directions(const std::vector<char>& active) const;
   // Writes the positions prescribed by active motions at time t into x; reference, rest: 3n [m].
   void set_positions(const std::vector<char>& active, const VecX& rest, const VecX& reference, double t,
              VecX& x) const;
@@ -63,7 +63,7 @@ class PrescribedMotion {
   static void set_positions(const Assignment& assignment, const VecX& rest, const VecX& reference, double t, VecX& x);
 
   std::vector<Assignment> assignments_;
-  std::vector<HeldDirections> always_fixed_;
+  std::vector<FixedDirections> always_fixed_;
   std::vector<char> ever_fixed_, ever_free_, moves_;
   std::vector<int> rigid_group_;
   // Time spans [s] of vertices that are fixed in all directions for a part of the run.

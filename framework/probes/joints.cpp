@@ -41,14 +41,14 @@ DofMap unjoined(const World& world, const State& state) {
 Eigen::MatrixXd multipliers(const World& world, const State& state) {
   const DofMap dofs = unjoined(world, state);
   VecX unbalanced = unbalanced_forces(world, state);
-  dofs.collect(unbalanced);
+  dofs.move_to_independents(unbalanced);
   std::vector<Eigen::Triplet<double>> entries;  // block, relation, weight
   int relations = 0;
   for (const Joint& joint : world.constraints.joints())
     for (const Joint::Relation& relation : joint.relations) {
       for (const auto& [v, weight] : relation) {
         if (dofs.mixed(v))
-          for (const DofMap::Part& part : dofs.blocks(v)) entries.emplace_back(part.leaf, relations, weight * part.weight);
+          for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) entries.emplace_back(entry.index, relations, weight * entry.weight);
         else if (dofs.block(v) >= 0)
           entries.emplace_back(dofs.block(v), relations, weight);
       }
@@ -57,7 +57,7 @@ Eigen::MatrixXd multipliers(const World& world, const State& state) {
   std::map<int, int> row;  // row of each block
   for (const auto& entry : entries) row.try_emplace(entry.row());
   // Constraints share the load.
-  for (const DofMap::HeldBlock& held : dofs.held_blocks()) row.erase(held.block);
+  for (const DofMap::PartlyFixedBlock& held : dofs.partly_fixed_blocks()) row.erase(held.block);
   int rows = 0;
   for (auto& [block, number] : row) number = rows++;
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, relations), forces(rows, 3);

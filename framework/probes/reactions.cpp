@@ -15,11 +15,11 @@ namespace {
 // other forces, in its prescribed directions; zero for free vertices.
 VecX holding_forces(const World& world, const State& state) {
   VecX gradient = unbalanced_forces(world, state), held = VecX::Zero(state.x.size());
-  world.dofs.collect(gradient);
+  world.dofs.move_to_independents(gradient);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
     if (!world.dofs.moves(v)) vertex(held, v) = vertex(gradient, v);
-  for (const DofMap::HeldBlock& h : world.dofs.held_blocks())
-    if (const int v = world.dofs.vertex_of_block(h.block); !h.twist) vertex(held, v) = h.held * vertex(gradient, v);
+  for (const DofMap::PartlyFixedBlock& h : world.dofs.partly_fixed_blocks())
+    if (const int v = world.dofs.vertex_of_block(h.block); !h.scalar) vertex(held, v) = h.projection * vertex(gradient, v);
   return held;
 }
 

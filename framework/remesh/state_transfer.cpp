@@ -53,7 +53,7 @@ Momentum momentum_of(const World& world, int body, const State& s, const Vec3& a
 void restore_momentum(const World& old_world, const State& before, const World& new_world, int body, State& state) {
   const std::vector<char> active = new_world.prescribed_motion.active(state.time), free = new_world.prescribed_motion.free(active);
   std::vector<char> moving = free;
-  for (const HeldDirections& held : new_world.prescribed_motion.fixed_directions(active)) moving[held.vertex] = 0;
+  for (const FixedDirections& held : new_world.prescribed_motion.fixed_directions(active)) moving[held.vertex] = 0;
   std::vector<int> vertices;
   double mass = 0;
   Vec3 centre = Vec3::Zero();

@@ -67,8 +67,8 @@ State moved_state(const World& world, const State& before, const VecX& x, const 
   fit_frames(world, state.v);
   if (!world.constraints.joints().empty()) project_velocities(world.dofs, world.mass, state.v);
   const VecX asked = state.x;
-  world.dofs.follow(state.x);
-  world.dofs.follow(state.v);
+  world.dofs.update_dependents(state.x);
+  world.dofs.update_dependents(state.v);
   check_followed(world, asked, state.x);
   state.x_motion_start = before.x_motion_start;
   state.motion_active = before.motion_active;

@@ -204,7 +204,7 @@ void check_mass(const Value& root, const World& world) {
 void start_state(const SceneConfig& scene, World& world) {
   State& s = world.start;
   s.x = world.rest;
-  world.dofs.follow(s.x);
+  world.dofs.update_dependents(s.x);
   s.v = s.a = VecX::Zero(world.rest.size());
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const ObjectConfig& object = scene.objects[i];
@@ -221,7 +221,7 @@ void start_state(const SceneConfig& scene, World& world) {
     }
   }
   if (!world.constraints.joints().empty()) project_velocities(world.dofs, world.mass, s.v);
-  world.dofs.follow(s.v);
+  world.dofs.update_dependents(s.v);
 }
 
 // Calls action for each object and adds its source location to messages.

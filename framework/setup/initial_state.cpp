@@ -183,7 +183,7 @@ std::string start_from_run(const StartConfig& start, const InitialStateFromRun& 
   }
   copy_keyed_history(earlier, indices, s);
   copy_interactions(here, objects, start, earlier, world);
-  for (VecX* field : {&s.x, &s.v, &s.a}) world.dofs.follow(*field);
+  for (VecX* field : {&s.x, &s.v, &s.a}) world.dofs.update_dependents(*field);
   return fmt::format("{} of {} objects start as they were in {} (t = {:.6g} s)", objects.size(), scene.objects.size(), earlier.file, earlier.time);
 }
 

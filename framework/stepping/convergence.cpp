@@ -57,7 +57,7 @@ void Convergence::take_unknowns(const IncrementalPotential& potential) {
   smallest_mass_ = mass_.size() > 0 ? mass_.minCoeff() : 0;
   for_each_mixed([&](int v) {
     double sum = 0;
-    for (const DofMap::Part& part : dofs.blocks(v)) sum += part.weight * part.weight / mass_(part.leaf);
+    for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) sum += entry.weight * entry.weight / mass_(entry.index);
     smallest_mass_ = std::min(smallest_mass_, 1 / sum);
   });
 }
@@ -67,7 +67,7 @@ double Convergence::largest_way(const VecX& p) const {
   double largest = p.lpNorm<Eigen::Infinity>();
   for_each_mixed([&](int v) {
     Vec3 way = Vec3::Zero();
-    for (const DofMap::Part& part : world_.dofs.blocks(v)) way += part.weight * p.segment<3>(3 * part.leaf);
+    for (const DofMap::WeightedIndex& entry : world_.dofs.blocks(v)) way += entry.weight * p.segment<3>(3 * entry.index);
     largest = std::max(largest, way.lpNorm<Eigen::Infinity>());
   });
   return largest;

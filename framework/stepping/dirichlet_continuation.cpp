@@ -103,7 +103,7 @@ void DirichletContinuation::prepare(const VecX& x, const VecX& places) {
   std::vector<char> depends(world_.dofs.vertex_count(), 0);
   for (const int v : world_.dofs.dependents()) depends[v] = 1;
   std::vector<char> partly(world_.dofs.vertex_count(), 0);
-  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks()) partly[world_.dofs.vertex_of_block(h.block)] = 1;
+  for (const DofMap::PartlyFixedBlock& h : world_.dofs.partly_fixed_blocks()) partly[world_.dofs.vertex_of_block(h.block)] = 1;
   for (int v = 0; v < world_.dofs.vertex_count(); ++v)
     if ((!world_.dofs.moves(v) || partly[v]) && !depends[v] && vertex(x, v) != vertex(places, v)) moving.push_back(v);
   if (potential_ && moving == moving_) return;
@@ -117,12 +117,12 @@ void DirichletContinuation::prepare(const VecX& x, const VecX& places) {
 
 // Rollers that do not move keep their directions. Pulled vertices are free, except in directions
 // that no motion frees.
-std::vector<HeldDirections> DirichletContinuation::held_directions() const {
-  std::vector<HeldDirections> held;
+std::vector<FixedDirections> DirichletContinuation::held_directions() const {
+  std::vector<FixedDirections> held;
   const auto pulled = [&](int v) { return std::binary_search(moving_.begin(), moving_.end(), v); };
-  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks())
-    if (const int v = world_.dofs.vertex_of_block(h.block); !pulled(v)) held.push_back({v, h.held, h.twist});
-  for (const HeldDirections& always : world_.prescribed_motion.always_fixed())
+  for (const DofMap::PartlyFixedBlock& h : world_.dofs.partly_fixed_blocks())
+    if (const int v = world_.dofs.vertex_of_block(h.block); !pulled(v)) held.push_back({v, h.projection, h.scalar});
+  for (const FixedDirections& always : world_.prescribed_motion.always_fixed())
     if (pulled(always.vertex)) held.push_back(always);
   return held;
 }
@@ -178,12 +178,12 @@ void DirichletContinuation::minimize(Pull& pull, Result& result, const Minimizer
 bool DirichletContinuation::arrive(const VecX& places, VecX& x) const {
   VecX last = VecX::Zero(x.size());
   for (const int v : moving_) vertex(last, v) = vertex(places, v) - vertex(x, v);
-  dofs_.follow(last);
+  dofs_.update_dependents(last);
   if (steps_.largest_tried(x, last) < 1) return false;
   world_.participants.move_to(x);
   if (anything_debonds(world_, x, x + last)) return false;
   for (const int v : moving_) vertex(x, v) = vertex(places, v);
-  dofs_.follow(x);
+  dofs_.update_dependents(x);
   return true;
 }
 

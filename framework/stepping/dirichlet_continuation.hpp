@@ -45,7 +45,7 @@ class DirichletContinuation {
  private:
   struct Pull;
   void prepare(const VecX& x, const VecX& places);
-  std::vector<HeldDirections> held_directions() const;  // of the continuation
+  std::vector<FixedDirections> held_directions() const;  // of the continuation
   VecX masses(double pull, bool inertia) const;
   double stiffness(const VecX& x, const TimeIntegrator::Prediction& prediction);
   void minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer);

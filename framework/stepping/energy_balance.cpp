@@ -183,7 +183,7 @@ double EnergyBalance::load_work(const State& state, const VecX& way, double h) {
 void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) const {
   for (const int v : world_.dofs.dependents())
     if (world_.dofs.mixed(v)) vertex(gradient, v) += world_.mass(v) * (vertex(state.a, v) - world_.gravity);
-  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks()) {
+  for (const DofMap::PartlyFixedBlock& h : world_.dofs.partly_fixed_blocks()) {
     const int v = world_.dofs.vertex_of_block(h.block);
     vertex(gradient, v) += world_.mass(v) * (vertex(state.a, v) - world_.gravity);
   }
@@ -195,7 +195,7 @@ double EnergyBalance::prescribed_work(const VecX& way, const VecX& gradient, con
   VecX drag = VecX::Zero(way.size());
   for (const ForceRecord& record : world_.records.forces())
     if (!record.stored) record.add(x, "", drag);
-  for (VecX* forces : {&sum, &end, &drag}) world_.dofs.collect(*forces);
+  for (VecX* forces : {&sum, &end, &drag}) world_.dofs.move_to_independents(*forces);
   double work = 0, at_end = 0;
   const auto add = [&](int v, const Vec3& held_way) {
     const double mean = (vertex(sum, v) / 2 - vertex(drag, v)).dot(held_way), last = (vertex(end, v) - vertex(drag, v)).dot(held_way);
@@ -205,9 +205,9 @@ double EnergyBalance::prescribed_work(const VecX& way, const VecX& gradient, con
   };
   for (int v = 0; v < world_.dofs.vertex_count(); ++v)
     if (!world_.dofs.moves(v)) add(v, vertex(way, v));
-  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks()) {
+  for (const DofMap::PartlyFixedBlock& h : world_.dofs.partly_fixed_blocks()) {
     const int v = world_.dofs.vertex_of_block(h.block);
-    add(v, h.held * vertex(way, v));
+    add(v, h.projection * vertex(way, v));
   }
   jerk_ = std::max(0.0, at_end - work);
   return work;

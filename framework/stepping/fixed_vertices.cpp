@@ -95,7 +95,7 @@ void FixedVertices::set_positions(double t, VecX& x) const {
   prescribed_motion_.set_positions(active_, rest_, x_motion_start_, t, x);
   if (dofs_.dependents().empty()) return;
   const VecX prescribed = x;
-  dofs_.follow(x);
+  dofs_.update_dependents(x);
   for (size_t i = 0; i < prescribed_motion_.assignments().size(); ++i) {
     if (!active_[i] || prescribed_motion_.assignments()[i].motion->partial()) continue;
     for (const int v : prescribed_motion_.assignments()[i].vertices) check_affine(prescribed_motion_.assignments()[i], v, prescribed, x);
@@ -129,7 +129,7 @@ int FixedVertices::rotation_substeps(double t, double h) const {
 }
 
 bool FixedVertices::may_move() const {
-  const auto& partly = dofs_.held_blocks();
+  const auto& partly = dofs_.partly_fixed_blocks();
   return std::any_of(fixed_.begin(), fixed_.end(), [&](int v) { return prescribed_motion_.may_move(v); }) ||
          std::any_of(partly.begin(), partly.end(), [&](const auto& h) { return prescribed_motion_.moves(dofs_.vertex_of_block(h.block)); });
 }

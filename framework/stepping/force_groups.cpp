@@ -58,7 +58,7 @@ void ForceGroups::begin_unknowns(const World& world, const IncrementalPotential&
     if (rounding.size() == 0) continue;
     if (const int b = dofs.block(v); b >= 0) rounding_[b] += rounding(v);
     else
-      for (const DofMap::Part& part : dofs.blocks(v)) rounding_[part.leaf] += std::abs(part.weight) * rounding(v);
+      for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) rounding_[entry.index] += std::abs(entry.weight) * rounding(v);
   }
 }
 
@@ -66,7 +66,7 @@ void ForceGroups::find_body_groups(const DofMap& dofs, const IncrementalPotentia
   const int count = dofs.block_count();
   DisjointSets sets(count);
   std::vector<int> block(dofs.vertex_count());  // one of those that move the vertex
-  for (int v = 0; v < dofs.vertex_count(); ++v) block[v] = dofs.mixed(v) ? dofs.blocks(v)[0].leaf : dofs.block(v);
+  for (int v = 0; v < dofs.vertex_count(); ++v) block[v] = dofs.mixed(v) ? dofs.blocks(v)[0].index : dofs.block(v);
   join_dependent(dofs, block, sets);
   potential.for_each_lasting_stencil([&](std::span<const int> stencil) {
     int first = -1;
@@ -101,14 +101,14 @@ void ForceGroups::find_held(const DofMap& dofs, const IncrementalPotential& pote
   };
   potential.for_each_lasting_stencil([&](std::span<const int> stencil) { mark_if_fixed(stencil, [](int v) { return v; }); });
   for (size_t k = 0; k < dofs.dependents().size(); ++k)
-    if (dofs.mixed(dofs.dependents()[k])) mark_if_fixed(dofs.parts(static_cast<int>(k)), [](const DofMap::Part& part) { return part.leaf; });
+    if (dofs.mixed(dofs.dependents()[k])) mark_if_fixed(dofs.independents(static_cast<int>(k)), [](const DofMap::WeightedIndex& entry) { return entry.index; });
 }
 
 void ForceGroups::begin_step(const World& world) {
   load_force_.setZero(world.rest.size());
   world.gravity_term.add_linear_gradient(load_force_);
   world.load_term.add_linear_gradient(load_force_);
-  world.dofs.collect(load_force_);
+  world.dofs.move_to_independents(load_force_);
   load_.assign(groups(), 0);
   for_each(blocks(), [&](int b) {
     raise(load_[group_of_block_[b]], vertex(load_force_, world.dofs.vertex_of_block(b)).lpNorm<Eigen::Infinity>());

@@ -44,7 +44,7 @@ class ForceGroups {
   // Returns the smallest block of the block's contact group.
   int contact_group(int block) const { return first_block_[contact_root(block)]; }
   // Returns whether a stencil of the block's contact group ends at a fixed vertex. Directions in
-  // which a block is fixed do not count (DofMap::held_blocks).
+  // which a block is fixed do not count (DofMap::partly_fixed_blocks).
   bool held(int block) const { return held_[contact_root(block)]; }
   bool all_held() const { return free_ == 0; }
 

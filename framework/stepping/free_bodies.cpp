@@ -38,8 +38,8 @@ std::map<int, FreeGroup> free_groups(const World& world, const ForceGroups& grou
     group.bodies.insert(body);
     group.blocks.push_back(b);
   }
-  for (const DofMap::HeldBlock& h : world.dofs.held_blocks())
-    if (const auto group = free.find(groups.contact_group(h.block)); !h.twist && group != free.end()) group->second.held += h.held;
+  for (const DofMap::PartlyFixedBlock& h : world.dofs.partly_fixed_blocks())
+    if (const auto group = free.find(groups.contact_group(h.block)); !h.scalar && group != free.end()) group->second.held += h.projection;
   for (auto& [first, group] : free) {
     if (group.held.isZero(0)) continue;
     constexpr double not_held = 1e-9;  // of an eigenvalue: projections have 0 and 1

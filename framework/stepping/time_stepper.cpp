@@ -171,13 +171,13 @@ void TimeStepper::check_wall_limit(const std::string& wrong) const {
 
 // Treats the held directions of partly held vertices like those of held vertices.
 void TimeStepper::update_fixed_directions(const VecX& x, double h, VecX& v, VecX& a) const {
-  if (world_.dofs.held_blocks().empty()) return;
+  if (world_.dofs.partly_fixed_blocks().empty()) return;
   std::vector<int> vertices;
-  for (const DofMap::HeldBlock& held : world_.dofs.held_blocks()) vertices.push_back(world_.dofs.vertex_of_block(held.block));
+  for (const DofMap::PartlyFixedBlock& held : world_.dofs.partly_fixed_blocks()) vertices.push_back(world_.dofs.vertex_of_block(held.block));
   VecX v_fixed = v, a_fixed = a;
   integrator_->update_fixed(state_, x, h, vertices, v_fixed, a_fixed);
   for (size_t i = 0; i < vertices.size(); ++i) {
-    const Mat3& held = world_.dofs.held_blocks()[i].held;
+    const Mat3& held = world_.dofs.partly_fixed_blocks()[i].projection;
     vertex(v, vertices[i]) += held * (vertex(v_fixed, vertices[i]) - vertex(v, vertices[i]));
     vertex(a, vertices[i]) += held * (vertex(a_fixed, vertices[i]) - vertex(a, vertices[i]));
   }
@@ -192,8 +192,8 @@ void TimeStepper::commit(const VecX& x, double h) {
   integrator_->update(state_, x, contact, h, v, a);
   integrator_->update_fixed(state_, x, h, fixed_.vertices(), v, a);
   update_fixed_directions(x, h, v, a);
-  world_.dofs.follow(v);
-  world_.dofs.follow(a);
+  world_.dofs.update_dependents(v);
+  world_.dofs.update_dependents(a);
   fixed_.commit(state_);
   state_.x_before = std::exchange(state_.x, x);
   state_.v_before = std::exchange(state_.v, std::move(v));

@@ -37,12 +37,12 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   const VecX& gradient = potential_->gradient();
   const VecX accelerations = accelerations_by(-gradient);
   for (const int v : vertices) vertex(state_.a, v) = accelerations.segment<3>(3 * world_.dofs.block(v));
-  world_.dofs.follow(state_.a);
+  world_.dofs.update_dependents(state_.a);
   if (dynamic_terms_.empty()) return;
   const VecX contact = dynamic_accelerations(state_.x);
   if (state_.contact.size() == 0) state_.contact = VecX::Zero(contact.size());
   for (const int v : vertices) vertex(state_.contact, v) = vertex(contact, v);
-  world_.dofs.follow(state_.contact);
+  world_.dofs.update_dependents(state_.contact);
 }
 
 // Returns the accelerations by forces on the unknowns. Joints couple their masses; without joints
@@ -63,12 +63,12 @@ VecX TimeStepper::dynamic_accelerations(const VecX& x) const {
   VecX force = VecX::Zero(x.size());
   for (const Term* term : dynamic_terms_) add_term_gradient(*term, x, force);
   force = -force;
-  dofs.collect(force);
+  dofs.move_to_independents(force);
   VecX of_blocks, a = VecX::Zero(force.size());
   dofs.gather(force, of_blocks);
   of_blocks = accelerations_by(of_blocks);
   for (int b = 0; b < dofs.block_count(); ++b) vertex(a, dofs.vertex_of_block(b)) = of_blocks.segment<3>(3 * b);
-  dofs.follow(a);
+  dofs.update_dependents(a);
   return a;
 }
 

@@ -10,7 +10,7 @@ namespace {
 template <class Action>
 void for_each_part(const DofMap& dofs, int v, const Action& action) {
   if (dofs.mixed(v)) {
-    for (const DofMap::Part& part : dofs.blocks(v)) action(part.leaf, part.weight);
+    for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) action(entry.index, entry.weight);
   } else if (dofs.block(v) >= 0) {
     action(dofs.block(v), 1.0);
   }
@@ -21,7 +21,7 @@ void for_each_part(const DofMap& dofs, int v, const Action& action) {
 VecX divide_by_mass(const DofMap& dofs, const VecX& mass, const VecX& f) {
   using Triplet = Eigen::Triplet<double>;
   std::vector<Mat3> free(static_cast<size_t>(dofs.block_count()), Mat3::Identity());
-  for (const DofMap::HeldBlock& h : dofs.held_blocks()) free[static_cast<size_t>(h.block)] -= h.held;
+  for (const DofMap::PartlyFixedBlock& h : dofs.partly_fixed_blocks()) free[static_cast<size_t>(h.block)] -= h.projection;
   VecX diagonal = VecX::Zero(dofs.block_count()), rhs(dofs.size());
   std::vector<Triplet> entries;
   const auto add = [&](int a, int b, const Mat3& m) {
@@ -54,7 +54,7 @@ void project_velocities(const DofMap& dofs, const VecX& mass, VecX& v) {
       for_each_part(dofs, i, [&](int b, double w) { momentum.segment<3>(3 * b) += w * mass(i) * vertex(v, i); });
   q = divide_by_mass(dofs, mass, momentum);
   for (int b = 0; b < dofs.block_count(); ++b) vertex(v, dofs.vertex_of_block(b)) = q.segment<3>(3 * b);
-  dofs.follow(v);
+  dofs.update_dependents(v);
 }
 
 }  // namespace tack

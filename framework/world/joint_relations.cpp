@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "framework/core/leaves.hpp"
+#include "framework/core/independent_vertices.hpp"
 
 namespace tack {
 namespace {
@@ -51,7 +51,7 @@ void eliminate(std::vector<Weights>& rows, const std::set<int>& among, Dependenc
 }  // namespace
 
 SolvedJoints solve_joints(std::span<const Joint> joints, const std::vector<AffineFrame>& frames, const std::vector<char>& free, const Dependences& known) {
-  Leaves leaves(static_cast<int>(free.size()), known);
+  IndependentVertices leaves(static_cast<int>(free.size()), known);
   const auto open = [&](int v) { return free[v] && !leaves.depends(v); };
   std::set<int> of_frames, own_vertices;
   for (const AffineFrame& frame : frames)

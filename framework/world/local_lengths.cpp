@@ -23,8 +23,8 @@ class Lengths {
     // Vertices that others depend on are limited by these others, too.
     const std::vector<int>& dependents = world.dofs.dependents();
     for (size_t k = 0; k < dependents.size(); ++k)
-      for (const DofMap::Part& part : world.dofs.parts(static_cast<int>(k)))
-        lower(std::array{part.leaf}, lengths_(dependents[k]) / std::max(1.0, 4 * std::abs(part.weight)));
+      for (const DofMap::WeightedIndex& entry : world.dofs.independents(static_cast<int>(k)))
+        lower(std::array{entry.index}, lengths_(dependents[k]) / std::max(1.0, 4 * std::abs(entry.weight)));
   }
   const VecX& all() const { return lengths_; }
 

@@ -52,7 +52,7 @@ VecX LinearizedStep::imposed(const Step& step) {
 bool LinearizedStep::begin(const Step& step) {
   h_ = step.h;
   places_ = step.targets;
-  world_.dofs.follow(places_);
+  world_.dofs.update_dependents(places_);
   if (!potential_) potential_ = std::make_unique<StepPotential>(world_, clock_, terms_, world_.dofs, world_.mass);
   potential_->begin_step(step.state.x, step.prediction.x, step.prediction.scales(), true);
   VecX q;
@@ -81,8 +81,8 @@ void LinearizedStep::solve(Eigen::MatrixXd& rhs) {
 }
 
 void LinearizedStep::take_held_out(Eigen::Ref<VecX> column) const {
-  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks())
-    column.segment<3>(3 * h.block) -= (h.held * column.segment<3>(3 * h.block)).eval();
+  for (const DofMap::PartlyFixedBlock& h : world_.dofs.partly_fixed_blocks())
+    column.segment<3>(3 * h.block) -= (h.projection * column.segment<3>(3 * h.block)).eval();
 }
 
 }  // namespace tack

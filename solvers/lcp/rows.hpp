@@ -25,7 +25,7 @@ class Rows {
     if (dofs.block(v) >= 0) {
       add_block(dofs.block(v), along);
     } else if (dofs.mixed(v)) {
-      for (const DofMap::Part& part : dofs.blocks(v)) add_block(part.leaf, part.weight * along);
+      for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) add_block(entry.index, entry.weight * along);
     }
   }
   void finish() {

@@ -15,8 +15,8 @@ constexpr double weak_pull = 1e-6;
 ResidualModel::ResidualModel(Objective& objective) : squares_(objective.least_squares()), x_(squares_.x) {
   squares_.dofs.gather(x_, q_);
   held_.assign(squares_.dofs.block_count(), -1);
-  for (size_t i = 0; i < squares_.dofs.held_blocks().size(); ++i)
-    held_[squares_.dofs.held_blocks()[i].block] = static_cast<int>(i);
+  for (size_t i = 0; i < squares_.dofs.partly_fixed_blocks().size(); ++i)
+    held_[squares_.dofs.partly_fixed_blocks()[i].block] = static_cast<int>(i);
   lay_out();
   fold(objective.gradient());
 }
@@ -34,7 +34,7 @@ void ResidualModel::add(const ResidualBatch& batch, const int* vertices) {
   const auto for_each_part = [&](int v, const auto& act) {
     if (dofs.block(v) >= 0) act(dofs.block(v), 1.0);
     else if (dofs.mixed(v))
-      for (const DofMap::Part& part : dofs.blocks(v)) act(part.leaf, part.weight);
+      for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) act(entry.index, entry.weight);
   };
   const size_t first_block = blocks_.size(), first_weight = weights_.size();
   const auto place_of = [&](int block) { return std::find(blocks_.begin() + static_cast<std::ptrdiff_t>(first_block), blocks_.end(), block); };
@@ -68,7 +68,7 @@ void ResidualModel::reduce(const Stencil& s) {
         reduced.middleCols(3 * k, 3) += weight * own.middleCols(3 * i, 3);
   for (int k = 0; k < s.blocks; ++k)
     if (const int held = held_[blocks(s)[k]]; held >= 0)
-      reduced.middleCols(3 * k, 3) -= (reduced.middleCols(3 * k, 3) * squares_.dofs.held_blocks()[held].held).eval();
+      reduced.middleCols(3 * k, 3) -= (reduced.middleCols(3 * k, 3) * squares_.dofs.partly_fixed_blocks()[held].projection).eval();
 }
 
 bool ResidualModel::evaluate(bool with_jacobian) {

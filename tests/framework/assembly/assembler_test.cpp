@@ -271,7 +271,7 @@ TEST_CASE("degrees of freedom: dependent vertices follow, and hand on what acts 
   VecX forces = p.random.vectors(3 * vertices);
   const VecX expected = p.w.transpose() * forces;
   const Vec3 on_held = vertex(forces, 7) + 0.3 * vertex(forces, 9);
-  p.dofs.collect(forces);
+  p.dofs.move_to_independents(forces);
   VecX collected;
   p.dofs.gather(forces, collected);
   CHECK((collected - expected).norm() < 1e-13);

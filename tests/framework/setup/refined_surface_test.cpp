@@ -49,7 +49,7 @@ Contact contact_of(const std::string& yaml, double tilt, double height) {
     lowest = std::min(lowest, x(3 * v + 1));
   }
   for (int v = 0; v < cube.vertex_count; ++v) x(3 * v + 1) += height - lowest;
-  world.dofs.follow(x);
+  world.dofs.update_dependents(x);
   world.contact->begin_step({x});
   world.contact->move_to(x);
   VecX forces = world.contact_term->forces(x, LawTerm::all);
@@ -127,7 +127,7 @@ TEST_CASE("bodies with finer surfaces come to rest on each other and never meet"
     CHECK(run.sample(1)[1] == Approx(run.sample(0)[1]).epsilon(1e-9));
     // Where the corners put them.
     VecX x = run.state().x;
-    world.dofs.follow(x);
+    world.dofs.update_dependents(x);
     CHECK((x - run.state().x).lpNorm<Eigen::Infinity>() < 1e-15);
     // The profile takes the pair with its finer surfaces out of the world.
     CHECK(isolate(world, {0, 1}, run.state()).count.stencils() > 0);

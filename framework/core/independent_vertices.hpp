@@ -10,11 +10,11 @@
 
 namespace tack {
 
-class Leaves {
+class IndependentVertices {
  public:
   // The dependences must outlive this object.
-  Leaves(int vertices, const Dependences& dependences)
-      : of_(vertices, nullptr), state_(vertices, fresh), leaves_(vertices) {
+  IndependentVertices(int vertices, const Dependences& dependences)
+      : of_(vertices, nullptr), state_(vertices, fresh), independent_(vertices) {
     for (const Dependence& d : dependences) of_[d.vertex] = &d;
   }
 
@@ -22,21 +22,21 @@ class Leaves {
 
   // Returns the weights of the independent vertices of v. Throws InputError if v depends on itself.
   const std::map<int, double>& of(int v) {
-    if (state_[v] == done) return leaves_[v];
+    if (state_[v] == done) return independent_[v];
     if (state_[v] == open)
       throw InputError(
           "vertices follow each other in a circle (attach); let one of the objects lead");
     state_[v] = open;
     if (!of_[v]) {
-      leaves_[v] = {{v, 1.0}};
+      independent_[v] = {{v, 1.0}};
     } else {
       for (const auto& [on, weight] : of_[v]->on)
-        for (const auto& [leaf, part] : of(on)) leaves_[v][leaf] += weight * part;
-      std::erase_if(leaves_[v],
+        for (const auto& [vertex, factor] : of(on)) independent_[v][vertex] += weight * factor;
+      std::erase_if(independent_[v],
                     [](const auto& entry) { return std::abs(entry.second) < no_weight; });
     }
     state_[v] = done;
-    return leaves_[v];
+    return independent_[v];
   }
 
  private:
@@ -44,7 +44,7 @@ class Leaves {
   enum State : char { fresh, open, done };
   std::vector<const Dependence*> of_;
   std::vector<State> state_;
-  std::vector<std::map<int, double>> leaves_;
+  std::vector<std::map<int, double>> independent_;
 };
 
 }  // namespace tack
