@@ -9,7 +9,7 @@
 namespace tack {
 namespace {
 
-// The bodies of a pair, with vertices and objects numbered anew.
+// The bodies of a pair, with vertices and objects renumbered.
 class Cut {
  public:
   Cut(const World& world, ObjectIds pair) : bodies_{pair.first} {
@@ -29,7 +29,7 @@ class Cut {
   int object_of(int v) const { return object_[v]; }
   int number_of(int v) const { return number_[v]; }
 
-  // Their part of what there is `each` times for every vertex.
+  // Returns the rows of these bodies from a vector with `each` numbers per vertex.
   template <class Numbers>
   Numbers part(const Numbers& all, int each = 1) const {
     Numbers numbers(static_cast<size_t>(each) * vertices_.size());
@@ -37,7 +37,7 @@ class Cut {
     for (const int v : vertices_) out = std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(each) * v, each, out);
     return numbers;
   }
-  // Their part of a list of elements, numbered anew. keep(i) is told which.
+  // Returns the elements of these bodies, renumbered. Calls keep(i) for each.
   template <class Element, class Keep>
   std::vector<Element> elements(const std::vector<Element>& all, const Keep& keep) const {
     std::vector<Element> own;

@@ -17,7 +17,7 @@ struct ContactSeconds {
   std::array<double, evaluation_count> normal{},
       friction{};  // the stencils: value, gradient, Hessian
 
-  // Calls act(part of first, the same part of second) for each part.
+  // Calls act(member of first, equal member of second) for each time.
   template <class First, class Second, class Act>
   static void for_each(First& first, Second& second, const Act& act) {
     act(first.broad_phase, second.broad_phase);
@@ -35,7 +35,7 @@ struct ContactSeconds {
 
 struct IsolatedPair {
   PairCount count;         // as at the end of the step
-  ContactSeconds seconds;  // of one start of a step, the searches, one way to its end and one
+  ContactSeconds seconds;  // of one start of a step, the searches, one path to its end and one
                            // evaluation of each kind
 };
 

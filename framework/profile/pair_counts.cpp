@@ -11,7 +11,7 @@ class Counter {
 
   // Returns the counts of the objects of two vertices (global).
   PairCount& of(int v, int w) { return of_objects(std::minmax({mesh_.vertex_object[v], mesh_.vertex_object[w]})); }
-  // Neighbours in a list are mostly of the same pair.
+  // Successive stencils mostly belong to one pair.
   PairCount& of_objects(const ObjectIds& pair) {
     if (!last_ || pair != last_pair_) last_ = &counts_[pair], last_pair_ = pair;
     return *last_;
@@ -32,8 +32,8 @@ void count_candidates(const CollisionMesh& mesh, const Candidates& candidates, C
   for (const auto& [p, q] : candidates.point_point) ++counter.of(p, q).candidates;
 }
 
-// The edges of a pair have the law of its guards, unless all pairs of primitives simply add up.
-bool guards(const PairTable& pairs, int a, int b, int law) {
+// The edges of a pair have the law of its safety barrier, unless all pairs of primitives simply add up.
+bool is_safety_barrier(const PairTable& pairs, int a, int b, int law) {
   if (pairs.plain_sums) return false;
   for (int part = -1; part < pairs.region_pair_count(a, b); ++part)
     if (pairs.original_law(law) == pairs.edge(a, b, part).law) return true;
@@ -47,9 +47,9 @@ void count_stencils(const ContactSystem& contact, Counter& counter) {
     for (const auto& s : stencils) {
       const int v = s.vertices[0], w = s.vertices[Kind::first_vertices];
       PairCount& count = counter.of(v, w);
-      if constexpr (is_sample<Kind>) ++count.samples;
+      if constexpr (is_sample<Kind>) ++count.interior_points;
       else if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) ++count.edges;
-      else ++(guards(contact.pairs(), object[v], object[w], s.law) ? count.guards : count.points);
+      else ++(is_safety_barrier(contact.pairs(), object[v], object[w], s.law) ? count.safety_barriers : count.points);
     }
   });
 }
@@ -63,8 +63,8 @@ void count_friction(const ContactPoints& points, Counter& counter) {
 PairCount& PairCount::operator+=(const PairCount& other) {
   candidates += other.candidates;
   points += other.points;
-  samples += other.samples;
-  guards += other.guards;
+  interior_points += other.interior_points;
+  safety_barriers += other.safety_barriers;
   edges += other.edges;
   friction += other.friction;
   return *this;

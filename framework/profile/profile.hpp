@@ -1,4 +1,4 @@
-// Profile of a run (`tack profile`): tables of its costs, and remarks on what to change. Origin of
+// Profile of a run (`tack profile`): tables of its costs, and remarks on keys to change. Origin of
 // each number: docs/profiling.md.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace tack {
 
 struct PairCost {
-  std::string first, second;  // objects; the same for one with itself
+  std::string first, second;  // objects; equal for self-contact
   PairCount count;            // sums over the steps, each as it stood at its end
   int touching_steps = 0;     // at whose end it had active stencils
   ContactSeconds seconds;
@@ -35,7 +35,7 @@ struct HardStep {
 };
 
 struct LinearCost {
-  std::string description;  // what solved and why; empty for minimisers without
+  std::string description;  // linear solver and reason; empty for minimisers without
   long systems = 0, iterations = 0, factorizations = 0;
   bool automatic = false;  // the scene left the choice to `auto`
 };
@@ -43,7 +43,7 @@ struct LinearCost {
 // Steps that minimisers requested, and how many of them contact or inversion truncated below 0.9.
 struct StepCuts {
   long tried = 0, cut = 0;
-  double left = 0;  // sum over those that were cut: the part of them that was allowed
+  double left = 0;  // sum of the permitted fractions of truncated steps
 };
 
 // Distances of surfaces at the ends of steps with contact: the smallest distance over the contact
@@ -54,8 +54,8 @@ struct Nearness {
   double mean() const { return steps > 0 ? sum / steps : 0; }
 };
 
-// Contact range relative to the mesh of an object.
-struct Reach {
+// Contact range of an object, to compare with its mesh.
+struct ContactRange {
   std::string object;
   double edge = 0;   // mean length of its surface's edges [m]
   double range = 0;  // the largest of the laws between it and others [m]
@@ -70,17 +70,17 @@ struct Profile {
   long lag_iterations = 0;
   PhaseClock::Seconds phases{};
   std::vector<PairCost> pairs;  // most expensive first
-  ContactSeconds unshared;      // of contact, while no pair had candidates
+  ContactSeconds uncharged;      // of contact, while no pair had candidates
   std::vector<TermCost> terms;  // most expensive first
-  double gather_seconds = 0;    // what assembly takes beside the terms
+  double gather_seconds = 0;    // assembly, without the terms
   LinearCost linear;
   std::vector<HardStep> hardest;  // most iterations first
   StepCuts cuts;
   Nearness nearness;
-  std::vector<Reach> reaches;  // of objects that move, longest in edges first
+  std::vector<ContactRange> contact_ranges;  // of objects that move, longest in edges first
 
   double seconds() const;
-  double contact_seconds() const;  // of all pairs, and what is unshared
+  double contact_seconds() const;  // of all pairs, and uncharged
   double phase(Phase phase) const { return phases[static_cast<int>(phase)]; }
 };
 

@@ -34,14 +34,14 @@ void add_pairs(Table& t, const Profile& p) {
     const std::string row = pair.first + " - " + pair.second;
     t.add("pair", row, "candidates", pair.count.candidates);
     t.add("pair", row, "points", pair.count.points);
-    t.add("pair", row, "samples", pair.count.samples);
-    t.add("pair", row, "guards", pair.count.guards);
+    t.add("pair", row, "samples", pair.count.interior_points);
+    t.add("pair", row, "guards", pair.count.safety_barriers);
     t.add("pair", row, "edges", pair.count.edges);
     t.add("pair", row, "friction", pair.count.friction);
     t.add("pair", row, "touching_steps", pair.touching_steps);
     add_seconds(t, row, pair.seconds);
   }
-  if (!p.pairs.empty()) add_seconds(t, "none", p.unshared);
+  if (!p.pairs.empty()) add_seconds(t, "none", p.uncharged);
 }
 
 void add_terms(Table& t, const Profile& p) {
@@ -77,7 +77,7 @@ void write_profile(const std::filesystem::path& path, const Profile& p) {
     t.add("hardest", std::to_string(step.step), "iterations", step.iterations);
     t.add("hardest", std::to_string(step.step), "blocker", step.blocker);
   }
-  for (const Reach& r : p.reaches) t.add("reach", r.object, "edges", r.range / r.edge);
+  for (const ContactRange& r : p.contact_ranges) t.add("reach", r.object, "edges", r.range / r.edge);
   const std::vector<std::string> remarks = remarks_on(p);
   for (size_t i = 0; i < remarks.size(); ++i) t.add("remark", std::to_string(i + 1), "text", remarks[i]);
   replace_file(path, t.text());

@@ -90,8 +90,8 @@ class Remarks {
   }
 
   void long_reach() {
-    if (p_.reaches.empty() || p_.reaches[0].range < long_range * p_.reaches[0].edge) return;
-    const Reach& r = p_.reaches[0];
+    if (p_.contact_ranges.empty() || p_.contact_ranges[0].range < long_range * p_.contact_ranges[0].edge) return;
+    const ContactRange& r = p_.contact_ranges[0];
     add(p_.contact_seconds(), "contact reaches over {:.2g} edges of '{}' ({:.3g} m, edges of {:.3g} m), and takes {:.0f}% of "
         "the run: lower `contact.distance` (or the range of its adhesion), or coarsen that mesh",
         r.range / r.edge, r.object, r.range, r.edge, percent(p_.contact_seconds(), all_));

@@ -9,7 +9,7 @@
 namespace tack {
 namespace {
 
-constexpr size_t most_rows = 12;
+constexpr size_t rows_max = 12;
 
 class Text {
  public:
@@ -37,14 +37,14 @@ class Text {
   // Returns the column width for names that may be long.
   template <class Rows, class Name>
   static size_t width_of(const Rows& rows, size_t least, const Name& name) {
-    for (size_t i = 0; i < std::min(rows.size(), most_rows); ++i) least = std::max(least, name(rows[i]).size());
+    for (size_t i = 0; i < std::min(rows.size(), rows_max); ++i) least = std::max(least, name(rows[i]).size());
     return least + 1;
   }
   static std::string name_of(const PairCost& pair) {
     return pair.is_self() ? pair.first + " with itself" : pair.first + " - " + pair.second;
   }
   void more(size_t rows, double seconds) {
-    if (rows > most_rows) line("{} more, {:.3f} s", rows - most_rows, seconds);
+    if (rows > rows_max) line("{} more, {:.3f} s", rows - rows_max, seconds);
   }
 
   void phases() {
@@ -65,12 +65,12 @@ class Text {
     line("\ncontact, counts per step");
     line("{:<{}}{:>11}{:>9}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}{:>7}", "pair", width, "candidates", "points",
          "samples", "guards", "edges", "friction", "broad s", "narrow s", "ccd s", "stencil s", "frict. s", "total s", "%");
-    ContactSeconds sum = p_.unshared;
+    ContactSeconds sum = p_.uncharged;
     PairCount counts;
     double rest = 0;
     for (size_t i = 0; i < p_.pairs.size(); ++i) {
       const PairCost& pair = p_.pairs[i];
-      if (i < most_rows) pair_line(name_of(pair), width, pair.count, pair.seconds);
+      if (i < rows_max) pair_line(name_of(pair), width, pair.count, pair.seconds);
       else rest += pair.seconds.total();
       ContactSeconds::for_each(sum, pair.seconds, [](double& all, double part) { all += part; });
       counts += pair.count;
@@ -81,7 +81,7 @@ class Text {
   void pair_line(const std::string& name, size_t width, const PairCount& c, const ContactSeconds& s) {
     const auto mean = [&](long sum) { return double(sum) / steps_; };
     line("{:<{}}{:>11.0f}{:>9.0f}{:>9.0f}{:>9.0f}{:>9.0f}{:>10.0f}{:>9.3f}{:>9.3f}{:>9.3f}{:>10.3f}{:>10.3f}{:>9.3f}{:>7.1f}", name,
-         width, mean(c.candidates), mean(c.points), mean(c.samples), mean(c.guards), mean(c.edges), mean(c.friction),
+         width, mean(c.candidates), mean(c.points), mean(c.interior_points), mean(c.safety_barriers), mean(c.edges), mean(c.friction),
          s.broad_phase, s.narrow_phase, s.ccd, s.normal_stencils(), s.friction_stencils(), s.total(),
          100 * s.total() / std::max(p_.contact_seconds(), 1e-300));
   }
@@ -94,7 +94,7 @@ class Text {
     double rest = 0;
     for (size_t i = 0; i < p_.terms.size(); ++i) {
       const TermCost& term = p_.terms[i];
-      if (i >= most_rows) {
+      if (i >= rows_max) {
         rest += term.seconds();
         continue;
       }

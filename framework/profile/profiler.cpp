@@ -12,8 +12,8 @@
 namespace tack {
 namespace {
 
-constexpr int interval = 10;       // iterations between two looks at the pairs
-constexpr size_t kept_steps = 5;   // those with most iterations
+constexpr int interval = 10;       // iterations between two measurements of the pairs
+constexpr size_t stored_steps = 5;   // those with most iterations
 constexpr double hardly_cut = 0.9;  // of a step
 
 double seconds_in(const PhaseClock::Seconds& phases, Phase phase) { return phases[static_cast<int>(phase)]; }
@@ -49,7 +49,7 @@ void Profiler::step(const State& state, const StepReport& report) {
     ++totals_.nearness.steps;
     totals_.nearness.sum += report.min_distance / contact_distance_;
   }
-  keep_if_hard(report);
+  store_if_hard(report);
   cut_ = {};
   if (!world_.contact) return;
   for (const auto& [ids, count] : count_pairs(*world_.contact, world_.friction.get())) {
@@ -57,15 +57,15 @@ void Profiler::step(const State& state, const StepReport& report) {
     pair.count += count;
     pair.touching_steps += count.stencils() > 0 ? 1 : 0;
   }
-  unshared_iterations_ += report.solve.iterations;
-  if (unshared_iterations_ >= interval) share(state);
+  uncharged_iterations_ += report.solve.iterations;
+  if (uncharged_iterations_ >= interval) charge_pairs(state);
 }
 
-void Profiler::keep_if_hard(const StepReport& report) {
+void Profiler::store_if_hard(const StepReport& report) {
   Hard hard{{report.step, report.time, report.solve.iterations, ""}, std::move(cut_)};
   const auto easier = [](const Hard& a, const Hard& b) { return a.step.iterations > b.step.iterations; };
   hardest_.insert(std::upper_bound(hardest_.begin(), hardest_.end(), hard, easier), std::move(hard));
-  if (hardest_.size() > kept_steps) hardest_.pop_back();
+  if (hardest_.size() > stored_steps) hardest_.pop_back();
 }
 
 // Returns the times of contact in the run so far.
@@ -80,11 +80,11 @@ ContactSeconds Profiler::contact_seconds() const {
   return sum;
 }
 
-// Charges the pairs with what contact took since the last time.
-void Profiler::share(const State& state) {
-  unshared_iterations_ = 0;
+// Charges the pairs with the time of contact since the last call.
+void Profiler::charge_pairs(const State& state) {
+  uncharged_iterations_ = 0;
   ContactSeconds taken = contact_seconds(), alone;
-  ContactSeconds::for_each(taken, shared_, [](double& part, double& before) {
+  ContactSeconds::for_each(taken, charged_, [](double& part, double& before) {
     const double now = part;
     part -= std::exchange(before, now);
   });
@@ -100,7 +100,7 @@ void Profiler::share(const State& state) {
     ContactSeconds::for_each(pairs_[ids].seconds, seconds, [](double& sum, double part) { sum += part; });
     ContactSeconds::for_each(taken, seconds, [](double& left, double part) { left -= part; });
   }
-  ContactSeconds::for_each(unshared_, taken, [](double& sum, double left) { sum += std::max(left, 0.0); });
+  ContactSeconds::for_each(uncharged_, taken, [](double& sum, double left) { sum += std::max(left, 0.0); });
 }
 
 std::vector<PairCost> Profiler::pairs() const {
@@ -132,7 +132,7 @@ std::vector<TermCost> Profiler::terms() const {
   return all;
 }
 
-std::vector<Reach> Profiler::reaches() const {
+std::vector<ContactRange> Profiler::contact_ranges() const {
   if (!world_.contact) return {};
   const ContactSurface& surface = world_.contact->surface();
   const PairTable& pairs = world_.contact->pairs();
@@ -144,21 +144,21 @@ std::vector<Reach> Profiler::reaches() const {
   }
   const auto examples = pairs.classes().examples();
   const auto kind = [&](int object) { return pairs.classes().of(object); };
-  std::vector<Reach> all;
+  std::vector<ContactRange> all;
   for (size_t i = 0; i < world_.bodies.size(); ++i) {
     if (!world_.bodies[i].movable || edges[i] == 0) continue;
-    Reach reach{world_.bodies[i].name, length[i] / edges[i]};
+    ContactRange one{world_.bodies[i].name, length[i] / edges[i]};
     for (const auto& [a, b] : examples)
       if (kind(a) == kind(static_cast<int>(i)) || kind(b) == kind(static_cast<int>(i)))
-        reach.range = std::max({reach.range, pairs.point(a, b).range_max(), pairs.point(b, a).range_max()});
-    all.push_back(std::move(reach));
+        one.range = std::max({one.range, pairs.point(a, b).range_max(), pairs.point(b, a).range_max()});
+    all.push_back(std::move(one));
   }
   std::stable_sort(all.begin(), all.end(),
-                   [](const Reach& a, const Reach& b) { return a.range / a.edge > b.range / b.edge; });
+                   [](const ContactRange& a, const ContactRange& b) { return a.range / a.edge > b.range / b.edge; });
   return all;
 }
 
-// Names what stood in the way, with filters of its own on the contact system of the world.
+// Returns the hardest steps with their blockers. Makes its own filters on the contact system.
 std::vector<HardStep> Profiler::hardest() {
   const auto filters = attached_filters({world_.contact.get(), world_.tets, clock_});
   std::vector<HardStep> all;
@@ -187,11 +187,11 @@ Profile Profiler::finish(const State& state, const RunSummary& summary) {
   totals_.phases = summary.phases;
   if (world_.contact && state.h_before > 0) {
     const ClockPause pause(clock_);
-    share(state);
+    charge_pairs(state);
   }
   Profile profile = totals_;
   profile.pairs = pairs();
-  profile.unshared = unshared_;
+  profile.uncharged = uncharged_;
   profile.terms = terms();
   profile.gather_seconds = profile.phase(Phase::assembly);
   for (const TermCost& term : profile.terms)
@@ -200,14 +200,14 @@ Profile Profiler::finish(const State& state, const RunSummary& summary) {
   profile.linear = linear(summary);
   profile.hardest = hardest();
   profile.cuts = cuts_;
-  profile.reaches = reaches();
+  profile.contact_ranges = contact_ranges();
   return profile;
 }
 
 double Profile::seconds() const { return std::accumulate(phases.begin(), phases.end(), 0.0); }
 
 double Profile::contact_seconds() const {
-  double sum = unshared.total();
+  double sum = uncharged.total();
   for (const PairCost& pair : pairs) sum += pair.seconds.total();
   return sum;
 }

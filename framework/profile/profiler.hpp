@@ -42,11 +42,11 @@ class Profiler {
   };
 
   ContactSeconds contact_seconds() const;
-  void share(const State& state);
-  void keep_if_hard(const StepReport& report);
+  void charge_pairs(const State& state);
+  void store_if_hard(const StepReport& report);
   std::vector<TermCost> terms() const;
   std::vector<PairCost> pairs() const;
-  std::vector<Reach> reaches() const;
+  std::vector<ContactRange> contact_ranges() const;
   std::vector<HardStep> hardest();
   LinearCost linear(const RunSummary& summary) const;
 
@@ -61,11 +61,11 @@ class Profiler {
     ContactSeconds seconds;
   };
   std::map<ObjectIds, Pair> pairs_;
-  ContactSeconds shared_;    // that pairs have been charged with, or nobody
-  ContactSeconds unshared_;  // that nobody has
-  int unshared_iterations_ = 0;  // since contact was shared last
+  ContactSeconds charged_;    // contact times at the last call of charge_pairs
+  ContactSeconds uncharged_;  // contact times of no pair
+  int uncharged_iterations_ = 0;  // since that call
   StepCuts cuts_;
-  CutStep cut_;  // of the step under way, the one that was cut the most
+  CutStep cut_;  // the most truncated one of the present step
   std::vector<Hard> hardest_;
   Profile totals_;
 };

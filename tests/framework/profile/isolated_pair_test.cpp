@@ -20,8 +20,8 @@ TEST_CASE("pairs alone have the stencils that they have among others") {
     CAPTURE(ids.first, ids.second);
     const IsolatedPair alone = isolate(*world, ids, simulation.state());
     CHECK(alone.count.points == count.points);
-    CHECK(alone.count.samples == count.samples);
-    CHECK(alone.count.guards == count.guards);
+    CHECK(alone.count.interior_points == count.interior_points);
+    CHECK(alone.count.safety_barriers == count.safety_barriers);
     CHECK(alone.count.edges == count.edges);
     CHECK(alone.count.friction == count.friction);
     CHECK(alone.seconds.narrow_phase > 0);

@@ -55,15 +55,15 @@ TEST_CASE("idle pairs are counted together") {
   CHECK(remarks_on(p).empty());
 }
 
-TEST_CASE("a range of many edges is told where contact costs") {
+TEST_CASE("a range of many edges is remarked on where contact is expensive") {
   Profile p = quiet();
-  p.reaches = {{"mat", 1e-3, 8e-3}};
+  p.contact_ranges = {{"mat", 1e-3, 8e-3}};
   CHECK(remarks_on(p).empty());
   p.pairs = {pair_of("floor", "mat", 3, 100)};
   CHECK_THAT(remarks_on(p).at(0), Contains("8 edges of 'mat'") && Contains("`contact.distance`"));
 }
 
-TEST_CASE("the linear solver's remark depends on what the scene says and on its iterations") {
+TEST_CASE("the linear solver's remark depends on the scene's choice and on its iterations") {
   Profile p = quiet();
   phase_of(p, Phase::solve) = 9.9;
   CHECK(remarks_on(p).empty());
@@ -91,7 +91,7 @@ TEST_CASE("where steps are cut, how near surfaces came tells whether the barrier
   CHECK_THAT(remarks_on(p).at(0), Contains("a smaller `time.step`"));
 }
 
-TEST_CASE("of many remarks the five most expensive are told, in order") {
+TEST_CASE("the five most expensive remarks are printed, in order") {
   Profile p = quiet();
   phase_of(p, Phase::assembly) = 0;
   phase_of(p, Phase::solve) = 50;
