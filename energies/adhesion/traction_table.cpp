@@ -22,10 +22,10 @@ void check_gaps(const QuantityTable& table) {
   if (gap.size() < 2)
     throw InputError(fmt::format("{}: has {} of gaps and tractions; a curve needs two", table.path, gap.empty() ? "no row" : "one row"));
   for (size_t i = 0; i < gap.size(); ++i) {
-    if (gap[i] < 0) throw InputError(fmt::format("{}the gap {:.6g} m is negative; gaps count from where surfaces touch", table.place(i), gap[i]));
+    if (gap[i] < 0) throw InputError(fmt::format("{}the gap {:.6g} m is negative; gaps count from where surfaces touch", table.location(i), gap[i]));
     if (i > 0 && gap[i] <= gap[i - 1])
       throw InputError(fmt::format("{}the gap {:.6g} m is not above that of the row before, {:.6g} m; sort the rows by gap, and keep one of those with equal gaps",
-                                   table.place(i), gap[i], gap[i - 1]));
+                                   table.location(i), gap[i], gap[i - 1]));
   }
 }
 

@@ -51,7 +51,7 @@ MeasuredPoints points_of(const MeasuredExperiment& e, const Experiment& scene) {
     for (size_t i = 0; i < points.curve.size(); ++i)
       if (points.curve.x[i] < 0 || points.curve.x[i] > scene.time.duration * (1 + 1e-9))
         throw InputError(fmt::format("{}: was measured at {:.6g} s, and the run goes from 0 to {:.6g} s: let it last longer (time.duration), or leave the point "
-                                     "out (from, to)", points.curve.place(i), points.curve.x[i], scene.time.duration));
+                                     "out (from, to)", points.curve.location(i), points.curve.x[i], scene.time.duration));
   return points;
 }
 

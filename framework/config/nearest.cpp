@@ -8,11 +8,11 @@
 namespace tack {
 namespace {
 
-// A key by its name in other programs and papers (`other`) and in scenes (`here`).
-struct OtherName {
-  std::string_view other, here;
+// A key by its name in other programs and papers (`foreign`) and in scenes (`key`).
+struct ForeignName {
+  std::string_view foreign, key;
 };
-constexpr OtherName other_names[] = {
+constexpr ForeignName foreign_names[] = {
     {"dt", "step"}, {"h", "step"}, {"timestep", "step"}, {"time_step", "step"}, {"t_end", "duration"}, {"end_time", "duration"},
     {"e", "young"}, {"youngs_modulus", "young"}, {"young_modulus", "young"}, {"elastic_modulus", "young"}, {"shear_modulus", "young"},
     {"nu", "poisson"}, {"poissons_ratio", "poisson"}, {"poisson_ratio", "poisson"}, {"rho", "density"},
@@ -23,11 +23,11 @@ constexpr OtherName other_names[] = {
 };
 
 // Returns our name for a name of other programs, if it is among `names`; "" otherwise.
-std::string name_here(std::string_view word, const std::vector<std::string>& names) {
+std::string key_of_foreign_name(std::string_view word, const std::vector<std::string>& names) {
   std::string lower(word);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const auto& [other, here] : other_names)
-    if (lower == other && std::find(names.begin(), names.end(), here) != names.end()) return std::string(here);
+  for (const auto& [foreign, key] : foreign_names)
+    if (lower == foreign && std::find(names.begin(), names.end(), key) != names.end()) return std::string(key);
   return "";
 }
 
@@ -69,7 +69,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
 std::string suggestion(std::string_view word, const std::vector<std::string>& names,
                        std::string_view label) {
   if (names.empty()) return fmt::format("; there are no {}", label);
-  std::string near = name_here(word, names);
+  std::string near = key_of_foreign_name(word, names);
   if (near.empty()) near = nearest(word, names);
   const std::string list = fmt::format(" ({}: {})", label, fmt::join(names, ", "));
   return near.empty() ? list : fmt::format("; did you mean '{}'?{}", near, list);

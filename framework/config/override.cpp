@@ -15,12 +15,12 @@
 namespace tack {
 namespace {
 
-void place_marks(Value& v, const SourceMark& mark) {
+void set_marks(Value& v, const SourceMark& mark) {
   v.mark = mark;
-  for (Value& item : v.items) place_marks(item, mark);
+  for (Value& item : v.items) set_marks(item, mark);
   for (Value::Entry& e : v.entries) {
     e.mark = mark;
-    place_marks(e.value, mark);
+    set_marks(e.value, mark);
   }
 }
 
@@ -81,7 +81,7 @@ Value& in_map(Value& map, const std::string& key, const SourceMark& origin) {
 }
 
 // Returns the full path of a parameter given by its name alone, unless the name is a key.
-std::string whole_path(const Value& root, const std::string& path) {
+std::string full_path(const Value& root, const std::string& path) {
   const Value* parameters = path.find('.') == path.npos && !root.find(path) ? root.find("parameters") : nullptr;
   return parameters && parameters->find(path) ? "parameters." + path : path;
 }
@@ -96,7 +96,7 @@ void apply_override(Value& root, const std::string& assignment) {
     throw InputError(origin.text() + ": expects key=value or path.to.key=value");
   }
   Value replacement = read_yaml(assignment.substr(equals + 1), *name);
-  place_marks(replacement, origin);
+  set_marks(replacement, origin);
   set_at(root, assignment.substr(0, equals), std::move(replacement));
 }
 
@@ -108,7 +108,7 @@ Value with_overrides(Value root, const std::vector<std::string>& assignments) {
 void set_at(Value& root, const std::string& path, Value value) {
   const SourceMark origin = value.mark;
   Value* node = &root;
-  for (const std::string& segment : split_path(whole_path(root, path), origin)) {
+  for (const std::string& segment : split_path(full_path(root, path), origin)) {
     node = node->is_sequence() ? &in_list(*node, segment, origin) : &in_map(*node, segment, origin);
   }
   *node = std::move(value);
@@ -116,7 +116,7 @@ void set_at(Value& root, const std::string& path, Value value) {
 
 const Value* value_at(const Value& root, const std::string& path) {
   const Value* node = &root;
-  std::istringstream stream(whole_path(root, path));
+  std::istringstream stream(full_path(root, path));
   for (std::string segment; node && std::getline(stream, segment, '.');)
     node = node->is_sequence() ? entry_of(*node, segment) : node->find(segment);
   return node;

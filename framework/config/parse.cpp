@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 // Limit of values: includes of includes can grow exponentially, and no scene comes near this
 // number.
-constexpr std::size_t most_values = 1'000'000;
+constexpr std::size_t values_max = 1'000'000;
 
 // State of reading a file with its includes.
 struct Reading {
@@ -80,8 +80,8 @@ Value expand_includes(Value root, Reading& reading) {
   Value merged = Value::map();
   for (const Value& file : included_files(entry->value)) {
     merge(merged, load_included(file, reading));
-    if (count_values(merged) > most_values)
-      throw InputError(fmt::format("{}: include: makes more than {} values of what it includes; include each file once", file.mark.text(), most_values));
+    if (count_values(merged) > values_max)
+      throw InputError(fmt::format("{}: include: makes more than {} values of what it includes; include each file once", file.mark.text(), values_max));
   }
   root.entries.erase(entry);
   merge(merged, std::move(root));

@@ -97,37 +97,37 @@ class Lines {
   char separator_ = 0;
 };
 
-size_t column_of(const QuantityColumn& wanted, const std::vector<Heading>& headings, const std::string& place) {
+size_t column_of(const QuantityColumn& wanted, const std::vector<Heading>& headings, const std::string& location) {
   std::vector<std::string> names;
   size_t found = headings.size();
   for (size_t i = 0; i < headings.size(); ++i) {
     names.push_back(headings[i].name);
     if (lower_case(headings[i].name) != lower_case(wanted.name)) continue;
-    if (found < headings.size()) throw InputError(fmt::format("{}two columns are called '{}'; rename one of them", place, wanted.name));
+    if (found < headings.size()) throw InputError(fmt::format("{}two columns are called '{}'; rename one of them", location, wanted.name));
     found = i;
   }
   if (found < headings.size()) return found;
   if (std::all_of(names.begin(), names.end(), [](const std::string& name) { return number_in(name).has_value(); }))
-    throw InputError(fmt::format("{}the first line has to name the columns, with their units: \"{} [{}]\", say, for one of them", place, wanted.name, wanted.unit.si));
-  throw InputError(fmt::format("{}there is no column '{}' among '{}'; rename one, or say which one it is by {}", place, wanted.name,
+    throw InputError(fmt::format("{}the first line has to name the columns, with their units: \"{} [{}]\", say, for one of them", location, wanted.name, wanted.unit.si));
+  throw InputError(fmt::format("{}there is no column '{}' among '{}'; rename one, or say which one it is by {}", location, wanted.name,
                                fmt::join(names, "', '"), wanted.key));
 }
 
-double factor_of(const std::string& unit, const QuantityColumn& wanted, const std::string& place) {
+double factor_of(const std::string& unit, const QuantityColumn& wanted, const std::string& location) {
   if (unit.empty()) return 1;
   try {
     return to_si("1 " + unit, wanted.unit);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}column '{}': {}", place, wanted.name, error.what()));
+    throw InputError(fmt::format("{}column '{}': {}", location, wanted.name, error.what()));
   }
 }
 
-double read_number(const std::string& cell, double factor, const QuantityColumn& wanted, const std::string& place) {
+double read_number(const std::string& cell, double factor, const QuantityColumn& wanted, const std::string& location) {
   const auto number = number_in(cell);
   if (number && std::isfinite(factor * *number)) return factor * *number;
   const bool comma = !number && cell.find(',') != cell.npos && cell.find_first_not_of("+-0123456789,.eE") == cell.npos;
   const std::string why = number ? "is not finite" : cell.empty() ? "is empty" : comma ? "has a comma; write numbers with a point" : "is no number";
-  throw InputError(fmt::format("{}{} '{}' {}; mend or remove this line", place, wanted.name, cell, why));
+  throw InputError(fmt::format("{}{} '{}' {}; mend or remove this line", location, wanted.name, cell, why));
 }
 
 // Returns true for a line with at least as many cells as the first line and no text beyond them.
@@ -148,7 +148,7 @@ std::string bare_unit(std::string_view cell) {
 
 }  // namespace
 
-std::string QuantityTable::place(size_t row) const { return fmt::format("{}:{}: ", path, lines.at(row)); }
+std::string QuantityTable::location(size_t row) const { return fmt::format("{}:{}: ", path, lines.at(row)); }
 
 QuantityTable read_quantities(const std::string& path, const std::vector<QuantityColumn>& wanted) {
   const std::string text = read_file(path, largest_text);
@@ -156,26 +156,26 @@ QuantityTable read_quantities(const std::string& path, const std::vector<Quantit
   Lines lines(path, text);
   Line line;
   if (!lines.next(line)) throw InputError(path + ": is empty; its first line has to name the columns");
-  const auto place = [&] { return fmt::format("{}:{}: ", path, line.number); };
+  const auto location = [&] { return fmt::format("{}:{}: ", path, line.number); };
   const size_t width = line.cells.size();
   const std::vector<Heading> headings(line.cells.begin(), line.cells.end());
   std::vector<size_t> at;
   std::vector<double> factors;
   bool units = false;
   for (const QuantityColumn& column : wanted) {
-    at.push_back(column_of(column, headings, place()));
-    factors.push_back(factor_of(headings[at.back()].unit, column, place()));
+    at.push_back(column_of(column, headings, location()));
+    factors.push_back(factor_of(headings[at.back()].unit, column, location()));
     units = units || !headings[at.back()].unit.empty();
   }
   for (bool first = true; lines.next(line); first = false) {
     if (!fits(line, width))
-      throw InputError(fmt::format("{}{} cells, where the first line names {}; mend or remove this line", place(), line.cells.size(), width));
+      throw InputError(fmt::format("{}{} cells, where the first line names {}; mend or remove this line", location(), line.cells.size(), width));
     const auto cell = [&](size_t k) { return line.cells[at[k]]; };
     if (first && !units && holds_units(line, at)) {
-      for (size_t k = 0; k < at.size(); ++k) factors[k] = factor_of(bare_unit(cell(k)), wanted[k], place());
+      for (size_t k = 0; k < at.size(); ++k) factors[k] = factor_of(bare_unit(cell(k)), wanted[k], location());
       continue;
     }
-    for (size_t k = 0; k < at.size(); ++k) table.columns[k].push_back(read_number(cell(k), factors[k], wanted[k], place()));
+    for (size_t k = 0; k < at.size(); ++k) table.columns[k].push_back(read_number(cell(k), factors[k], wanted[k], location()));
     table.lines.push_back(line.number);
   }
   return table;

@@ -25,7 +25,7 @@ struct QuantityTable {
   std::vector<int> lines;                    // line in the file, per row
 
   size_t rows() const { return lines.size(); }
-  std::string place(size_t row) const;  // "data.csv:7: "
+  std::string location(size_t row) const;  // "data.csv:7: "
 };
 
 // Reads the wanted columns. Throws InputError with file and line for a missing column, a unit of

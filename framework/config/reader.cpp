@@ -21,7 +21,7 @@ bool begins_number(const std::string& text) { return !text.empty() && std::isdig
 
 // Returns a hint for a scalar in place of a map: "; write {mu: 0.5}" for a number, or a missing
 // blank after a key's colon; "" if neither applies.
-std::string as_map(const Value& value, const Fields& fields) {
+std::string map_hint(const Value& value, const Fields& fields) {
   if (!value.is_scalar()) return "";
   const size_t colon = value.text.find(':');
   if (colon != std::string::npos && fields.find(value.text.substr(0, colon))) return fmt::format("; a blank is missing behind the colon of '{}:'", value.text.substr(0, colon));
@@ -76,7 +76,7 @@ void Reader::bind_map(const Value& map, Fields& fields, std::string_view context
     return bind_map(only, fields, context, typed);
   }
   if (!map.is_map() && !map.is_null()) {
-    return error(map.mark, fmt::format("{} expects a {}map, got {}{}", context, fields.bare_key().empty() ? "" : "text or a ", map.description(), as_map(map, fields)));
+    return error(map.mark, fmt::format("{} expects a {}map, got {}{}", context, fields.bare_key().empty() ? "" : "text or a ", map.description(), map_hint(map, fields)));
   }
   const std::size_t errors_before = errors_.size();
   unknown_keys(map, fields, context, typed);
@@ -185,12 +185,12 @@ void Reader::error(const SourceMark& mark, std::string_view message) {
 void Reader::finish() const {
   constexpr std::size_t most = 20;
   if (errors_.empty()) return;
-  const auto place = [](const Error& e) {
+  const auto position = [](const Error& e) {
     return std::make_tuple(e.mark.file ? *e.mark.file : "", e.mark.line, e.mark.column);
   };
   std::vector<Error> sorted = errors_;
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const Error& a, const Error& b) { return place(a) < place(b); });
+                   [&](const Error& a, const Error& b) { return position(a) < position(b); });
   std::string text;
   for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i) {
     text += fmt::format("{}{}: {}", i ? "\n" : "", sorted[i].mark.text(), sorted[i].message);

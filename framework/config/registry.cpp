@@ -32,15 +32,15 @@ std::map<std::type_index, std::string>& names_by_class() {
   return names;
 }
 
-ComponentsElsewhere& elsewhere() {
-  static ComponentsElsewhere noted;
-  return noted;
+LoadableComponents& loadable_components() {
+  static LoadableComponents components;
+  return components;
 }
 
-const std::vector<std::string>& names_elsewhere(const std::string& kind) {
+const std::vector<std::string>& loadable_names(const std::string& kind) {
   static const std::vector<std::string> none;
-  const auto found = elsewhere().names.find(kind);
-  return found == elsewhere().names.end() ? none : found->second;
+  const auto found = loadable_components().names.find(kind);
+  return found == loadable_components().names.end() ? none : found->second;
 }
 
 bool among(const std::vector<std::string>& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
@@ -71,7 +71,7 @@ Kind& Kind::named(const char* name, const char* doc, std::type_index base) {
 }
 
 std::vector<std::string> Kind::names() const {
-  const std::vector<std::string>& others = names_elsewhere(name_);
+  const std::vector<std::string>& others = loadable_names(name_);
   std::set<std::string> names(others.begin(), others.end());
   for (const auto& [name, entry] : entries_) names.insert(name);
   return {names.begin(), names.end()};
@@ -79,8 +79,8 @@ std::vector<std::string> Kind::names() const {
 
 const Kind::Entry& Kind::entry(std::string_view name) const {
   auto found = entries_.find(name);
-  if (found == entries_.end() && among(names_elsewhere(name_), name)) {
-    elsewhere().load();
+  if (found == entries_.end() && among(loadable_names(name_), name)) {
+    loadable_components().load();
     found = entries_.find(name);
   }
   if (found != entries_.end()) return found->second;
@@ -89,7 +89,7 @@ const Kind::Entry& Kind::entry(std::string_view name) const {
 }
 
 void Kind::complete() const {
-  for (const std::string& name : names_elsewhere(name_)) entry(name);
+  for (const std::string& name : loadable_names(name_)) entry(name);
 }
 
 Fields Kind::prototype(std::string_view name) const {
@@ -111,7 +111,7 @@ void Kind::add(Entry entry, std::type_index type) {
     return refuse(fmt::format("{} '{}' is registered in {} and again in {}", name_, entry.name, present->second.file,
                               entry.file));
   }
-  if (loading && among(names_elsewhere(name_), entry.name))
+  if (loading && among(loadable_names(name_), entry.name))
     return refuse(fmt::format("{} '{}' is one of tack's own, and registered again in {}", name_, entry.name, entry.file));
   const auto [known, is_new] = names_by_class().emplace(type, entry.name);
   if (!is_new) {
@@ -135,7 +135,7 @@ PluginRegistrations::~PluginRegistrations() {
   }
 }
 
-void note_components_elsewhere(ComponentsElsewhere components) { elsewhere() = std::move(components); }
+void set_loadable_components(LoadableComponents components) { loadable_components() = std::move(components); }
 
 std::vector<const Kind*> registered_kinds() {
   std::vector<const Kind*> kinds;

@@ -88,11 +88,11 @@ class Kind {
 };
 
 /// Components that register themselves when their library is loaded, on first use of one of them.
-struct ComponentsElsewhere {
+struct LoadableComponents {
   std::map<std::string, std::vector<std::string>, std::less<>> names;  ///< names per kind
   std::function<void()> load;  ///< registers them; throws InputError, without a source location
 };
-void note_components_elsewhere(ComponentsElsewhere components);
+void set_loadable_components(LoadableComponents components);
 
 /// Returns all kinds that are used or have components, sorted by name.
 std::vector<const Kind*> registered_kinds();
@@ -109,7 +109,7 @@ class PluginRegistrations {
 
   bool empty() const { return added_.empty(); }
   const std::vector<std::string>& errors() const { return errors_; }
-  void keep() { added_.clear(); }
+  void commit() { added_.clear(); }
 
  private:
   friend class Kind;

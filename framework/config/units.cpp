@@ -153,7 +153,7 @@ UnitPtr coherent(ut_unit* unit) {
 
 // Units often written with wrong capitals. Of two that differ only in capitals, the larger is
 // meant.
-constexpr std::array usual_units = {"Pa", "kPa", "MPa", "GPa", "mm", "um", "nm", "cm", "km", "m", "s", "ms", "us", "min", "h", "N", "mN", "kN", "MN",
+constexpr std::array suggested_units = {"Pa", "kPa", "MPa", "GPa", "mm", "um", "nm", "cm", "km", "m", "s", "ms", "us", "min", "h", "N", "mN", "kN", "MN",
                                     "kg", "g", "mg", "J", "mJ", "kJ", "W", "Hz", "kHz", "deg", "rad", "K"};
 
 // Returns "; did you mean 'MPa'?" for 'MPA', "; write numbers with a point" for ',1 MPa', ""
@@ -171,8 +171,8 @@ std::string meant_by(std::string_view unit) {
     std::size_t end = i;
     while (end < unit.size() && letter(unit[end])) ++end;
     const std::string_view word = unit.substr(i, std::max<std::size_t>(end - i, 1));
-    const auto usual = std::find_if(usual_units.begin(), usual_units.end(), [&](const char* u) { return lower(u) == lower(word); });
-    better += usual != usual_units.end() && !parse_unit(word) ? std::string_view(*usual) : word;
+    const auto usual = std::find_if(suggested_units.begin(), suggested_units.end(), [&](const char* u) { return lower(u) == lower(word); });
+    better += usual != suggested_units.end() && !parse_unit(word) ? std::string_view(*usual) : word;
     i += word.size();
   }
   return better != unit && only_exponents(better) && parse_unit(better) ? fmt::format("; did you mean '{}'?", better) : "";

@@ -14,7 +14,7 @@ namespace tack {
 namespace {
 
 // Limit of nodes: aliases of aliases grow exponentially, and no scene comes near this number.
-constexpr std::size_t max_nodes = 1'000'000;
+constexpr std::size_t nodes_max = 1'000'000;
 
 // Builds the tree from the parser's events. open_: collections not yet ended.
 class TreeBuilder : public YAML::EventHandler {
@@ -27,7 +27,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    place(make(Value::Kind::null, mark), anchor);
+    add_value(make(Value::Kind::null, mark), anchor);
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -35,14 +35,14 @@ class TreeBuilder : public YAML::EventHandler {
     Value v = make(Value::Kind::scalar, mark);
     refuse_tag(tag, v.mark);
     v.text = text;
-    place(std::move(v), anchor);
+    add_value(std::move(v), anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end()) fail(at(mark), "an alias may not refer to what encloses it");
-    grow(count_values(found->second), at(mark));
-    place(found->second, 0);
+    count_nodes(count_values(found->second), at(mark));
+    add_value(found->second, 0);
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -77,16 +77,16 @@ class TreeBuilder : public YAML::EventHandler {
     if (!plain) fail(mark, fmt::format("the YAML tag '{}' is not supported; remove it", tag));
   }
 
-  void grow(std::size_t nodes, const SourceMark& mark) {
+  void count_nodes(std::size_t nodes, const SourceMark& mark) {
     nodes_ += nodes;
-    if (nodes_ > max_nodes) fail(mark, fmt::format("more than {} values", max_nodes));
+    if (nodes_ > nodes_max) fail(mark, fmt::format("more than {} values", nodes_max));
   }
 
   Value make(Value::Kind kind, const YAML::Mark& mark) {
     Value v;
     v.kind = kind;
     v.mark = at(mark);
-    grow(1, v.mark);
+    count_nodes(1, v.mark);
     return v;
   }
 
@@ -100,23 +100,23 @@ class TreeBuilder : public YAML::EventHandler {
   void close() {
     Open done = std::move(open_.back());
     open_.pop_back();
-    place(std::move(done.value), done.anchor);
+    add_value(std::move(done.value), done.anchor);
   }
 
-  void place(Value v, YAML::anchor_t anchor) {
+  void add_value(Value v, YAML::anchor_t anchor) {
     if (anchor != 0) anchors_[anchor] = v;
     if (open_.empty()) {
       root_ = std::move(v);
     } else if (open_.back().value.is_sequence()) {
       open_.back().value.items.push_back(std::move(v));
     } else if (open_.back().has_key) {
-      place_entry(open_.back(), std::move(v));
+      add_entry(open_.back(), std::move(v));
     } else {
-      place_key(open_.back(), std::move(v));
+      set_key(open_.back(), std::move(v));
     }
   }
 
-  static void place_key(Open& map, Value v) {
+  static void set_key(Open& map, Value v) {
     if (!v.is_scalar()) fail(v.mark, "a key must be a text");
     if (map.value.find(v.text)) {
       fail(v.mark, fmt::format("duplicate key '{}'; keep one of them", v.text));
@@ -126,7 +126,7 @@ class TreeBuilder : public YAML::EventHandler {
     map.has_key = true;
   }
 
-  static void place_entry(Open& map, Value v) {
+  static void add_entry(Open& map, Value v) {
     // The parser notices an empty value only at the next token, often on the next line.
     if (v.is_null()) v.mark = map.key_mark;
     map.value.entries.push_back({std::move(map.key), std::move(map.key_mark), std::move(v)});

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "framework/config/registry.hpp"
-#include "framework/plugin/built_against.hpp"
+#include "framework/plugin/interface_mismatch.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/own_library.hpp"
 
@@ -36,7 +36,7 @@ bool linked() {
 
 void load_from(const std::string& path) {
   if (std::error_code none; !std::filesystem::exists(path, none)) throw InputError(path + " is not there");
-  if (const std::string what = built_against_another(path); !what.empty()) throw InputError(fmt::format("{}: {}", path, what));
+  if (const std::string what = interface_mismatch(path); !what.empty()) throw InputError(fmt::format("{}: {}", path, what));
   // RTLD_GLOBAL: plugins may call functions of the library.
   if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) throw InputError(::dlerror());
 }
@@ -58,10 +58,10 @@ bool load_further_components() {
 
 bool further_components_failed() { return further == Further::failed; }
 
-void note_further_components() {
+void declare_further_components() {
   if (linked()) return;
   further = Further::elsewhere;
-  note_components_elsewhere({further_names, [] { load_further_components(); }});
+  set_loadable_components({further_names, [] { load_further_components(); }});
 }
 
 }  // namespace tack

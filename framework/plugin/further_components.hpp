@@ -6,10 +6,11 @@
 namespace tack {
 
 // Registers the names of the further components. Call it before any plugin is loaded.
-void note_further_components();
+void declare_further_components();
 
 // Loads the library; returns false if there was nothing left to load. Throws InputError, without a
-// place and with the remedy, if the library is not built, is broken, or is of another build.
+// source location and with the remedy, if the library is not built, is broken, or is of another
+// build.
 bool load_further_components();
 
 // Returns true if the library could not be loaded.

@@ -1,4 +1,4 @@
-#include "framework/plugin/built_against.hpp"
+#include "framework/plugin/interface_mismatch.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 namespace tack {
 
-std::string built_against_another(const std::string& path) {
+std::string interface_mismatch(const std::string& path) {
   std::optional<std::string> note = library_section(path, TACK_PLUGIN_SECTION);
   if (!note)
     throw InputError(fmt::format("'{}' is no plugin of tack; link it with the CMake target tack::plugin (docs/plugins.md)", path));

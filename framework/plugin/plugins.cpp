@@ -14,7 +14,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/config/reader.hpp"
 #include "framework/config/registry.hpp"
-#include "framework/plugin/built_against.hpp"
+#include "framework/plugin/interface_mismatch.hpp"
 #include "framework/plugin/further_components.hpp"
 #include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
@@ -30,7 +30,7 @@ std::vector<Plugin>& plugins() {
 }
 
 void check_interface(const std::string& path) {
-  if (const std::string what = built_against_another(path); !what.empty())
+  if (const std::string what = interface_mismatch(path); !what.empty())
     throw InputError(fmt::format("'{}' is a plugin for another tack: {}; build it anew against this one, with the compiler "
                                  "that built it", path, what));
 }
@@ -52,7 +52,7 @@ struct Undefined : InputError {
   using InputError::InputError;
 };
 
-// Owns a library; closes it unless it is kept.
+// Owns a library; closes it unless it is released.
 class Library {
  public:
   explicit Library(const std::string& path) {
@@ -91,7 +91,7 @@ void open_plugin(const std::string& path) {
     throw InputError(fmt::format("plugin '{}': {}; choose another name", path, registrations.errors().front()));
   if (registrations.empty())
     throw InputError(fmt::format("plugin '{}' registers no component; write TACK_REGISTER in its sources", path));
-  registrations.keep();
+  registrations.commit();
   library->keep();
 }
 

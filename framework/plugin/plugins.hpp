@@ -19,12 +19,13 @@ const std::vector<Plugin>& loaded_plugins();
 
 // Loads a library, unless it is loaded already. Its build interface is read from the file before
 // any of its code runs, and a rejected library leaves nothing registered. Throws InputError,
-// without a place: file not found, no plugin, built for another tack, or component names in use.
+// without a source location: file not found, no plugin, built for another tack, or component names
+// in use.
 void load_plugin(const std::string& path);
 
 // Loads the plugins that a file names under `plugins`, before the rest of the file is bound. Throws
-// InputError with their places. A value that is no list of paths is left to the binding of the key,
-// which reports it.
+// InputError with their source locations. A value that is no list of paths is left to the binding
+// of the key, which reports it.
 void load_plugins(const Value& root);
 
 inline constexpr const char* plugins_doc =

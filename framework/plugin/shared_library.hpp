@@ -7,7 +7,7 @@
 namespace tack {
 
 // Returns the content of a section; nothing if the section does not exist. Throws InputError,
-// without a place, if the file cannot be read, is no shared library, or is damaged.
+// without a source location, if the file cannot be read, is no shared library, or is damaged.
 std::optional<std::string> library_section(const std::string& path, const std::string& section);
 
 }  // namespace tack

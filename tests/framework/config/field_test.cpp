@@ -40,7 +40,7 @@ TEST_CASE("plain fields are bound") {
   CHECK(s.form == toy::Form::squared);
 }
 
-TEST_CASE("null unsets what is optional") {
+TEST_CASE("null unsets optional fields") {
   toy::Scene s;
   s.young = 1;
   s.seed = 1;

@@ -42,7 +42,7 @@ TEST_CASE("the schema describes every field") {
   CHECK_FALSE(properties["young"].contains("default"));
 }
 
-TEST_CASE("the schema accepts what binds") {
+TEST_CASE("the schema accepts documents that bind") {
   for (const char* document :
        {"{}", R"({"density": 3, "young": "5 MPa", "seed": null, "count": 10})",
         R"({"gravity": [0, 0, "-9.81 m/s^2"], "cells": [1, 2, 3], "title": "x", "young": "1e3"})",
@@ -58,7 +58,7 @@ TEST_CASE("the schema accepts what binds") {
   }
 }
 
-TEST_CASE("the schema refuses what does not bind") {
+TEST_CASE("the schema refuses documents that do not bind") {
   for (const char* document : {R"({"densty": 3})",
                                R"({"density": 0})",
                                R"({"density": "five"})",
@@ -113,7 +113,7 @@ TEST_CASE("a file that includes another may give parts, of the right kind") {
   }
 }
 
-TEST_CASE("what a file needs that has a name, and one for others to include") {
+TEST_CASE("a file with a name has required keys, a file to be included has none") {
   const json schema = parse_json(json_schema(prototype<toy::Object>(), "object"));
   const toy::SchemaCheck check(schema);
   CHECK(check.accepts(parse_json(R"({"name": "a"})")));

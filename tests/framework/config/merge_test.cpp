@@ -42,7 +42,7 @@ TEST_CASE("pairs are merged by the two objects that they name, in any order") {
   CHECK(text("pairs: [{between: [a, b], mu: 1}, {between: [a, a], mu: 2}]",
              "pairs: [{between: [b, a], eps: 3}, {between: [b, b], mu: 4}]") ==
         "{pairs: [{between: [b, a], mu: 1, eps: 3}, {between: [a, a], mu: 2}, {between: [b, b], mu: 4}]}");
-  // A part is another one than the whole, and than another part.
+  // A region differs from the whole object and from another region.
   CHECK(text("pairs: [{between: [a, b], mu: 1}, {between: [{object: a, select: {type: tag, name: t}}, b], mu: 2}]",
              "pairs: [{between: [b, {object: a, select: {type: tag, name: t}}], mu: 3}, {between: [{object: a, select: all}, b], mu: 4}, {between: [{object: b}, a], mu: 5}]") ==
         "{pairs: [{between: [{object: b}, a], mu: 5}, {between: [b, {object: a, select: {type: tag, name: t}}], mu: 3}, {between: [{object: a, select: all}, b], mu: 4}]}");
@@ -64,7 +64,7 @@ TEST_CASE("named entries can be removed and replaced") {
         "{l: [{between: [a, c]}]}");
 }
 
-TEST_CASE("what cannot be merged by name is told with its place") {
+TEST_CASE("entries that cannot be merged by name are reported with their location") {
   const std::string base = "l: [{name: apple}]";
   CHECK(error(base, "l: [{name: aple, remove: true}]") ==
         "over.yaml:1:5: there is no 'aple' to remove; did you mean 'apple'? (names: apple)");

@@ -55,7 +55,7 @@ TEST_CASE("option --set finds list entries by number and by name") {
           rest);
 }
 
-TEST_CASE("option --set is reported as what was given") {
+TEST_CASE("errors of --set quote the option") {
   CHECK(error_after("objects.2.name=x") ==
         "--set objects.2.name=x: there is no entry 2; the list has 2, counted from 0");
   CHECK(error_after("objects.plat.size=1") ==

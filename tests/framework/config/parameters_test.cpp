@@ -80,7 +80,7 @@ TEST_CASE("names are found, and only names") {
   CHECK_FALSE(p.named_in("2 m"));      // metres
   CHECK_FALSE(p.named_in("10 m s-1"));
   CHECK(p.named_in("2 * m"));
-  CHECK_FALSE(p.named_in("4 mm / s"));  // what is a number with a unit stays one
+  CHECK_FALSE(p.named_in("4 mm / s"));  // a number with a unit is no expression
   CHECK_FALSE(Parameters().named_in("width"));
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("a scene has expressions wherever it has numbers") {
   CHECK(loaded("parameters.width=40 mm").experiment.time.step == wide.experiment.time.step);
 }
 
-TEST_CASE("what a scene keeps of parameters runs by itself") {
+TEST_CASE("the parameters of a resolved scene bind again") {
   LoadedExperiment l = loaded("n=2");
   const std::string kept = to_yaml(fields_of(l.experiment));
   const LoadedExperiment again = parse_experiment(kept, "kept.yaml");
@@ -134,7 +134,7 @@ TEST_CASE("parameters may be called as units are") {
   }
 }
 
-TEST_CASE("expressions that do not fit a scene are told with their places") {
+TEST_CASE("wrong expressions are reported with their locations") {
   const auto error = [](const std::string& override) { return message_of([&] { loaded(override); }); };
   CHECK(error("time.step=2 * width").find("step: expects a time (s), got '0.04 m', which is a length") != std::string::npos);
   CHECK(error("objects.block.shape.cells=[n / 2, 1, 1]").find("expects a whole number") != std::string::npos);

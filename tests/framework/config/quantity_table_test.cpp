@@ -54,8 +54,8 @@ TEST_CASE("columns with units, however a program has written them", "[config]") 
 
 TEST_CASE("rows know their lines", "[config]") {
   const Table table("# a\ngap [um], traction [kPa]\n\n1, 3\n# b\n2, 4\n");
-  CHECK(table.read().place(0) == table.path() + ":4: ");
-  CHECK(table.read().place(1) == table.path() + ":6: ");
+  CHECK(table.read().location(0) == table.path() + ":4: ");
+  CHECK(table.read().location(1) == table.path() + ":6: ");
 }
 
 TEST_CASE("twenty thousand rows", "[config]") {
@@ -67,7 +67,7 @@ TEST_CASE("twenty thousand rows", "[config]") {
   CHECK(table.columns[1].back() == Approx(9999.5e6));
 }
 
-TEST_CASE("what is wrong with a table is told with file and line", "[config]") {
+TEST_CASE("errors of a table are reported with file and line", "[config]") {
   const auto error = [](const std::string& text) { return Table(text).error(); };
   CHECK_THAT(error(""), Contains("is empty"));
   CHECK_THAT(error("\n\n"), Contains("is empty"));

@@ -72,7 +72,7 @@ TEST_CASE("registering twice is an error") {
   CHECK(kind.names().size() == 4);
 }
 
-TEST_CASE("what a plugin registers is kept, or taken back with what was refused") {
+TEST_CASE("registrations of a plugin are committed, or all removed if one is refused") {
   Kind& kind = Registry<toy::Energy>::kind();
   const auto add = [&](const char* name, std::type_index type) {
     kind.add({name, "doc", "", "plugin.cpp", [] { return std::make_unique<Unregistered>(); }}, type);

@@ -22,7 +22,7 @@ bool program_accepts(const std::string& text, const Unit& unit) {
 
 }  // namespace
 
-TEST_CASE("of units that the schema knows, it accepts what the program does") {
+TEST_CASE("the schema accepts the same spellings of common units as the program") {
   const std::regex known(known_unit_pattern());
   const std::vector<std::string> written{"%",     "rad",     "30 deg", "mm",      "um",    "in",    "mm^2",   "m2",      "cm^3",    "ms",   "min", "h",
                                          "s^-1",  "s-1",     "1/s",    "1/mm",    "g",     "t",     "kN",     "mN",      "MPa",     "bar",  "psi", "mJ",

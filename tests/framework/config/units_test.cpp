@@ -61,7 +61,7 @@ TEST_CASE("a wrong dimension is named") {
         "expects a time (s), got '3 m^7', which is a quantity of another dimension");
 }
 
-TEST_CASE("what is no number with a unit is refused") {
+TEST_CASE("texts that are no number with a unit are refused") {
   CHECK(error_of("", units::length) == "expects a length (m), got ''");
   CHECK(error_of("mm", units::length) == "expects a length (m), got 'mm'");
   CHECK(error_of("1.0abc", units::none) ==
