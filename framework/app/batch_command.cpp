@@ -29,8 +29,8 @@
 namespace tack {
 namespace {
 
-constexpr double trial_seconds = 3;
-constexpr size_t most_cases_shown = 40;
+constexpr double trial_seconds_max = 3;
+constexpr size_t shown_cases_max = 40;
 
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
@@ -43,11 +43,11 @@ class Preparation {
     if (shown_ && live_) fmt::print("\r\x1b[K");
     std::fflush(stdout);
   }
-  void tell(size_t done, size_t all) {
+  void report(size_t done, size_t all) {
     if (interrupt_requested) throw Interrupted{};
     const auto now = std::chrono::steady_clock::now();
-    if (quiet_ || now - told_ < (live_ ? std::chrono::milliseconds(200) : std::chrono::seconds(5))) return;
-    told_ = now;
+    if (quiet_ || now - reported_ < (live_ ? std::chrono::milliseconds(200) : std::chrono::seconds(5))) return;
+    reported_ = now;
     shown_ = true;
     fmt::print("{}{} {} of {}{}", live_ ? "\r" : "", what_, done, counted(all, "case"), live_ ? "\x1b[K" : "\n");
     std::fflush(stdout);
@@ -56,11 +56,11 @@ class Preparation {
  private:
   std::string what_;
   bool live_, quiet_, shown_ = false;
-  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point reported_ = std::chrono::steady_clock::now();
 };
 
 // Returns the error of a case; "" if it has none.
-std::string wrong_with(const BatchPlan& plan, const BatchCase& one) {
+std::string case_error(const BatchPlan& plan, const BatchCase& one) {
   try {
     check_case(plan, one);
     return "";
@@ -75,19 +75,19 @@ void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& ope
   std::set<std::string> digests;
   for (const BatchCase* one : open)
     if (digests.insert(one->digest).second) different.push_back(one);
-  std::vector<std::string> wrong(different.size());
-  const auto check = [&](size_t i) { wrong[i] = wrong_with(plan, *different[i]); };
+  std::vector<std::string> case_errors(different.size());
+  const auto check = [&](size_t i) { case_errors[i] = case_error(plan, *different[i]); };
   // Shared data are set up before several threads build cases.
   if (!different.empty()) check(0);
   constexpr size_t at_once = 64;
   for (size_t first = 1; first < different.size(); first += at_once) {
-    preparation.tell(first, different.size());
+    preparation.report(first, different.size());
     tbb::parallel_for(first, std::min(first + at_once, different.size()), check);
   }
   std::vector<std::string> errors;
-  std::set<std::string> told;  // an error of many cases is printed once
+  std::set<std::string> printed;  // an error of many cases is printed once
   for (size_t i = 0; i < different.size() && errors.size() < 10; ++i)
-    if (const std::string& what = wrong[i]; !what.empty() && told.insert(what).second)
+    if (const std::string& what = case_errors[i]; !what.empty() && printed.insert(what).second)
       errors.push_back(what.find(different[i]->name) == what.npos ? fmt::format("{} (case '{}')", what, different[i]->name) : what);
   if (!errors.empty()) throw InputError(fmt::format("{}", fmt::join(errors, "\n")));
 }
@@ -100,7 +100,7 @@ void check_names(const BatchPlan& plan, const std::vector<std::string>& patterns
   for (const std::string& pattern : patterns)
     if (std::none_of(plan.cases.begin(), plan.cases.end(), [&](const BatchCase& one) { return is_named({pattern}, one); }))
       throw InputError(fmt::format("--only {}: no case has such a name; the first is '{}', --dry-run shows {}", pattern, plan.cases.front().name,
-                                   plan.cases.size() > most_cases_shown ? "more" : "all"));
+                                   plan.cases.size() > shown_cases_max ? "more" : "all"));
 }
 
 // Writes the table and the description in their present state. Returns the number of cases by
@@ -133,15 +133,15 @@ int report(const BatchFolder& folder, const BatchDescription& description, bool 
 }
 
 void show_plan(const BatchFolder& folder, const BatchDescription& d, const std::vector<const BatchCase*>& open) {
-  for (size_t i = 0; i < std::min(d.plan.cases.size(), most_cases_shown); ++i) {
+  for (size_t i = 0; i < std::min(d.plan.cases.size(), shown_cases_max); ++i) {
     const BatchCase& one = d.plan.cases[i];
     fmt::print("  {}  {}\n", one.name, to_string(state_of(folder, one).status));
   }
-  if (d.plan.cases.size() > most_cases_shown) fmt::print("  and {} more\n", d.plan.cases.size() - most_cases_shown);
+  if (d.plan.cases.size() > shown_cases_max) fmt::print("  and {} more\n", d.plan.cases.size() - shown_cases_max);
   fmt::print("{}: {}, {} to run; {} side by side with {} each\n", d.plan.name, counted(d.plan.cases.size(), "case"), open.size(),
              d.limits.jobs, counted(d.limits.threads, "thread"));
   if (open.empty()) return;
-  const BatchEstimate estimate = estimate_of(this_program(), folder, d.plan, d.limits, open, trial_seconds);
+  const BatchEstimate estimate = estimate_of(this_program(), folder, d.plan, d.limits, open, trial_seconds_max);
   for (const auto& [base, seconds] : estimate.of_case) fmt::print("a case of {} takes about {}\n", base, short_duration(seconds));
   fmt::print("about {} in all; nothing was run yet\n", short_duration(estimate.seconds));
 }
@@ -149,18 +149,18 @@ void show_plan(const BatchFolder& folder, const BatchDescription& d, const std::
 // Follows the states that the tasks of the job array write, until all tasks have ended.
 void follow(SlurmJob& job, const BatchFolder& folder, const std::vector<const BatchCase*>& open, BatchProgress& progress) {
   const BatchObserver observer = progress.observer();
-  std::set<const BatchCase*> told;
-  const auto look = [&] {
+  std::set<const BatchCase*> ended;
+  const auto report_ended_cases = [&] {
     for (const BatchCase* one : open) {
       const CaseState state = state_of(folder, *one);
-      if (finished(state.status) && told.insert(one).second) observer.ended(*one, state);
+      if (finished(state.status) && ended.insert(one).second) observer.ended(*one, state);
     }
   };
   while (!job.waiting.ended() && !interrupt_requested) {
-    look();
+    report_ended_cases();
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
-  look();
+  report_ended_cases();
 }
 
 int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const BatchFolder& folder, const BatchDescription& d,
@@ -175,7 +175,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
   replace_file(folder.job_script(), job_script(this_program(), folder, config, d.limits, tasks));
   const std::string later = fmt::format("the table is made by `tack batch --collect {}`", folder.root.string());
   if (options.no_wait) {
-    fmt::print("job {} submitted: {}; {}\n", submit_and_leave(folder), counted(open.size(), "case"), later);
+    fmt::print("job {} submitted: {}; {}\n", submit_without_waiting(folder), counted(open.size(), "case"), later);
     return exit_done;
   }
   SlurmJob job = submit(folder);
@@ -221,7 +221,7 @@ int batch_command(const BatchOptions& options) {
   BatchDescription d;
   {
     Preparation preparation("planned", terminal_width(STDOUT_FILENO), options.quiet);
-    d.plan = plan_of(config, program_digest(), [&](size_t done, size_t all) { preparation.tell(done, all); });
+    d.plan = plan_of(config, program_digest(), [&](size_t done, size_t all) { preparation.report(done, all); });
   }
   d.file = std::filesystem::absolute(options.file.file).lexically_normal().string();
   d.limits.threads = options.threads > 0 ? options.threads : config.threads;

@@ -23,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double longest_trial = 3;  // s
+constexpr double longest_trial_seconds = 3;  // s
 // Typical number of points per parameter in all searches after the design.
-constexpr int usual_of_chains = 45, usual_with_derivatives = 30;
+constexpr int typical_points_by_runs = 45, typical_points_by_derivatives = 30;
 
 // Prints the current phase: on a terminal in a line that is rewritten, elsewhere as a line when the
 // phase begins.
@@ -104,9 +104,9 @@ void show_plan(const CalibrateConfig& config, FittedScenes& scenes, BatchDescrip
   bool from_runs = false;
   if (config.search.gradients && config.search.polish)
     for (const std::string& why : scenes.without_derivatives()) from_runs = from_runs || why.empty();
-  int points = (config.search.design > 0 ? config.search.design : 32 * parameters) + (from_runs ? usual_with_derivatives : usual_of_chains) * parameters;
+  int points = (config.search.design > 0 ? config.search.design : 32 * parameters) + (from_runs ? typical_points_by_derivatives : typical_points_by_runs) * parameters;
   if (config.search.evaluations > 0) points = std::min(points, config.search.evaluations + 5 * parameters);
-  const BatchEstimate estimate = estimate_of(fs::read_symlink("/proc/self/exe").string(), BatchFolder{}, d.plan, d.limits, open, longest_trial);
+  const BatchEstimate estimate = estimate_of(fs::read_symlink("/proc/self/exe").string(), BatchFolder{}, d.plan, d.limits, open, longest_trial_seconds);
   double of_point = 0;
   for (const auto& [base, seconds] : estimate.of_case) {
     fmt::print("a run of {} takes about {}\n", base, short_duration(seconds));
@@ -131,13 +131,13 @@ int calibrate_command(const CalibrateOptions& options) {
   CalibrationRecord record{config, d.file, provenance_of(options.command_line, d.limits.threads), 0, 0};
   const CalibrationFolder folder = CalibrationFolder::opened(RunFolder::chosen_root(options.output, config.name), config.name);
   if (folder.moved_aside && !options.quiet) fmt::print("what was there is moved to {}\n", folder.moved_aside->string());
-  CalibrationProgress told(scenes.parameters(), terminal_width(STDOUT_FILENO), options.quiet);
+  CalibrationProgress progress(scenes.parameters(), terminal_width(STDOUT_FILENO), options.quiet);
   CaseEvaluator evaluator(scenes, {fs::read_symlink("/proc/self/exe").string(), folder.evaluations, d, options.slurm ? std::optional(config.slurm) : std::nullopt,
-                                   options.failed, [&](const PointEvaluation& e) { told.evaluated(e); }, [&] { told.tick(); }});
+                                   options.failed, [&](const PointEvaluation& e) { progress.evaluated(e); }, [&] { progress.tick(); }});
   evaluator.write_tables();
   Calibration found;
   try {
-    found = calibrate(scenes, config.search, evaluator, [&](const std::string& phase, int points, const PointEvaluation* best) { told.begin(phase, points, best); });
+    found = calibrate(scenes, config.search, evaluator, [&](const std::string& phase, int points, const PointEvaluation* best) { progress.begin(phase, points, best); });
   } catch (const Interrupted&) {
     evaluator.write_tables();
     fmt::print("interrupted: call it again to continue; finished runs are kept in {}\n", folder.evaluations.root.string());

@@ -26,9 +26,9 @@
 namespace tack {
 namespace {
 
-constexpr size_t most_names = 8;  // of a group of bodies
+constexpr size_t shown_names_max = 8;  // of a group of bodies
 
-std::vector<std::string> first_of(const std::vector<std::string>& names) { return {names.begin(), names.begin() + static_cast<long>(std::min(names.size(), most_names))}; }
+std::vector<std::string> first_of(const std::vector<std::string>& names) { return {names.begin(), names.begin() + static_cast<long>(std::min(names.size(), shown_names_max))}; }
 
 void print_contents(const World& world) {
   for (size_t i = 0; i < world.bodies.size(); ++i) {
@@ -41,7 +41,7 @@ void print_contents(const World& world) {
   }
   fmt::print("unknowns: {}\n", world.dofs.size());
   if (const auto groups = meeting_names(world); groups.size() > 1)
-    for (const auto& names : groups) fmt::print("may meet in the run: '{}'{}\n", fmt::join(first_of(names), "', '"), names.size() > most_names ? fmt::format(" and {} more", names.size() - most_names) : "");
+    for (const auto& names : groups) fmt::print("may meet in the run: '{}'{}\n", fmt::join(first_of(names), "', '"), names.size() > shown_names_max ? fmt::format(" and {} more", names.size() - shown_names_max) : "");
   for (const AdhesionSummary& r : world.adhesion)
     fmt::print("adhesion {}: peak {:.6g} Pa, work {:.6g} J/m^2, effective work with the barrier "
                "{:.6g} J/m^2, equilibrium gap {:.4g} m\n",
@@ -57,8 +57,7 @@ std::string error_text(const DifferenceStudy& study) {
   return fmt::format("error {:.1e} (resolution {:.0e}{})", study.error, study.resolution, kinks);
 }
 
-// Prints the derivative checks; returns false if the derivatives of a term are not those of its
-// value.
+// Prints the derivative checks; returns false if the derivatives of a term contradict its value.
 bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
   bool right = true;
   for (const DerivativeCheck& c : checks) {
@@ -87,7 +86,7 @@ int check_gradient_of(const CheckOptions& options) {
   const ThreadLimit threads(options.threads);
   const GradientCheck c = check_gradient(load_experiment(options.file, options.overrides), probe, key, options.gradient_step);
   fmt::print("d({})/d({}), and differences of runs with {:.6g} -+ {:.3g}, all in SI\n", probe, key, c.number, c.step);
-  for (const Warning& doubt : c.doubts) fmt::print("warning: {}\n", doubt.text);
+  for (const Warning& warning : c.warnings) fmt::print("warning: {}\n", warning.text);
   if (c.times.empty()) {
     fmt::print("there is no time at which all of these runs have a number\n");
     return exit_expectation_failed;
@@ -95,7 +94,7 @@ int check_gradient_of(const CheckOptions& options) {
   fmt::print("{:<11} {:>12} {:>16} {:>16}   off by, of {:.4g}\n", "", "t [s]", "derivative", "difference", c.largest);
   print_gradient(c, "at the end", c.times.size() - 1);
   print_gradient(c, "at worst", c.worst);
-  fmt::print("half of the {} times are off by less than {:.1e}\n", c.times.size(), c.middle);
+  fmt::print("half of the {} times are off by less than {:.1e}\n", c.times.size(), c.median_error);
   fmt::print("the run takes {:.2f} of the user time of one without\n", c.cost);
   if (c.error(c.worst) <= tolerated_error) return exit_done;
   fmt::print("they differ by more than {:g}: solve more exactly (solver.tolerance; quasi-static solver.force_tolerance), and look whether the differences change with "
@@ -113,21 +112,21 @@ int check_command(const CheckOptions& options) {
   probes_of(built);
   print_contents(world);
   for (const std::string& line : world.start_notes) fmt::print("{}\n", line);
-  for (const std::string& line : BentSolids(experiment, world).expected()) fmt::print("{}\n", line);
+  for (const std::string& line : BentSolids(experiment, world).notes()) fmt::print("{}\n", line);
   for (const std::string& line : element_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : scale_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : round_friction_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : flush_face_warnings(experiment, world)) fmt::print("warning: {}\n", line);
-  for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);
+  for (const std::string& line : tolerance_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   const LawCheck laws = check_laws(world);
   for (const std::string& line : laws.notes) fmt::print("{}\n", line);
-  for (const std::string& line : laws.doubtful) fmt::print("warning: {}\n", line);
-  for (const std::string& line : laws.wrong) fmt::print("{}  WRONG: see its formula\n", line);
+  for (const std::string& line : laws.warnings) fmt::print("warning: {}\n", line);
+  for (const std::string& line : laws.errors) fmt::print("{}  WRONG: see its formula\n", line);
   const EquilibriumCheck equilibrium = check_equilibrium(experiment, world, built.clock());
-  for (const std::string& line : equilibrium.doubtful) fmt::print("warning: {}\n", line);
-  if (!equilibrium.wrong.empty()) fmt::print("no equilibrium in the first step: {}\n", equilibrium.wrong);
-  const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.wrong.empty() && equilibrium.wrong.empty();
+  for (const std::string& line : equilibrium.warnings) fmt::print("warning: {}\n", line);
+  if (!equilibrium.error.empty()) fmt::print("no equilibrium in the first step: {}\n", equilibrium.error);
+  const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.errors.empty() && equilibrium.error.empty();
   if (right) fmt::print("no intersection, no inverted tet: {} is OK\n", options.file);
   return right ? exit_done : exit_expectation_failed;
 }

@@ -1,5 +1,5 @@
 // Signals that end a run in an orderly way (geometry/interrupt.hpp): Ctrl-C, `kill`, the end of the
-// terminal, SIGPIPE (the reader of the output goes away) and SIGXFSZ (a limit of file sizes).
+// terminal, SIGPIPE (the output pipe is closed) and SIGXFSZ (a limit of file sizes).
 #pragma once
 
 namespace tack {

@@ -82,7 +82,7 @@ void print_curve(const BondStudy& study, double work) {
   }
 }
 
-// Returns true for a law of initial intensity 1: its peak and work are then those that it states.
+// Returns true for a law of initial intensity 1, which has the peak and the work that it states.
 bool is_whole(const BondLaw& law) {
   std::vector<double> memory(law.width());
   law.fresh(false, memory.data());
@@ -92,10 +92,10 @@ bool is_whole(const BondLaw& law) {
 // Prints the derivative check of a law; returns true if the derivatives are correct.
 bool print_check(const LawCheck& check, bool states) {
   for (const std::string& line : check.notes) fmt::print("  {}\n", line);
-  for (const std::string& line : check.doubtful) fmt::print("  warning: {}\n", line);
-  for (const std::string& line : check.wrong) fmt::print("  {}  WRONG: see its formula\n", line);
-  if (check.wrong.empty()) fmt::print("  its derivatives are those of its energy{}\n", states && check.doubtful.empty() ? ", and it has the peak and the work that it states" : "");
-  return check.wrong.empty();
+  for (const std::string& line : check.warnings) fmt::print("  warning: {}\n", line);
+  for (const std::string& line : check.errors) fmt::print("  {}  WRONG: see its formula\n", line);
+  if (check.errors.empty()) fmt::print("  its derivatives are those of its energy{}\n", states && check.warnings.empty() ? ", and it has the peak and the work that it states" : "");
+  return check.errors.empty();
 }
 
 // Writes pictures and tables into a folder; for several laws, the law's name prefixes the files.
@@ -165,7 +165,7 @@ int law_command(const LawOptions& o) {
       const BondStudy study = study_bond_law(law, settings);
       print_quantities(study.quantities);
       LawCheck check = check_law(*law.bond);
-      for (const std::string& doubt : law.bond->doubts()) check.doubtful.push_back(doubt);
+      for (const std::string& doubt : law.bond->doubts()) check.warnings.push_back(doubt);
       if (const std::string note = law.bond->note(); !note.empty()) check.notes.push_back(note);
       right = print_check(check, !study.slow.empty() && is_whole(*law.bond)) && right;
       print_curve(study, law.bond->work_of_adhesion());

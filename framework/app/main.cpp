@@ -1,4 +1,4 @@
-// main(): executes the command line (command_line.cpp), goes on in another program where needed,
+// main(): executes the command line (command_line.cpp), continues in another program if needed,
 // and maps exceptions to exit codes.
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ void open_standard_streams() {
 
 // Unblocks the signals that only the waiting thread receives: a program executed in place of this
 // one inherits the mask and would ignore them.
-void let_signals_through() {
+void unblock_signals() {
   sigset_t none;
   ::sigemptyset(&none);
   ::pthread_sigmask(SIG_SETMASK, &none, nullptr);
@@ -41,7 +41,7 @@ void let_signals_through() {
 
 // Starts the script `tack` again, if it started this program before a library was built: it builds
 // the library and restarts the program.
-void let_script_build_libraries(char** argv) {
+void restart_to_build_libraries(char** argv) {
   const char* script = std::getenv("TACK_SCRIPT");
   if (!script) return;
   bool missing = false;
@@ -54,17 +54,17 @@ void let_script_build_libraries(char** argv) {
   ask_for("TACK_FURTHER", further_components_failed());
   if (!missing) return;
   std::fflush(nullptr);
-  let_signals_through();
+  unblock_signals();
   ::execv(script, argv);
 }
 
 // Executes tack_studies with the same arguments. Returns if it cannot be started.
-int go_on_in_studies(char** argv) {
+int execute_studies_program(char** argv) {
   namespace fs = std::filesystem;
   std::error_code none;
   const std::string program = (fs::read_symlink("/proc/self/exe", none).parent_path() / "tack_studies").string();
   std::fflush(nullptr);
-  let_signals_through();
+  unblock_signals();
   ::execv(program.c_str(), argv);
   fmt::print(stderr, "error: the program with this command, {}, cannot be started ({}); run `./tack`, which builds it, or "
                      "`cmake --build --preset release --target tack_studies`\n", program, std::strerror(errno));
@@ -84,13 +84,13 @@ int main(int argc, char** argv) {
     ::_exit(tack::exit_bad_input);  // without waiting for the threads of OpenBLAS
   }
   try {
-    tack::note_further_components();
+    tack::declare_further_components();
     tack::set_mesh_cache_folder(tack::default_mesh_cache_folder());
     return tack::execute_command_line(argc, argv);
   } catch (const tack::InStudies&) {
-    return tack::go_on_in_studies(argv);
+    return tack::execute_studies_program(argv);
   } catch (const tack::InputError& error) {
-    tack::let_script_build_libraries(argv);
+    tack::restart_to_build_libraries(argv);
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_bad_input;
   } catch (const tack::Interrupted&) {

@@ -22,7 +22,7 @@ namespace tack {
 namespace {
 
 // OpenBLAS requests a buffer when a thread first needs one, and requests it forever if it gets
-// none. It keeps the buffers that it has. Its own threads may not have requested theirs yet.
+// none. It never releases its buffers. Its own threads may not have requested theirs yet.
 void give_blas_its_buffers(int threads) {
   if (!blas_memory_alloc || !blas_memory_free || !openblas_get_num_threads) return;
   std::vector<void*> buffers;

@@ -24,7 +24,7 @@ struct PlacedShape {
   MeshPlacement place;
 };
 
-// A level set file: the keys of the shape and its place.
+// A level set file: the keys of the shape and its placement.
 struct LevelSetFile {
   LevelSetShape& shape;
   MeshPlacement& place;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t most_runs = 28;  // number of distinguishable curves
+constexpr size_t runs_max = 28;  // number of distinguishable curves
 
 // Reads a run, with the units of its probes if its scene states them.
 PlottedRun run_of(const fs::path& folder, const std::string& name) {
@@ -61,15 +61,15 @@ class Pictures {
 
   template <class Picture>
   void draw(const Picture& picture, const std::string& name) {
-    tell(tack::draw(picture, folder_, name, look_), name);
+    report(tack::draw(picture, folder_, name, look_), name);
   }
-  void tell(const std::string& failure, const std::string& name) {
+  void report(const std::string& failure, const std::string& name) {
     if (failure.empty()) fmt::print("{}\n", (folder_ / (name + ".svg")).string());
     else fmt::print("{}\n", failure);
     failed_ = failed_ || !failure.empty();
   }
   void draw_runs(const std::vector<PlottedRun>& runs) {
-    if (runs.size() <= most_runs)
+    if (runs.size() <= runs_max)
       for (const auto& [name, plot] : run_curves(runs)) draw(plot, name);
     if (const auto bars = phase_bars(runs)) {
       draw(*bars, "phases");
@@ -129,7 +129,7 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
       if (what.bars.empty()) pictures.draw(curves_of(what, batch.plan, by_case), picture_name(what.name));
       else pictures.draw(bars_of(what, batch.plan, table), picture_name(what.name));
     } catch (const InputError& error) {
-      pictures.tell(error.what(), what.name);
+      pictures.report(error.what(), what.name);
     }
   return pictures.exit_code();
 }
@@ -138,7 +138,7 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
 int plot_comparison(const fs::path& folder) {
   Pictures pictures(folder / "plots");
   for (const char* name : {"work_precision", "performance_profile", "convergence"})
-    if (fs::exists(folder / "plots" / (std::string(name) + ".gp"))) pictures.tell(draw_script(folder / "plots", name), name);
+    if (fs::exists(folder / "plots" / (std::string(name) + ".gp"))) pictures.report(draw_script(folder / "plots", name), name);
   return pictures.exit_code();
 }
 
@@ -149,7 +149,7 @@ int plot_calibration(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder / "plots"))
     if (entry.path().extension() == ".gp") names.push_back(entry.path().stem());
   std::sort(names.begin(), names.end());
-  for (const std::string& name : names) pictures.tell(draw_script(folder / "plots", name), name);
+  for (const std::string& name : names) pictures.report(draw_script(folder / "plots", name), name);
   return pictures.exit_code();
 }
 

@@ -75,7 +75,7 @@ void BatchConfig::fields(Fields& f) {
   });
   f.check("statistics", [this]() -> std::string {
     for (const BatchStatistic& s : statistics)
-      if (taken_column(s.column())) return fmt::format("results.csv has a column '{}' already; give this statistic another name", s.column());
+      if (is_reserved_column(s.column())) return fmt::format("results.csv has a column '{}' already; give this statistic another name", s.column());
     return twice(statistics, "statistics", [](const BatchStatistic& s) { return s.column(); });
   });
 }

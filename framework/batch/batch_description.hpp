@@ -33,7 +33,7 @@ struct BatchDescription {
   std::string provenance;  // provenance_text()
 };
 
-// Returns the provenance as JSON, as it stands in batch.json.
+// Returns the provenance as JSON, as in batch.json.
 std::string provenance_text(const Provenance& provenance);
 
 // Returns the state of a case; waiting if its digest is not that of the stored state.
@@ -42,7 +42,7 @@ CaseState state_of(const BatchFolder& folder, const BatchCase& one);
 // Writes batch.json with the present state of each case. Throws InputError if it cannot be written.
 void write_description(const BatchFolder& folder, const BatchDescription& description);
 
-// Returns true if the folder holds a batch that this one does not continue: one with another name,
+// Returns true if the folder has a batch that this one does not continue: one with another name,
 // or one of another file without a common case name.
 bool is_other_batch(const BatchFolder& folder, const BatchDescription& description);
 

@@ -23,7 +23,7 @@ struct Scratch {
   }
 };
 
-// Returns the estimated seconds of a whole case from a trial run of a part.
+// Returns the estimated seconds of a case from a trial run of its beginning.
 double trial_of(const std::string& program, const BatchCase& one, const BatchLimits& limits, double trial) {
   const Scratch scratch;
   replace_file(scratch.path / "scene.yaml", one.scene);

@@ -30,7 +30,7 @@ struct BatchFolder {
   std::filesystem::path job_script() const { return root / "slurm.sh"; }
 
   // Opens an existing batch, to read it or to run one of its cases. Throws InputError if the folder
-  // holds none.
+  // has none.
   static BatchFolder found(const std::filesystem::path& root);
 
   // Opens or creates the folder with its subfolders, for one writer at a time.

@@ -16,9 +16,9 @@
 namespace tack {
 namespace {
 
-constexpr size_t longest_name = 100;                                // of a case
-constexpr size_t most_errors = 10;
-constexpr double most_cases = 100000;
+constexpr size_t name_length_max = 100;                                // of a case
+constexpr size_t errors_max = 10;
+constexpr double cases_max = 100000;
 
 // Returns "1 MPa" as 1000000, so that tables can be plotted; a text without a number is unchanged.
 std::string cell_text(const std::string& text) {
@@ -43,7 +43,7 @@ std::string short_column(const std::string& column, const std::vector<std::strin
 std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts, int number) {
   const std::string name = case_name(parts);
   if (name.empty()) return "case";
-  return name.size() <= longest_name ? name : fmt::format("case_{:04}", number);
+  return name.size() <= name_length_max ? name : fmt::format("case_{:04}", number);
 }
 
 // Makes names unique: the second "a" becomes "a.2".
@@ -65,9 +65,9 @@ class Names {
 std::vector<Variant> all_variants(const BatchConfig& config) {
   double count = static_cast<double>(config.all_bases().size());
   for (const auto& variation : config.vary) count *= variation->count();
-  if (count > most_cases)
+  if (count > cases_max)
     throw InputError(fmt::format("vary: that makes {:.6g} cases, and {:.6g} are the most; vary fewer keys or values, or make several batches",
-                                 count, most_cases));
+                                 count, cases_max));
   std::vector<Variant> all{{}};
   for (const auto& variation : config.vary) {
     std::vector<Variant> next;
@@ -90,7 +90,7 @@ void refuse_columns_twice(const Variant& variant) {
 // Throws for columns whose names are fixed columns of results.csv.
 void refuse_taken_columns(const std::vector<std::string>& columns) {
   for (const std::string& column : columns)
-    if (taken_column(column))
+    if (is_reserved_column(column))
       throw InputError(fmt::format("vary: results.csv has a column '{}' already; name this one otherwise with `as`", column));
 }
 
@@ -128,7 +128,7 @@ class Planner {
       return note(error, "");
     }
     for (const Variant& variant : variants_) {
-      if (errors_.size() >= most_errors) return;
+      if (errors_.size() >= errors_max) return;
       add_case(base, root, variant);
       if (progress_) progress_(plan_.cases.size(), variants_.size() * config_.all_bases().size());
     }
@@ -173,8 +173,8 @@ class Planner {
   // Notes an error; an error of many cases is noted once.
   void note(const InputError& error, const std::string& name) {
     const std::string what = error.what();
-    if (std::find(told_.begin(), told_.end(), what) != told_.end()) return;
-    told_.push_back(what);
+    if (std::find(noted_.begin(), noted_.end(), what) != noted_.end()) return;
+    noted_.push_back(what);
     errors_.push_back(name.empty() ? what : fmt::format("{} (case '{}')", what, name));
   }
 
@@ -186,7 +186,7 @@ class Planner {
   BatchPlan plan_;
   Names names_;
   CaseResolver resolver_;
-  std::vector<std::string> errors_, told_;
+  std::vector<std::string> errors_, noted_;
 };
 
 }  // namespace

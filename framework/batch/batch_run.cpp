@@ -33,11 +33,11 @@ class Runner {
         for (Running& r : running_) r.run.interrupt();
       collect();
       if (!interrupt_requested) more(waiting_);
-      while (!interrupt_requested && room()) {
+      while (!interrupt_requested && next_case_fits()) {
         running_.push_back({waiting_.front(), CaseRun(program_, folder_, *waiting_.front(), limits_)});
         waiting_.pop_front();
       }
-      tell();
+      report_progress();
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
@@ -61,12 +61,12 @@ class Runner {
   }
 
   // Returns true if the next case fits; the largest memory of finished cases estimates its memory.
-  bool room() const {
+  bool next_case_fits() const {
     if (waiting_.empty() || static_cast<int>(running_.size()) >= limits_.jobs) return false;
     return running_.empty() || limits_.memory || machine_memory("MemAvailable") > 1.2 * largest_;
   }
 
-  void tell() {
+  void report_progress() {
     if (!observer_.tick) return;
     std::vector<BatchObserver::Running> running;
     for (const Running& r : running_) running.push_back({r.one, &r.run});
@@ -86,9 +86,9 @@ class Runner {
 
 void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits,
                const std::vector<const BatchCase*>& cases, const BatchObserver& observer) {
-  bool told = false;
+  bool given = false;
   run_cases(program, folder, limits, [&](std::list<const BatchCase*>& waiting) {
-    if (!std::exchange(told, true)) waiting.assign(cases.begin(), cases.end());
+    if (!std::exchange(given, true)) waiting.assign(cases.begin(), cases.end());
     return false;
   }, observer);
 }

@@ -95,8 +95,8 @@ bool CaseRun::ended() {
       interrupt();
     }
     // Keeps the state up to date for the next call, in case this program is killed.
-    if (process_.seconds() > told_ + heartbeat) {
-      told_ = process_.seconds();
+    if (process_.seconds() > state_written_at_ + heartbeat) {
+      state_written_at_ = process_.seconds();
       add_up();
       write_case_state(folder_.state(case_.name), state_);
     }
@@ -105,7 +105,7 @@ bool CaseRun::ended() {
   if (resumed_ && process_.exit_code() == 2) {  // for example, a damaged checkpoint
     resumed_ = false;
     before_ = {};
-    told_ = 0;
+    state_written_at_ = 0;
     fs::remove_all(folder_.run(case_.name));
     process_ = start(false);
     return false;
@@ -133,7 +133,7 @@ double CaseRun::fraction() const {
   return case_.duration > 0 ? std::clamp(time / case_.duration, 0.0, 1.0) : 0;
 }
 
-std::string CaseRun::last_words() const {
+std::string CaseRun::last_output_line() const {
   const std::string text = tail(folder_.output(case_.name), 16384);
   const size_t error = text.rfind("error: ");
   if (error != text.npos) return text.substr(error + 7, text.find('\n', error) - error - 7);
@@ -141,7 +141,7 @@ std::string CaseRun::last_words() const {
 }
 
 // Returns a hint if a crash looks as if memory had run out, which no error code says; "" otherwise.
-std::string CaseRun::want_of_memory() const {
+std::string CaseRun::memory_error() const {
   if (limits_.memory && state_.memory_mb > 500 * *limits_.memory)
     return fmt::format("; it had {:.2g} of the {:.2g} GB that it may have: raise memory, or use fewer cells", state_.memory_mb / 1e3, *limits_.memory);
   if (process_.signal() == SIGKILL) return "; the machine may have run out of memory: give `memory`, so that fewer cases run side by side";
@@ -167,17 +167,17 @@ void CaseRun::settle() {
     state_.status = CaseStatus::expectation_failed;
   } else if (code == 2) {
     state_.status = CaseStatus::refused;
-    state_.error = last_words();
+    state_.error = last_output_line();
   } else if (code == 3) {
     state_.status = CaseStatus::simulation_failed;
     state_.error = error_in_summary(run);
-    if (state_.error.empty()) state_.error = last_words();
+    if (state_.error.empty()) state_.error = last_output_line();
   } else if (code == 130 || killed_at_ >= 0) {
     state_.status = CaseStatus::interrupted;
   } else {
     state_.status = CaseStatus::crashed;
     state_.error = signal ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal)) : fmt::format("ended with code {}", code);
-    state_.error += want_of_memory();
+    state_.error += memory_error();
   }
 }
 

@@ -26,8 +26,8 @@ class CaseRun {
   ChildProcess start(bool resume);
   void add_up();
   void settle();
-  std::string last_words() const;
-  std::string want_of_memory() const;
+  std::string last_output_line() const;
+  std::string memory_error() const;
 
   std::string program_;
   BatchFolder folder_;
@@ -36,7 +36,7 @@ class CaseRun {
   CaseState before_;  // times and memory of earlier processes of a resumed run
   CaseState state_;
   bool resumed_ = false, timed_out_ = false;
-  double told_ = 0;        // s of its life at the last write of its state
+  double state_written_at_ = 0;        // s of its life at the last write of its state
   double killed_at_ = -1;  // s of its life at which it is killed; negative: not interrupted
   ChildProcess process_;
 };

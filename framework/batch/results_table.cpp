@@ -116,7 +116,7 @@ ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan) {
   return table;
 }
 
-bool taken_column(const std::string& name) {
+bool is_reserved_column(const std::string& name) {
   static constexpr std::string_view fixed[] = {"case", "base", "status", "error", "steps", "dofs", "newton_iterations", "linear_solves",
                                                "linear_iterations", "failed_solves", "max_contacts", "min_distance", "min_gap", "intersections", "inverted_tets", "warnings",
                                                "wall_seconds", "process_seconds", "cpu_seconds", "memory_mb"};

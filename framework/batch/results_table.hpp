@@ -28,6 +28,6 @@ ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan);
 std::string csv_text(const ResultsTable& table);
 
 // Returns true for the names of columns that every batch has.
-bool taken_column(const std::string& name);
+bool is_reserved_column(const std::string& name);
 
 }  // namespace tack

@@ -104,7 +104,7 @@ SlurmJob submit(const BatchFolder& folder) {
   return job;
 }
 
-std::string submit_and_leave(const BatchFolder& folder) {
+std::string submit_without_waiting(const BatchFolder& folder) {
   const auto output = folder.root / "output" / "sbatch.txt";
   ChildProcess process = sbatch(folder, {}, output);
   while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));

@@ -19,6 +19,6 @@ struct SlurmJob {
 // Submits the script of the folder. Throws InputError with the message of sbatch.
 SlurmJob submit(const BatchFolder& folder);
 // Returns the job's number.
-std::string submit_and_leave(const BatchFolder& folder);
+std::string submit_without_waiting(const BatchFolder& folder);
 
 }  // namespace tack

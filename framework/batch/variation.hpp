@@ -34,7 +34,7 @@ class Variation : public Component {
   static constexpr const char* kind_name = "variation";
   static constexpr const char* kind_doc = "Scene keys that vary in a batch, and their values.";
 
-  // Returns the variants, at least one. Throws InputError with its place in the file.
+  // Returns the variants, at least one. Throws InputError with its source location.
   virtual std::vector<Variant> variants() const = 0;
   // Returns the number of variants without making them, since a count in the file may be too large
   // to make.

@@ -156,7 +156,7 @@ class LatinHypercubeVariation : public SampledVariation {
 class SobolVariation : public SampledVariation {
  protected:
   std::vector<double> unit_points(int dimensions) const override {
-    // Includes the origin as first point, which keeps the balance for powers of two.
+    // Includes the origin as first point, so that powers of two points are balanced.
     std::vector<double> points(static_cast<size_t>(dimensions), 0.0);
     const std::vector<double> others = sobol_points(samples_ - 1, dimensions);
     points.insert(points.end(), others.begin(), others.end());

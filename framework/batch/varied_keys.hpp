@@ -31,7 +31,7 @@ struct VariedKey {
   std::optional<VariedRange> range;  // or a range
 };
 
-// Reads the map. Throws InputError with the place of the error: no map, no values, or a form that
+// Reads the map. Throws InputError with the source location: no map, no values, or a form that
 // is not allowed here.
 std::vector<VariedKey> keys_with_values(const Value& keys);
 std::vector<VariedKey> keys_with_ranges(const Value& keys);

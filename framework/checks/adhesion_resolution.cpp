@@ -17,7 +17,7 @@ namespace tack {
 namespace {
 
 constexpr double tolerated_change = 0.25;  // of the range
-constexpr double most_of_it = 0.5;            // of the impulse
+constexpr double coarse_fraction_min = 0.5;            // of the impulse
 
 // Returns the change of the gap across a triangle [m], n pointing to the other surface; 0 if the
 // triangle faces elsewhere.
@@ -32,11 +32,11 @@ double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec
 }  // namespace
 
 AdhesionResolution::AdhesionResolution(const SceneConfig& scene, const World& world)
-    : scene_(scene), world_(world), pulled_(world.contact_term->laws(LawTerm::adhesion).size()) {
+    : scene_(scene), world_(world), impulses_(world.contact_term->laws(LawTerm::adhesion).size()) {
   for (const PairLaw& law : world.contact_term->laws(LawTerm::adhesion)) adheres_.push_back(!law.laws().empty());
 }
 
-// Means over the triangles at a vertex of a mesh that look at the other surface.
+// Means over the triangles at a vertex that face the other surface.
 AdhesionResolution::Element AdhesionResolution::element_at(int v, const Vec3& n, const VecX& x) const {
   const CollisionMesh& mesh = world_.contact->surface().mesh;
   const SurfaceTopology& topology = world_.contact->held().topology();
@@ -56,7 +56,7 @@ AdhesionResolution::Element AdhesionResolution::element_at(int v, const Vec3& n,
 void AdhesionResolution::add(int law, double impulse, const Element& element, int object, int other) {
   const PairLaw& adhesion = world_.contact_term->laws(LawTerm::adhesion)[law];
   const double tolerated = tolerated_change * (adhesion.range() - adhesion.offset());
-  Pulled& pulled = pulled_[law];
+  LawImpulse& pulled = impulses_[law];
   pulled.all += impulse;
   if (element.gap_change <= tolerated) return;
   pulled.coarse += impulse;
@@ -64,7 +64,7 @@ void AdhesionResolution::add(int law, double impulse, const Element& element, in
   if (pulled.object < 0) pulled.object = object, pulled.other = other;
 }
 
-// That of a sample, whose triangle counts by what it stands for of it.
+// Returns the element of an interior quadrature point: its triangle, weighted by the area of the point.
 AdhesionResolution::Element AdhesionResolution::element_around(const Triangle& triangle, const Vec3& n, double own_area, const VecX& x) {
   double facing = 0;
   const auto c = corners(x, triangle);
@@ -72,7 +72,7 @@ AdhesionResolution::Element AdhesionResolution::element_around(const Triangle& t
   return {gap_change_across(c, true, n, facing) * std::sqrt(std::min(1.0, own_area / area)), std::sqrt(2 * area)};
 }
 
-void AdhesionResolution::look(const VecX& x, double h) {
+void AdhesionResolution::examine(const VecX& x, double h) {
   const std::vector<PairLaw>& laws = world_.contact_term->laws(LawTerm::adhesion);
   const ContactPoints points = contact_points({*world_.contact, world_.contact_term->laws(LawTerm::barrier), adheres_, x});
   for_each_record(points, [&]<int K>(const ContactPoint<K>& c) {
@@ -84,10 +84,10 @@ void AdhesionResolution::look(const VecX& x, double h) {
   });
 }
 
-std::vector<std::string> AdhesionResolution::coarse() const {
+std::vector<std::string> AdhesionResolution::warnings() const {
   CopiedLines lines;
-  for (const Pulled& pulled : pulled_) {
-    if (!(pulled.coarse > most_of_it * pulled.all)) continue;
+  for (const LawImpulse& pulled : impulses_) {
+    if (!(pulled.coarse > coarse_fraction_min * pulled.all)) continue;
     const std::string& name = world_.bodies[pulled.object].name;
     lines.tell(scene_.objects[pulled.object], "adhesion",
                fmt::format("where '{}' adhered to '{}', the gap changed by more than a quarter of the range from one end of an element to the other "

@@ -23,16 +23,16 @@ class AdhesionResolution {
   AdhesionResolution(const SceneConfig& scene, const World& world);
 
   // Examines the end of a step of size h [s] at x (3n), where contact must be.
-  void look(const VecX& x, double h);
+  void examine(const VecX& x, double h);
   // Returns a warning for each law that applied more than half of its impulse on too large
   // elements.
-  std::vector<std::string> coarse() const;
+  std::vector<std::string> warnings() const;
 
  private:
-  struct Pulled {
+  struct LawImpulse {
     double all = 0, coarse = 0;  // N s
-    double size = 0;             // N s m: of what is coarse, times the size that would do
-    int object = -1, other = -1;  // the first of which that was seen
+    double size = 0;             // N s m: coarse impulse times sufficient size
+    int object = -1, other = -1;  // the first pair with it
   };
   struct Element {
     double gap_change = 0, size = 0;  // m
@@ -45,7 +45,7 @@ class AdhesionResolution {
   const SceneConfig& scene_;
   const World& world_;
   std::vector<char> adheres_;   // per law
-  std::vector<Pulled> pulled_;  // per law
+  std::vector<LawImpulse> impulses_;  // per law
 };
 
 }  // namespace tack

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int enough_cells = 8;
 constexpr double slender = 10;       // the diagonal over 2 V / A, which is the thickness of a plate and half that of a bar
-constexpr double patch_width = 4;    // likewise
+constexpr double patch_width = 4;    // in units of 2 V / A
 constexpr double least_strain = 1e-6;  // root of the mean square
 constexpr double bends = 0.8;        // share of bending
 constexpr const char* of_linear = "with 1, 2, 4, 8 cells across a bar bends by 0.22, 0.50, 0.79, 0.93 of what it should "
@@ -83,7 +83,7 @@ class SparsePoints {
   int count() const { return static_cast<int>(points_.size()); }
 
  private:
-  // Buckets that share a number only add to what is looked through.
+  // A collision of hash numbers only adds pairs to examine.
   long key(const Vec3& x) const {
     const auto at = [&](int i) { return std::lround(std::floor(x[i] / apart_)); };
     return at(0) * 73856093L ^ at(1) * 19349663L ^ at(2) * 83492791L;
@@ -124,7 +124,7 @@ void SlenderSolid::make_patches(const VecX& rest) {
   patches_ = middles.count();
 }
 
-void SlenderSolid::look(const VecX& x) {
+void SlenderSolid::examine(const VecX& x) {
   std::vector<Mat3> sum(patches_, Mat3::Zero());
   std::vector<double> volume(patches_, 0);
   double square = 0, all = 0;
@@ -143,7 +143,7 @@ void SlenderSolid::look(const VecX& x) {
   bent_ = std::max(bent_, (square - of_means) / all);
 }
 
-double SlenderSolid::share_of_bending() const {
+double SlenderSolid::bending_fraction() const {
   const double both = stretched_ + bent_;
   return both > least_strain * least_strain ? bent_ / both : 0;
 }
@@ -159,7 +159,7 @@ BentSolids::BentSolids(const SceneConfig& scene, const World& world) : scene_(sc
   }
 }
 
-std::vector<std::string> BentSolids::expected() const {
+std::vector<std::string> BentSolids::notes() const {
   CopiedLines lines;
   for (const SlenderSolid& solid : solids_)
     lines.tell(scene_.objects[solid.body], "bends",
@@ -167,14 +167,14 @@ std::vector<std::string> BentSolids::expected() const {
   return lines.texts();
 }
 
-void BentSolids::look(const VecX& x) {
-  for (SlenderSolid& solid : solids_) solid.look(x);
+void BentSolids::examine(const VecX& x) {
+  for (SlenderSolid& solid : solids_) solid.examine(x);
 }
 
-std::vector<std::string> BentSolids::bent() const {
+std::vector<std::string> BentSolids::warnings() const {
   CopiedLines lines;
   for (const SlenderSolid& solid : solids_)
-    if (solid.share_of_bending() > bends)
+    if (solid.bending_fraction() > bends)
       lines.tell(scene_.objects[solid.body], "bends",
                  fmt::format("{} and bends, in which it is too stiff: {}; use {} or more, `elements: composite`, or a shell",
                              few_cells(solid, world_.bodies[solid.body].name), by_cells(world_.bodies[solid.body]), enough_cells));

@@ -24,10 +24,10 @@ class SlenderSolid {
   SlenderSolid(int number, const Body& of, const VecX& rest, double across, int most_cells);
 
   // Examines the strain at x (3n).
-  void look(const VecX& x);
+  void examine(const VecX& x);
   // Returns the largest bending part of the mean square strain, over the sum of this part and the
   // largest remaining part; 0 if there is hardly any strain.
-  double share_of_bending() const;
+  double bending_fraction() const;
 
   int body;          // of the world
   double thickness;  // 2 V / A [m]
@@ -49,12 +49,12 @@ class BentSolids {
   BentSolids(const SceneConfig& scene, const World& world);
 
   // Returns a line for each slender body: before a run it is not known whether the body bends.
-  std::vector<std::string> expected() const;
+  std::vector<std::string> notes() const;
   // Examines the strain at x (3n); called after every step.
-  void look(const VecX& x);
+  void examine(const VecX& x);
   // Returns a warning for each body that was strained by bending. Called at the end, because
   // vibrating bodies bend as well.
-  std::vector<std::string> bent() const;
+  std::vector<std::string> warnings() const;
 
  private:
   const SceneConfig& scene_;

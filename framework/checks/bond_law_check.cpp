@@ -18,7 +18,7 @@ struct BondCheck {
   static constexpr double misstatement = 0.01;     // of the peak and the work
 };
 
-// A bond with some past and a place it is pulled to.
+// A bond with a history, and the opening and slip that it is pulled to.
 struct Pulled {
   std::vector<double> memory;
   double d, s;
@@ -34,7 +34,7 @@ struct Pulled {
   }
 };
 
-// Openings and slips from a thirtieth to ten times what the law acts over.
+// Openings and slips from a thirtieth to ten times the range of the law.
 std::vector<Pulled> pulled_places(const BondLaw& law) {
   const double scale = law.work_of_adhesion() / law.peak_traction();
   std::vector<Pulled> all;
@@ -55,7 +55,7 @@ std::vector<Pulled> pulled_places(const BondLaw& law) {
 
 enum class Of { values, tractions };
 
-// By ln d and ln s, so that all have one unit; two of each place, or four.
+// Derivatives by ln d and ln s, which have equal units; two or four per point.
 VecX quotients(const BondLaw& law, const std::vector<Pulled>& all, Of of, double step) {
   const int n = of == Of::values ? 2 : 4;
   VecX found(n * all.size());
@@ -99,7 +99,7 @@ void check_derivatives(const BondLaw& law, const std::vector<Pulled>& all, Of of
   double step = DifferenceStudy::first_step;
   for (int k = 0; k < DifferenceStudy::steps; ++k, step /= DifferenceStudy::ratio) errors.push_back(quotients(law, all, of, step) - derivatives);
   if (const DifferenceStudy study = study_differences(errors, scales, BondCheck::tolerance); study.wrong)
-    check.wrong.push_back(fmt::format("{}: {}, off by {:.1e} of it", law.type(), what, study.error));
+    check.errors.push_back(fmt::format("{}: {}, off by {:.1e} of it", law.type(), what, study.error));
 }
 
 // Dissipation by viscosity appears in the potential by half.
@@ -113,7 +113,7 @@ void check_energy(const BondLaw& law, const std::vector<Pulled>& all, LawCheck& 
     if (off > worst) worst = off, taken_there = taken, booked_there = change.dissipated;
   }
   if (worst <= BondCheck::rounding) return;
-  check.wrong.push_back(fmt::format("{}: a step takes {:.4g} J/m^2 from its potential that are not stored afterwards, and {:.4g} J/m^2 are booked as dissipated: its memory "
+  check.errors.push_back(fmt::format("{}: a step takes {:.4g} J/m^2 from its potential that are not stored afterwards, and {:.4g} J/m^2 are booked as dissipated: its memory "
                                     "after a step, and its loss, have to be those of the least that its energy is", law.type(), taken_there, booked_there));
 }
 
@@ -130,7 +130,7 @@ void check_statements(const BondLaw& law, LawCheck& check) {
   }
   const auto compare = [&](const char* what, const char* unit, double stated_value, double found) {
     if (std::abs(found - stated_value) <= BondCheck::misstatement * stated_value) return;
-    check.doubtful.push_back(fmt::format("{}: states a {} of {:.4g} {}, and has {:.4g} when it is pulled slowly; reports and the default stiffness of barriers go by "
+    check.warnings.push_back(fmt::format("{}: states a {} of {:.4g} {}, and has {:.4g} when it is pulled slowly; reports and the default stiffness of barriers go by "
                                          "what it states", law.type(), what, stated_value, unit, found));
   };
   compare("peak traction", "Pa", law.peak_traction(), peak);
@@ -146,7 +146,7 @@ LawCheck check_law(const BondLaw& law) {
   for (const Pulled& p : all) {
     const BondSample s = p.at(law, 0, 0);
     if (std::isfinite(s.value + s.by_d + s.by_s + s.by_dd + s.by_ds + s.by_ss)) continue;
-    check.wrong.push_back(fmt::format("{}: its values or derivatives are not finite at an opening of {:.4g} m and a slip of {:.4g} m", law.type(), p.d, std::sqrt(p.s)));
+    check.errors.push_back(fmt::format("{}: its values or derivatives are not finite at an opening of {:.4g} m and a slip of {:.4g} m", law.type(), p.d, std::sqrt(p.s)));
     return check;
   }
   check_derivatives(law, all, Of::values, "its tractions are not the derivatives of its energy", check);

@@ -55,7 +55,7 @@ Plane nearest_plane(const std::vector<PressedPoint>& points, const Place& place)
   return plane;
 }
 
-// Best-fit planes of one of the two surfaces, both seen from the side to which `way` points now.
+// Best-fit planes of one of the two surfaces at rest and now; `way` points to their outside now.
 struct Planes {
   Plane rest, now;
 
@@ -119,7 +119,7 @@ ContactApproach::ContactApproach(const SceneConfig& scene, const World& world) :
   for (const PairLaw& adhesion : world.contact_term->laws(LawTerm::adhesion)) wanted_.push_back(adhesion.laws().empty());
 }
 
-bool ContactApproach::looked_at(const Objects& objects) const {
+bool ContactApproach::is_examined(const Objects& objects) const {
   const auto [a, b] = objects;
   if (a == b || !((soft_[a] && (soft_[b] || firm_[b])) || (firm_[a] && soft_[b]))) return false;
   const PairTable& pairs = world_.contact->pairs();
@@ -136,7 +136,7 @@ std::map<ContactApproach::Objects, std::vector<PressedPoint>> ContactApproach::z
   std::map<Objects, std::vector<PressedPoint>> zones;
   for_each_record(contacts, [&](const auto& c) {
     const Objects objects = std::minmax(c.object, c.opposite);
-    if (!(c.normal_force > 0) || !looked_at(objects)) return;
+    if (!(c.normal_force > 0) || !is_examined(objects)) return;
     PressedPoint p{{Vec3::Zero(), Vec3::Zero()}, {Vec3::Zero(), Vec3::Zero()}, c.normal_force};
     for (int i = 0; i < static_cast<int>(c.vertices.size()); ++i) {
       const bool own = i < c.own;
@@ -150,7 +150,7 @@ std::map<ContactApproach::Objects, std::vector<PressedPoint>> ContactApproach::z
   return zones;
 }
 
-void ContactApproach::look(const VecX& x) {
+void ContactApproach::examine(const VecX& x) {
   if (wanted_.empty()) return;
   for (const auto& [objects, points] : zones(x)) {
     double force = 0;
@@ -166,7 +166,7 @@ void ContactApproach::look(const VecX& x) {
   }
 }
 
-std::vector<std::string> ContactApproach::soft() const {
+std::vector<std::string> ContactApproach::warnings() const {
   CopiedLines lines;
   for (const auto& [objects, p] : pressed_) {
     const double approach = p.barrier + p.elastic;

@@ -45,9 +45,9 @@ class ContactApproach {
   ContactApproach(const SceneConfig& scene, const World& world);
 
   // Examines the end of a step at x (3n), where contact must be.
-  void look(const VecX& x);
+  void examine(const VecX& x);
   // Returns a warning for each pair of objects, judged at the time of their largest force.
-  std::vector<std::string> soft() const;
+  std::vector<std::string> warnings() const;
 
  private:
   using Objects = std::pair<int, int>;  // ascending
@@ -56,13 +56,13 @@ class ContactApproach {
     double barrier = 0, elastic = 0;  // approach [m]
     double distance = 0;             // in which the barrier acts [m]
   };
-  bool looked_at(const Objects& objects) const;
+  bool is_examined(const Objects& objects) const;
   std::map<Objects, std::vector<PressedPoint>> zones(const VecX& x) const;
 
   const SceneConfig& scene_;
   const World& world_;
-  std::vector<char> soft_, firm_;  // per object: elastic tets; what keeps the shape of its surface
-  std::vector<char> wanted_;       // per law: it does not adhere; empty: nobody is soft
+  std::vector<char> soft_, firm_;  // per object: has elastic tets; keeps the shape of its surface
+  std::vector<char> wanted_;       // per law: without adhesion; empty: no object is soft
   std::map<Objects, Pressed> pressed_;
 };
 

@@ -51,7 +51,7 @@ class TermStudy {
     potential_.begin_step(world.start.x, world.start.x, {}, false);
   }
 
-  void look(const VecX& q, const VecX& direction) {
+  void examine(const VecX& q, const VecX& direction) {
     potential_.move_to(q);
     const BlockMatrix& hessian = potential_.hessian({Projection::none});
     const VecX gradient = potential_.gradient();
@@ -122,7 +122,7 @@ std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseCloc
     RandomDirections random;
     for (const double distance : distances) {
       const VecX state = q + distance * free_direction(random);
-      for (int i = 0; i < directions; ++i) study.look(state, free_direction(random));
+      for (int i = 0; i < directions; ++i) study.examine(state, free_direction(random));
     }
     keep_worst(checks, study.check());
   }

@@ -12,7 +12,7 @@
 namespace tack {
 
 struct DerivativeCheck {
-  std::string term;  // the worst of those of this name
+  std::string term;  // name; the worst of several terms with it
   // gradient: differences of the value, relative to the root of the sum of squares of its parts;
   // hessian: differences of the gradient, relative to the sum of absolute values of a row.
   DifferenceStudy gradient, hessian;

@@ -31,7 +31,7 @@ FlowQuality::FlowQuality(const World& world) : world_(world) {
   }
 }
 
-void FlowQuality::look(const VecX& x, double time) {
+void FlowQuality::examine(const VecX& x, double time) {
   for (Flowing& f : all_) {
     const VecX strain = f.strain->values(x);
     for (size_t t = 0; t < f.at_rest.size(); ++t) {
@@ -49,7 +49,7 @@ void FlowQuality::look(const VecX& x, double time) {
   }
 }
 
-std::vector<std::string> FlowQuality::poor() const {
+std::vector<std::string> FlowQuality::warnings() const {
   std::vector<std::string> lines;
   for (const Flowing& f : all_) {
     if (f.lowest >= poor_quality) continue;

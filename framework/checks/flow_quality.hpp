@@ -19,10 +19,10 @@ class FlowQuality {
   explicit FlowQuality(const World& world);
 
   // Examines the configuration x (3n) at a time [s]; called between steps.
-  void look(const VecX& x, double time);
-  std::optional<double> lowest() const { return lowest_; }  // that was seen
+  void examine(const VecX& x, double time);
+  std::optional<double> lowest() const { return lowest_; }  // so far
   // Returns a line for each object whose lowest quality is too low.
-  std::vector<std::string> poor() const;
+  std::vector<std::string> warnings() const;
 
  private:
   struct Flowing {

@@ -33,7 +33,7 @@ class FlushFaces {
     for (const PairLaw& law : world_.contact->pairs().laws()) range = std::max(range, law.range());
     for (size_t i = 0; i < order.size(); ++i)
       for (size_t j = i + 1; j < order.size() && boxes_[order[j]].min().x() <= boxes_[order[i]].max().x() + range; ++j)
-        look(std::min(order[i], order[j]), std::max(order[i], order[j]));
+        examine(std::min(order[i], order[j]), std::max(order[i], order[j]));
     return lines_.texts();
   }
 
@@ -72,7 +72,7 @@ class FlushFaces {
     return area > filled * box.volume() / box.sizes()(axis);
   }
 
-  void look(int a, int b) {
+  void examine(int a, int b) {
     const auto alike = [&](int axis) {
       return std::abs(boxes_[a].min()(axis) - boxes_[b].min()(axis)) < distance_ && std::abs(boxes_[a].max()(axis) - boxes_[b].max()(axis)) < distance_;
     };

@@ -12,9 +12,9 @@ namespace tack {
 struct World;
 
 struct LawCheck {
-  std::vector<std::string> wrong;     // derivatives that are not those of the values
+  std::vector<std::string> errors;    // derivatives that contradict the values
   std::vector<std::string> notes;     // remarks of the laws themselves
-  std::vector<std::string> doubtful;  // usable, but not as the law promises
+  std::vector<std::string> warnings;  // usable, but not as the law promises
 };
 
 // Checks one law over its whole range. The lines begin with its name.

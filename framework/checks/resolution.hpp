@@ -1,5 +1,5 @@
 // Warnings about meshes that are too coarse, or ranges that are too long: sentences with the
-// objects, the sizes and a remedy. None is an error: the run goes on.
+// objects, the sizes and a remedy. None is an error: the run continues.
 //  * An adhesive interface fails over a process zone of about E W / sigma^2 (W: work of adhesion,
 //    sigma: peak traction, E: the softer Young's modulus; Hillerborg et al. 1976). Larger elements
 //    fail all at once, too late.
@@ -8,9 +8,9 @@
 //  * A contact distance above the element size, or a range above the thickness of a body, reaches
 //    other parts of the body.
 //  * A single body should have no contact forces at the start.
-//  * Two bodies that start within the contact distance press at once. A warning is printed if that
-//    squeezes one of them from opposite sides, as in a fit narrower than the distance, or throws it
-//    off.
+//  * Two bodies that start within the contact distance press on each other from the start. A
+//    warning is printed if that squeezes one of them from opposite sides, as in a fit narrower than
+//    the distance, or throws it off.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ namespace {
 // Contact distance over the middle side of a body's box, below which a warning is printed: the study
 // in the header.
 constexpr double least_distance_part = 3e-5;
-// Smallest middle side that is doubted [m]: a thousandth of a smaller body would be less than a
+// Smallest middle side with a warning [m]: a thousandth of a smaller body would be less than a
 // millimetre, a size to which contact distances of nanometres belong.
 constexpr double smallest_doubted = 1;
 

@@ -10,18 +10,19 @@
 // are, and with all lengths of bodies 1000 times as large, of 216 scenes
 // (TACK_PRINT_STUDY=1 tack_tests "[checks]" prints most of them):
 //
-//     scale, of the extreme body    scenes   as it is: range    median   doubted   doubted at 1000
+//     scale, of the extreme body    scenes   as it is: range    median   warned    warned at 1000
 //     distance / side, contact      190      3e-6 .. 0.1        0.01     1         170
 //     rho g L / E, gravity, solid   100      1e-7 .. 0.16       0.01     0         98
 //     ------
 //     bound of distance / side      1e-5     3e-5     1e-4     3e-4
-//     doubted at 1000, of 190       66       170      178      186
+//     warned at 1000, of 190        66       170      178      186
 //     as it is, any size            4        7        9        14
 //
-// The one scene that is doubted as it is has the wrong scale on purpose (hard/). Among those of a
+// The one scene with a warning as it is has the wrong scale on purpose (hard/). Among those of a
 // metre or more no other has a ratio below 3e-4, so that the bound could be ten times as large. It
-// is kept low, as a warning that is wrong costs more than one that is missing. Not doubted at 1000
-// are scenes with a contact distance of more than a thirtieth of the body, and without gravity.
+// is kept low, as a warning that is wrong costs more than one that is missing. Without warning at
+// 1000 are scenes with a contact distance of more than a thirtieth of the body, and without
+// gravity.
 #pragma once
 
 #include <string>

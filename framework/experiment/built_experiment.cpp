@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "framework/experiment/earlier_run.hpp"
+#include "framework/experiment/read_initial_state.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/setup/remesh_checks.hpp"
@@ -27,15 +27,15 @@ BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(lo
     with_source_location(loaded_.root.find("output"), [] {
       throw InputError("output.gradients follow one mesh through the run, and objects may be meshed anew (remesh); take one of the two away");
     });
-  if (e.start && !loaded_.earlier) with_source_location(loaded_.root.find("start"), [&] { loaded_.earlier = state_of_run(e.start->from); });
+  if (e.start && !loaded_.initial_state) with_source_location(loaded_.root.find("start"), [&] { loaded_.initial_state = read_initial_state(e.start->from); });
   build();
-  loaded_.earlier.reset();
-  loaded_.experiment.solver = settled_solver(e, *world_);
+  loaded_.initial_state.reset();
+  loaded_.experiment.solver = solver_with_tolerances(e, *world_);
 }
 
 void BuiltExperiment::build() {
   const Experiment& e = loaded_.experiment;
-  world_ = build_world(e, loaded_.root, {e.time.step, e.time.duration}, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr, loaded_.flowed);
+  world_ = build_world(e, loaded_.root, {e.time.step, e.time.duration}, clock_, loaded_.initial_state ? &*loaded_.initial_state : nullptr, loaded_.flowed);
   check_damping(e, loaded_.root, *world_);
   with_source_location(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
   world_->step_metrics = e.time.stepper->metrics();

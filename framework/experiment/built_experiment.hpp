@@ -22,7 +22,7 @@ class BuiltExperiment {
 
   // With all tolerances of its solver.
   const Experiment& experiment() const { return loaded_.experiment; }
-  // As parsed, for places in messages.
+  // As parsed, for source locations in messages.
   const Value& root() const { return loaded_.root; }
   World& world() { return *world_; }
   const World& world() const { return *world_; }
@@ -41,7 +41,7 @@ class BuiltExperiment {
 };
 
 // Returns the probes of an experiment, with its expectations checked against them. Throws
-// InputError with the place in the file.
+// InputError with the source location.
 ProbeSet probes_of(const BuiltExperiment& built);
 
 }  // namespace tack

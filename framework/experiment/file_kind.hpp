@@ -10,10 +10,10 @@ namespace tack {
 
 enum class FileKind { scene, batch, comparison, calibration };
 
-// Returns the kind of a file by its keys; `wanted` if they tell none.
+// Returns the kind of a file by its keys; `wanted` if they do not determine it.
 FileKind kind_of_file(const Value& root, FileKind wanted);
 
-// Throws InputError, with the place and the right command, for a file of another kind.
+// Throws InputError, with the source location and the right command, for another kind of file.
 void refuse_other_kind(const Value& root, FileKind wanted);
 
 }  // namespace tack

@@ -12,10 +12,10 @@
 namespace tack {
 
 struct LoadedExperiment {
-  Value root;  // as parsed, for places in messages
+  Value root;  // as parsed, for source locations in messages
   Experiment experiment;
-  // Initial state from a run; unset: as `start` says (earlier_run.hpp).
-  std::optional<InitialStateFromRun> earlier;
+  // Initial state from a run; unset: as `start` says (read_initial_state.hpp).
+  std::optional<InitialStateFromRun> initial_state;
   // Meshes of objects that were remeshed in a run that is resumed.
   FlowedMeshes flowed;
 };

@@ -1,4 +1,4 @@
-#include "framework/experiment/earlier_run.hpp"
+#include "framework/experiment/read_initial_state.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ InitialStateFromRun initial_state_of(const StateFile& file, const Experiment& ex
   return state;
 }
 
-InitialStateFromRun state_of_run(const std::string& from) {
+InitialStateFromRun read_initial_state(const std::string& from) {
   const fs::path path = checkpoint_of(from);
   const StateFile file = read_state_file(path, StateFile::Kind::checkpoint);
   if (file.objects.empty())

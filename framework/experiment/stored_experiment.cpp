@@ -1,7 +1,7 @@
 #include "framework/experiment/stored_experiment.hpp"
 
 #include "framework/config/describe.hpp"
-#include "framework/experiment/earlier_run.hpp"
+#include "framework/experiment/read_initial_state.hpp"
 #include "framework/shapes/mesh_cache.hpp"
 
 namespace tack {
@@ -39,7 +39,7 @@ LoadedExperiment experiment_of(const StateFile& file, const std::string& name) {
   // The problem's own state is the start that is checked; the state file that the experiment
   // started from may no longer exist.
   if (!file.objects.empty()) {
-    loaded.earlier = initial_state_of(file, loaded.experiment, name);
+    loaded.initial_state = initial_state_of(file, loaded.experiment, name);
     loaded.experiment.start.reset();
   }
   return loaded;

@@ -65,13 +65,13 @@ double velocity_tolerance(const Experiment& experiment, const World& world) {
 
 }  // namespace
 
-std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world) {
+std::unique_ptr<const Minimizer> solver_with_tolerances(const Experiment& experiment, const World& world) {
   auto solver = instance_of(*experiment.solver);
   if (!solver->tolerance_given()) solver->set_velocity_tolerance(velocity_tolerance(experiment, world));
   return solver;
 }
 
-std::vector<std::string> doubtful_tolerances(const Experiment& experiment, const World& world) {
+std::vector<std::string> tolerance_warnings(const Experiment& experiment, const World& world) {
   std::vector<std::string> lines;
   if (!experiment.contact || !has_inertia(experiment, world) || experiment.solver->stopping() != Stopping::velocity) return lines;
   const double tolerance = experiment.solver->velocity_tolerance(), way = tolerance * experiment.time.step;

@@ -14,10 +14,11 @@ namespace tack {
 // Returns the experiment's solver with a default velocity tolerance if it has none. The world's
 // bodies must exist. The force floor belongs to single unknowns and is computed when steps are
 // taken (framework/stepping/force_groups.hpp).
-std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world);
+std::unique_ptr<const Minimizer> solver_with_tolerances(const Experiment& experiment,
+                                                        const World& world);
 
 // Returns warnings about tolerances that do not fit the contact distance or the friction, one line
 // each with the remedy.
-std::vector<std::string> doubtful_tolerances(const Experiment& experiment, const World& world);
+std::vector<std::string> tolerance_warnings(const Experiment& experiment, const World& world);
 
 }  // namespace tack

@@ -1,6 +1,6 @@
 // Checks that the first step of a run without inertia has an equilibrium
-// (stepping/free_bodies.hpp): a body that nothing holds ends the run, and `tack check` finds it in
-// advance. Loads are those of the first step; a load that lifts a body off later is found in the
+// (stepping/free_bodies.hpp): a body that nothing supports ends the run, and `tack check` finds it
+// in advance. Loads are those of the first step; a load that lifts a body off later is found in the
 // run.
 #pragma once
 
@@ -13,11 +13,11 @@
 namespace tack {
 
 struct EquilibriumCheck {
-  std::string wrong;                   // the run cannot do its first step; empty: it may
-  std::vector<std::string> doubtful;   // a line each
+  std::string error;                  // the run cannot do its first step; empty: it may
+  std::vector<std::string> warnings;  // a line each
 };
 
-// Nothing is wrong or doubtful of a run with inertia. Contact is left at the start.
+// Returns neither an error nor warnings for a run with inertia. Leaves contact at the start.
 EquilibriumCheck check_equilibrium(const Experiment& experiment, World& world, PhaseClock& clock);
 
 }  // namespace tack

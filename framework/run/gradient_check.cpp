@@ -34,7 +34,7 @@ size_t column_of(const ProbeSet& probes, const std::string& column) {
   return static_cast<size_t>(found - all.begin());
 }
 
-Curve curve_of(LoadedExperiment loaded, const std::string& column, std::vector<Warning>* doubts = nullptr) {
+Curve curve_of(LoadedExperiment loaded, const std::string& column, std::vector<Warning>* warnings = nullptr) {
   Simulation simulation(std::move(loaded));
   ProbeSet probes = probes_of(simulation.built());
   const size_t at = column_of(probes, column);
@@ -59,7 +59,7 @@ Curve curve_of(LoadedExperiment loaded, const std::string& column, std::vector<W
     sample();
   }
   curve.seconds = user_seconds() - began;
-  if (doubts) *doubts = gradients.doubts();
+  if (warnings) *warnings = gradients.doubts();
   return curve;
 }
 
@@ -94,7 +94,7 @@ void compare(const Curve& run, const Curve& less, const Curve& more, double tole
   if (errors.empty()) return;
   check.worst = static_cast<size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
   std::sort(errors.begin(), errors.end());
-  check.middle = errors[errors.size() / 2];
+  check.median_error = errors[errors.size() / 2];
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ GradientCheck check_gradient(const LoadedExperiment& loaded, const std::string& 
   GradientCheck check{};
   check.number = scene_number(built, key);
   check.step = check.number != 0 ? std::abs(check.number) * relative_step : relative_step;
-  const Curve run = curve_of(with_gradient(built, key), column, &check.doubts);
+  const Curve run = curve_of(with_gradient(built, key), column, &check.warnings);
   const Curve less = curve_of(scene_with(built, key, check.number - check.step), column);
   const Curve more = curve_of(scene_with(built, key, check.number + check.step), column);
   check.cost = 2 * run.seconds / std::max(less.seconds + more.seconds, 1e-9);

@@ -17,9 +17,9 @@ struct GradientCheck {
   std::vector<double> times, gradients, differences;
   double largest = 0;   // largest absolute difference quotient
   size_t worst = 0;     // index of the largest error
-  double middle = 0;    // median error
+  double median_error = 0;    // median error
   double cost = 0;      // user time of steps with the gradient over that without
-  std::vector<Warning> doubts;
+  std::vector<Warning> warnings;
 
   double error(size_t i) const {
     return largest > 0 ? std::abs(gradients[i] - differences[i]) / largest : 0;

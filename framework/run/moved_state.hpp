@@ -9,7 +9,7 @@ struct World;
 
 // Returns the state with other positions x [m] and velocities v [m/s] of the meshes' vertices (3
 // per vertex). Frames of affine bodies and all dependent vertices are computed from these. The
-// state begins anew, as at the start of a run:
+// state starts again, as at the start of a run:
 // - History of the last step is dropped: positions, velocities, step size, error of adaptive
 //   steps, accelerations. `a` is empty: the time loop computes accelerations from the forces and
 //   resets lagged friction, contact sides and weights, and the stepper's history.

@@ -22,7 +22,7 @@ class ProblemDump {
   // Returns true if step `step` may be stored.
   bool wants(int step) const { return hardest_ > 0 || steps_.count(step) > 0; }
   // Announces the step from `state` with size h. A step requested by number is stored at once, so
-  // that a failing step is kept too. store: writes a problem.
+  // that a failing step is stored too. store: writes a problem.
   using Store = std::function<void(const State& state, double h, int iterations)>;
   void before(const State& state, double h, const Store& store);
   void after(int iterations);

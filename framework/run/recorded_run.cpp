@@ -48,11 +48,11 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
                          std::ostream& out, const ProgressOptions& progress)
     : settings_(settings), dump_(settings.dump_problems),
       simulation_(std::move(loaded), [this](const Warning& warning) { warn(warning); }),
-      watch_(std::in_place, simulation_.built()), gradients_(gradients_of(simulation_.built())), files_(file_digests(to_value(fields_of(experiment_)))), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
+      monitors_(std::in_place, simulation_.built()), gradients_(gradients_of(simulation_.built())), files_(file_digests(to_value(fields_of(experiment_)))), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
   if (settings.profile && any_remeshed(experiment_))
     throw InputError("a profile is of one world, and objects may be meshed anew (remesh); take that away (--set objects.NAME.remesh=null)");
-  if (checkpoint_ && !checkpoint_->flowed.empty()) watch_.emplace(simulation_.built());
+  if (checkpoint_ && !checkpoint_->flowed.empty()) monitors_.emplace(simulation_.built());
   summary_.flows = EnergyFlows(world().records);
   if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings, summary_.linear_solver = checkpoint_->linear_solver, summary_.remeshings = checkpoint_->remeshings;
   else replace_file(folder_.scene(), to_yaml(fields_of(experiment_)) + comments_of(used_stiffness(world()))), write_laws(folder_.laws(), world());
@@ -76,7 +76,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   simulation_.observe(std::move(observers));
 }
 
-RecordedRun::Watch::Watch(const BuiltExperiment& built)
+RecordedRun::Monitors::Monitors(const BuiltExperiment& built)
     : probes(probes_of(built)), bent(built.experiment(), built.world()), quality(built.world()) {
   const Experiment& experiment = built.experiment();
   const World& world = built.world();
@@ -85,10 +85,10 @@ RecordedRun::Watch::Watch(const BuiltExperiment& built)
 }
 
 const RunSummary& RecordedRun::execute() {
-  tell_beginning();
+  report_start();
   std::optional<double> resumed_at;
   if (checkpoint_) resumed_at = checkpoint_->state.time;
-  std::optional<Recorder> recorder(std::in_place, experiment_.output, experiment_.time, watch_->probes, world(), folder_, clock_, resumed_at);
+  std::optional<Recorder> recorder(std::in_place, experiment_.output, experiment_.time, monitors_->probes, world(), folder_, clock_, resumed_at);
   try {
     simulate(recorder);
   } catch (const SimulationError& error) {
@@ -104,7 +104,7 @@ const RunSummary& RecordedRun::execute() {
   return summary_;
 }
 
-void RecordedRun::tell_beginning() {
+void RecordedRun::report_start() {
   if (folder_.moved_aside())
     progress_.message(fmt::format("earlier results moved to {}", folder_.moved_aside()->string()));
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
@@ -133,39 +133,39 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
                                   checkpoint_->state.time));
     if (gradients_) gradients_->start_from(checkpoint_->state);
     simulation_.start_from(checkpoint_->state);
-    if (gradients_) gradients_csv_ = ProbesCsv::continued(folder_.gradients(), gradients_->columns(watch_->probes.columns()), checkpoint_->state.time);
+    if (gradients_) gradients_csv_ = ProbesCsv::continued(folder_.gradients(), gradients_->columns(monitors_->probes.columns()), checkpoint_->state.time);
   } else {
     simulation_.start();
     recorder->start(simulation_.state());
-    tell_lost_probes();
+    warn_of_lost_probes();
     if (gradients_) begin_gradients(*recorder);
   }
   next_checkpoint_ = next_checkpoint_after(simulation_.state().time);
   progress_.begin(simulation_.state().time, experiment_.time.duration);
   if (settings_.control) settings_.control->begin(simulation_.state().time, experiment_.time.duration, simulation_.state().step);
   while (!simulation_.finished() && (settings_.steps == 0 || summary_.steps < settings_.steps)) {
-    hold();
+    wait_while_paused();
     prepare_dump();
     const StepReport report = simulation_.step();
     if (simulation_.interrupted()) {
       summary_.status = RunStatus::interrupted;
-      keep_interrupted();
+      store_interrupted();
       return;
     }
     if (profiler_) profiler_->step(simulation_.state(), report);
     dump_.after(report.solve.iterations);
     recorder->step(simulation_.state(), report);
-    tell_lost_probes();
+    warn_of_lost_probes();
     if (gradients_) gradients_->kept(simulation_.state()), add_gradients(*recorder);
     summary_.add(report);
     summary_.group_names = simulation_.stepper().energy_groups();
     if (report.step <= looks_at_first || report.step % look_interval == 0) {
-      watch_->bent.look(simulation_.state().x);
-      look_at_quality();
-      if (watch_->adhesion) watch_->adhesion->look(simulation_.state().x, report.step_size);
-      if (watch_->approach) watch_->approach->look(simulation_.state().x);
+      monitors_->bent.examine(simulation_.state().x);
+      update_lowest_quality();
+      if (monitors_->adhesion) monitors_->adhesion->examine(simulation_.state().x, report.step_size);
+      if (monitors_->approach) monitors_->approach->examine(simulation_.state().x);
     }
-    tell_linear_solver();
+    report_linear_solver();
     progress_.step(report);
     if (settings_.control) settings_.control->step(report);
     remesh(recorder);
@@ -173,7 +173,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
   }
 }
 
-// Remeshes worn tetrahedra. Observers of the world start anew, as in a resumed run.
+// Remeshes worn tetrahedra. Monitors of the world start again, as in a resumed run.
 void RecordedRun::remesh(std::optional<Recorder>& recorder) {
   if (simulation_.finished()) return;
   std::vector<NewElements> elements = simulation_.due_elements();
@@ -185,18 +185,18 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
     const Body& body = world().bodies[e.body];
     told.push_back({body.name, step, time, e.before, e.after, static_cast<int>(body.tets.size()), static_cast<int>(e.mesh.mesh.tets.size()), 0});
   }
-  look_at_quality();
-  tell_coarse();
+  update_lowest_quality();
+  warn_of_coarse_elements();
   recorder.reset();
-  watch_.reset();
+  monitors_.reset();
   double lost = 0;
   try {
     lost = simulation_.exchange(std::move(elements));
-    watch_.emplace(simulation_.built());
+    monitors_.emplace(simulation_.built());
   } catch (const InputError& error) {  // a selection that is empty now
     throw SimulationError(fmt::format("after objects were meshed anew (t = {:.6g} s): {}", time, error.what()));
   }
-  recorder.emplace(experiment_.output, experiment_.time, watch_->probes, world(), folder_, clock_, time);
+  recorder.emplace(experiment_.output, experiment_.time, monitors_->probes, world(), folder_, clock_, time);
   for (Remeshing& r : told) {
     r.lost = lost;
     progress_.message(fmt::format("object '{}' meshed anew after step {}, t = {:.6g} s: lowest mean ratio {:.3g}, was {:.3g}; {} tets, were {}", r.object, r.step, r.time,
@@ -207,15 +207,15 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
 }
 
 // Waits while the run is paused; the time does not count as run time.
-void RecordedRun::hold() {
+void RecordedRun::wait_while_paused() {
   if (!settings_.control) return;
   const ClockPause pause(clock_);
-  settings_.control->hold();
+  settings_.control->wait_while_paused();
 }
 
 void RecordedRun::begin_gradients(const Recorder& recorder) {
   gradients_->start();
-  gradients_csv_.emplace(folder_.gradients(), gradients_->columns(watch_->probes.columns()));
+  gradients_csv_.emplace(folder_.gradients(), gradients_->columns(monitors_->probes.columns()));
   add_gradients(recorder);
 }
 
@@ -232,35 +232,35 @@ void RecordedRun::add_gradients(const Recorder& recorder) {
 }
 
 // Reports each lost probe once.
-void RecordedRun::tell_lost_probes() {
-  for (const std::string& what : watch_->probes.take_lost())
+void RecordedRun::warn_of_lost_probes() {
+  for (const std::string& what : monitors_->probes.take_lost())
     warn(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
                      simulation_.state().time));
 }
 
-void RecordedRun::look_at_quality() {
-  watch_->quality.look(simulation_.state().x, simulation_.state().time);
-  if (const auto lowest = watch_->quality.lowest()) summary_.lowest_quality = std::min(summary_.lowest_quality, *lowest);
+void RecordedRun::update_lowest_quality() {
+  monitors_->quality.examine(simulation_.state().x, simulation_.state().time);
+  if (const auto lowest = monitors_->quality.lowest()) summary_.lowest_quality = std::min(summary_.lowest_quality, *lowest);
 }
 
 // Reports effects that elements were too coarse for.
-void RecordedRun::tell_resolution() {
-  if (!watch_) return;
-  if (simulation_.started()) look_at_quality();
-  for (const std::string& line : watch_->quality.poor()) warn(line);
-  tell_coarse();
+void RecordedRun::warn_of_resolution() {
+  if (!monitors_) return;
+  if (simulation_.started()) update_lowest_quality();
+  for (const std::string& line : monitors_->quality.warnings()) warn(line);
+  warn_of_coarse_elements();
 }
 
-void RecordedRun::tell_coarse() {
-  for (const std::string& line : watch_->bent.bent()) warn(line);
-  if (watch_->adhesion)
-    for (const std::string& line : watch_->adhesion->coarse()) warn(line);
-  if (watch_->approach)
-    for (const std::string& line : watch_->approach->soft()) warn(line);
+void RecordedRun::warn_of_coarse_elements() {
+  for (const std::string& line : monitors_->bent.warnings()) warn(line);
+  if (monitors_->adhesion)
+    for (const std::string& line : monitors_->adhesion->warnings()) warn(line);
+  if (monitors_->approach)
+    for (const std::string& line : monitors_->approach->warnings()) warn(line);
 }
 
 // Reports the linear solver after the first system and after each change.
-void RecordedRun::tell_linear_solver() {
+void RecordedRun::report_linear_solver() {
   const std::string solver = simulation_.solver().linear_solver();
   if (solver.empty() || solver == summary_.linear_solver) return;
   summary_.linear_solver = solver;
@@ -325,7 +325,7 @@ void RecordedRun::write_checkpoint() {
 // Writes a checkpoint if the run has no checkpoint interval. With an interval, resuming repeats the
 // steps since the last checkpoint and has the bits of an uninterrupted run, because its solver
 // starts afresh there, too.
-void RecordedRun::keep_interrupted() {
+void RecordedRun::store_interrupted() {
   if (experiment_.output.checkpoint_interval || summary_.steps == 0) return;
   const int step = simulation_.state().step;
   store_checkpoint(interrupted_path(folder_, step));
@@ -370,7 +370,7 @@ void RecordedRun::finish(const ProbeSeries* series) {
   if (gradients_)
     for (const Warning& warning : gradients_->doubts()) warn(warning);
   for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator, summary_.group_names)) warn(warning);
-  tell_resolution();
+  warn_of_resolution();
   add_up_phases();
   for (const double s : summary_.phases) summary_.wall_seconds += s;
   write_summary(folder_.summary(), summary_);

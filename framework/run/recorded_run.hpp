@@ -47,26 +47,26 @@ class RecordedRun {
 
  private:
   std::optional<StateFile> checkpoint();
-  void tell_beginning();
+  void report_start();
   void warn(const Warning& warning);
   void simulate(std::optional<Recorder>& recorder);
   void remesh(std::optional<Recorder>& recorder);
-  void hold();
+  void wait_while_paused();
   void begin_gradients(const Recorder& recorder);
   void restart_gradients();
   void add_gradients(const Recorder& recorder);
-  void tell_linear_solver();
-  void tell_lost_probes();
-  void look_at_quality();
-  void tell_resolution();
-  void tell_coarse();
+  void report_linear_solver();
+  void warn_of_lost_probes();
+  void update_lowest_quality();
+  void warn_of_resolution();
+  void warn_of_coarse_elements();
   void prepare_dump();
   void finish_dump();
   StateFile state_file(StateFile::Kind kind, const State& state) const;
   void store_problem(const State& state, double h, int iterations);
   double next_checkpoint_after(double time) const;
   void write_checkpoint();
-  void keep_interrupted();
+  void store_interrupted();
   void store_checkpoint(const std::filesystem::path& path);
   void add_up_phases();
   std::string profile_of_run();
@@ -80,15 +80,15 @@ class RecordedRun {
   const World& world() const { return simulation_.world(); }
   PhaseClock& clock_ = simulation_.clock();
   // Observers of the world, which is replaced when objects are remeshed.
-  struct Watch {
-    explicit Watch(const BuiltExperiment& built);
+  struct Monitors {
+    explicit Monitors(const BuiltExperiment& built);
     ProbeSet probes;
     BentSolids bent;
     FlowQuality quality;
     std::optional<AdhesionResolution> adhesion;  // only with adhesion
     std::optional<ContactApproach> approach;     // only with contact and a check of force balance
   };
-  std::optional<Watch> watch_;
+  std::optional<Monitors> monitors_;
   std::optional<Gradients> gradients_;  // only if the experiment has gradients
   std::optional<ProbesCsv> gradients_csv_;
   // Digests by path of the files that the scene has read, computed at that time.

@@ -36,11 +36,11 @@ void RunControl::iteration(int iteration, double residual) {
   progress_.residual = residual;
 }
 
-void RunControl::hold() {
+void RunControl::wait_while_paused() {
   std::unique_lock lock(mutex_);
-  progress_.holding = progress_.paused;
+  progress_.waiting = progress_.paused;
   while (progress_.paused && !interrupt_requested) changed_.wait_for(lock, signal_interval);
-  progress_.holding = false;
+  progress_.waiting = false;
 }
 
 void RunControl::end() {

@@ -23,7 +23,7 @@ class RunControl {
     int iteration = 0;          // of the present step; 0: none yet
     double residual = 0;        // after that iteration, in units of the tolerance
     bool paused = false;        // a pause was requested
-    bool holding = false;       // the run waits
+    bool waiting = false;       // the run waits
     bool stopped = false;       // a stop was requested
     bool over = false;          // the run has ended; nothing is written any more
   };
@@ -32,7 +32,7 @@ class RunControl {
   void step(const StepReport& report);
   void iteration(int iteration, double residual);
   // Called between two steps; returns once the run may continue or must end.
-  void hold();
+  void wait_while_paused();
   void end();
 
   void pause(bool paused);

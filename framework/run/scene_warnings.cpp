@@ -15,7 +15,7 @@
 namespace tack {
 namespace {
 
-std::vector<std::string> weak_wells(const World& world) {
+std::vector<std::string> barrier_warnings(const World& world) {
   std::vector<std::string> lines;
   for (const AdhesionSummary& a : world.adhesion)
     if (a.loss() > AdhesionSummary::tolerated_loss)
@@ -27,13 +27,13 @@ std::vector<std::string> weak_wells(const World& world) {
 }
 
 // Returns warnings of meshing, once for copies (fill.hpp).
-std::vector<std::string> doubtful_meshes(const World& world) {
+std::vector<std::string> meshing_warnings(const World& world) {
   constexpr std::string_view prefix = "warning: ";  // geometry/meshing/notes.hpp
-  std::vector<std::string> lines, told;
+  std::vector<std::string> lines, printed;
   for (const Body& body : world.bodies)
     for (const std::string& note : body.notes) {
-      if (!note.starts_with(prefix) || std::find(told.begin(), told.end(), note) != told.end()) continue;
-      told.push_back(note);
+      if (!note.starts_with(prefix) || std::find(printed.begin(), printed.end(), note) != printed.end()) continue;
+      printed.push_back(note);
       lines.push_back(fmt::format("object '{}': {}", body.name, note.substr(prefix.size())));
     }
   return lines;
@@ -44,9 +44,9 @@ std::vector<std::string> doubtful_meshes(const World& world) {
 std::vector<std::string> scene_warnings(const Experiment& experiment, World& world) {
   const LawCheck laws = check_laws(world);
   std::vector<std::string> all;
-  for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world), weak_wells(world), element_warnings(experiment, world),
+  for (const auto& lines : {laws.errors, laws.warnings, meshing_warnings(world), barrier_warnings(world), element_warnings(experiment, world),
                             scale_warnings(experiment, world), resolution_warnings(experiment, world), round_friction_warnings(experiment, world), flush_face_warnings(experiment, world),
-                            doubtful_tolerances(experiment, world)})
+                            tolerance_warnings(experiment, world)})
     all.insert(all.end(), lines.begin(), lines.end());
   return all;
 }

@@ -20,7 +20,7 @@ Simulation::Simulation(LoadedExperiment loaded, WarningFunction warn)
 
 void Simulation::start_from(State state) {
   world().start = std::move(state);
-  looked_ = true;
+  elements_examined_ = true;
   world().participants.clear_caches();
   stepper_.reset();
   solver_ = make_solver_ ? make_solver_() : instance_of(*experiment().solver);
@@ -52,13 +52,13 @@ void Simulation::move(const VecX& x, const VecX& v) {
 }
 
 StepReport Simulation::step() {
-  if (!looked_) throw std::logic_error("objects of the scene may be meshed anew (remesh): due_elements() has to be called between two steps");
-  looked_ = !any_remeshed(experiment());
+  if (!elements_examined_) throw std::logic_error("objects of the scene may be meshed anew (remesh): due_elements() has to be called between two steps");
+  elements_examined_ = !any_remeshed(experiment());
   return stepper_->advance();
 }
 
 std::vector<NewElements> Simulation::due_elements() {
-  looked_ = true;
+  elements_examined_ = true;
   if (!any_remeshed(experiment())) return {};
   State noted = state();
   std::vector<NewElements> elements = remesher_.exchange(world(), noted, warn_);

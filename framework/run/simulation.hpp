@@ -72,7 +72,7 @@ class Simulation {
   StepObservers observers_;
   TimeStepper::SolvedObserver solved_;
   Remesher remesher_;
-  bool looked_ = true;  // due_elements() was called since the last step
+  bool elements_examined_ = true;  // due_elements() was called since the last step
   std::function<std::unique_ptr<Minimizer>()> make_solver_;
   std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;

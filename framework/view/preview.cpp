@@ -118,7 +118,7 @@ Json selections_data(const std::vector<ShownSelection>& selections, const std::v
 
 std::vector<std::string> notes_on(const Experiment& e, const World& world) {
   std::vector<std::string> notes = world.start_notes;
-  for (const auto& lines : {BentSolids(e, world).expected(), check_laws(world).notes}) notes.insert(notes.end(), lines.begin(), lines.end());
+  for (const auto& lines : {BentSolids(e, world).notes(), check_laws(world).notes}) notes.insert(notes.end(), lines.begin(), lines.end());
   if (world.bodies.size() > most_bodies) notes.push_back(fmt::format("of {} objects, the first {} are in the table", world.bodies.size(), most_bodies));
   return notes;
 }

@@ -25,7 +25,7 @@ HttpAnswer json_answer(const Json& document) {
 
 Json json_of(const RunControl::Progress& p) {
   return {{"start", p.start},     {"end", p.end},             {"time", p.time},         {"step", p.step},     {"iterations", p.iterations}, {"contacts", p.contacts},
-          {"min_gap", p.min_gap}, {"iteration", p.iteration}, {"residual", p.residual}, {"paused", p.paused}, {"holding", p.holding},       {"stopped", p.stopped}};
+          {"min_gap", p.min_gap}, {"iteration", p.iteration}, {"residual", p.residual}, {"paused", p.paused}, {"holding", p.waiting},       {"stopped", p.stopped}};
 }
 
 }  // namespace

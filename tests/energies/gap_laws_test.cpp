@@ -38,8 +38,8 @@ void check_statements(const NormalAdhesion& law) {
 
 void check_silent(const NormalAdhesion& law) {
   const LawCheck check = check_law(law);
-  for (const std::string& line : check.wrong) FAIL_CHECK(line);
-  for (const std::string& line : check.doubtful) FAIL_CHECK(line);
+  for (const std::string& line : check.errors) FAIL_CHECK(line);
+  for (const std::string& line : check.warnings) FAIL_CHECK(line);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Every shipped experiment runs to its end, shows what its file says, and leaves nothing
+// Every shipped experiment runs to its end, meets its expectations, and leaves nothing
 // intersecting, inverted or touching. (meshing/creature, which takes long to make: framework/app/mesh_test.cpp.)
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-// Bad input ends with 2 before anything is written; the message names the place and the remedy.
+// Bad input ends with 2 before anything is written; the message names the location and the remedy.
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
@@ -39,8 +39,8 @@ CELL_TYPES 2
 struct Mistake {
   const char* what;
   const char* part;   // of the tiny scene
-  const char* wrong;  // what stands there instead
-  std::vector<const char*> told;
+  const char* wrong;  // replacement
+  std::vector<const char*> parts;
 };
 
 const char* const cube = "shape: {type: box, size: [0.2, 0.2, 0.2]}";
@@ -133,7 +133,7 @@ const std::vector<Mistake> mistakes = {
 
 }  // namespace
 
-TEST_CASE("a mistake in a scene is told with its place and remedy, and nothing is written") {
+TEST_CASE("a mistake in a scene is reported with location and remedy, and nothing is written") {
   for (const Mistake& mistake : mistakes) {
     INFO(mistake.what);
     const TemporaryFolder folder;
@@ -150,14 +150,14 @@ TEST_CASE("a mistake in a scene is told with its place and remedy, and nothing i
     CHECK(result.out == "");
     INFO(result.err);
     CHECK(result.err.starts_with("error: "));
-    for (const char* told : mistake.told) CHECK(contains(result.err, told));
+    for (const char* part : mistake.parts) CHECK(contains(result.err, part));
     CHECK(file_text(older / "summary.json") == "of an earlier run");
     const auto entries = fs::directory_iterator(folder.path() / "results");
     CHECK(std::distance(begin(entries), end(entries)) == 1);
   }
 }
 
-TEST_CASE("a vertex without mass is told with its object's place") {
+TEST_CASE("a vertex without mass is reported with the location of its object") {
   const TemporaryFolder folder;
   write_file(folder.path() / "tail.vtk", R"(# vtk DataFile Version 3.0
 a tet with a tail
@@ -178,7 +178,7 @@ CELL_TYPES 2
   CHECK(contains(result.err, "scene.yaml:9:5: object 'block': vertex 4 has no mass; give every part an energy"));
 }
 
-TEST_CASE("what touches at the start is refused with the place") {
+TEST_CASE("contact at the start is refused with its location") {
   const TemporaryFolder folder;
   const fs::path path = folder.path();
   const auto error_of = [&](const std::string& mesh, const std::string& of_object, const std::string& rest = "") {
@@ -209,7 +209,7 @@ TEST_CASE("what touches at the start is refused with the place") {
   CHECK(contains(crossed, "the start touches; move the objects apart (place.translate), have them pushed apart if they overlap a little (contact.push_out: 1 mm)"));
 }
 
-TEST_CASE("a wrong command line ends with 2 and says what is expected") {
+TEST_CASE("a wrong command line ends with 2 and names the expected arguments") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", tiny_scene);
   const auto error_of = [&](const Arguments& arguments) {

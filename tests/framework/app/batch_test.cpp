@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// A row per line, without what is measured, which stands last.
+// A row per line, without the measurements, which are the last columns.
 std::vector<std::string> rows_of(const fs::path& folder) {
   std::istringstream in(file_text(folder / "results.csv"));
   std::vector<std::string> rows;
@@ -115,11 +115,11 @@ TEST_CASE("a batch that is killed and called again gives the table of one that w
   CHECK(contains(again.out, "12 done"));
 }
 
-TEST_CASE("a half-done case goes on from its checkpoint", "[batch]") {
+TEST_CASE("a half-done case is resumed from its checkpoint", "[batch]") {
   const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=1 s, output.checkpoint_interval=0.02 s, output.frames=false]\n");
   Program batch(files.path, {"batch", "batch.yaml", "-o", "b"});
   const fs::path checkpoints = files.path / "b" / "cases" / "case" / "checkpoints";
-  REQUIRE(becomes_true([&] { return !newest_checkpoint_in(checkpoints).empty(); }));  // a whole one
+  REQUIRE(becomes_true([&] { return !newest_checkpoint_in(checkpoints).empty(); }));  // a complete one
   batch.kill();
   batch.wait();
   CHECK(status_of(files.path / "b", "case") == "running");
@@ -161,7 +161,7 @@ TEST_CASE("a case that is gone on with counts the seconds of all its pieces, and
     CHECK(json["memory_mb"] == 1e6);
     CHECK(rows_of(files.path / "b") == whole);
   }
-  // One that starts anew has its own.
+  // A fresh run has its own.
   cut_short("interrupted");
   for (const auto& entry : fs::directory_iterator(run / "checkpoints")) fs::remove(entry.path());
   REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
@@ -226,7 +226,7 @@ vary:
   CHECK(contains(rows[4], ",cannot,simulation failed,"));
   CHECK(contains(rows[5], ",right,done,,1,"));
   CHECK(contains(result.out, "1 crashed"));
-  // Only those that failed run again, and only when asked for.
+  // Only failed cases run again, and only on request.
   CHECK(contains(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).out, "5 of 5 cases are done already"));
   const auto right = fs::last_write_time(files.path / "b" / "state" / "variant=right.json");
   const ProgramResult again = run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--failed", "--set", "time_limit=1 s"});

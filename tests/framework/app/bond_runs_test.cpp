@@ -9,7 +9,7 @@ using namespace tack;
 
 namespace {
 
-// A soft strip that is torn off a plate from one end and pressed on again, so that bonds give way, heal and are made; its meshes do not match.
+// A soft strip that is torn off a plate from one end and pressed on again, so that bonds break, heal and form; its meshes do not match.
 const std::string torn = R"(
 name: torn
 time: {step: 5 ms, duration: 0.3 s}
@@ -41,7 +41,7 @@ double last(const CsvTable& table, const char* column) { return table.rows.back(
 
 }  // namespace
 
-TEST_CASE("bonds that have given way, healed and been made go on with the same bits, whatever the threads", "[bonds]") {
+TEST_CASE("broken, healed and new bonds resume with the same bits, for any number of threads", "[bonds]") {
   const TemporaryFolder folder;
   write_file(folder.path() / "torn.yaml", torn);
   REQUIRE(run(folder.path(), "torn.yaml", {"-o", "whole", "--threads", "1"}).exit_code == 0);
@@ -55,7 +55,7 @@ TEST_CASE("bonds that have given way, healed and been made go on with the same b
   }
   CHECK(file_text(folder.path() / "two/probes.csv") == file_text(folder.path() / "whole/probes.csv"));
   const CsvTable probes = read_csv(folder.path() / "whole/probes.csv"), steps = read_csv(folder.path() / "whole/steps.csv");
-  // Not all of it is the same all the time.
+  // The values vary in time.
   double least = 1, most = 0, dissipated = 0, healing = 0;
   for (const auto& row : probes.rows) {
     const double intact = row[*probes.column("intact")];

@@ -64,7 +64,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 }  // namespace
 
-TEST_CASE("a calibration finds strength and work, writes what it found, and asks for the same points with any number of jobs", "[calibrate]") {
+TEST_CASE("a calibration finds strength and work, writes its results, and evaluates the same points with any number of jobs", "[calibrate]") {
   const Place place;
   const ProgramResult found = place.run({"-o", "one", "--jobs", "1"});
   INFO(found.out << found.err);
@@ -96,7 +96,7 @@ TEST_CASE("a calibration finds strength and work, writes what it found, and asks
   CHECK(contains(file_text(one / "evaluations/results.csv"), "case,strength,work,status"));
   for (const char* picture : {"plots/fit_pull.gp", "plots/misfit.gp"}) CHECK(fs::exists(one / picture));
 
-  // The scene with what was found loads and runs.
+  // The scene with the fitted parameters loads and runs.
   CHECK(run_tack(place.path, {"run", "one/scenes/pull.yaml", "-q", "-o", "again"}).exit_code == 0);
   CHECK(contains(file_text(place.path / "again/scene.yaml"), "peak_traction: " + result["numbers"][0]["value"].dump().substr(0, 4)));
 
@@ -104,7 +104,7 @@ TEST_CASE("a calibration finds strength and work, writes what it found, and asks
   CHECK(file_text(place.path / "two/evaluations.csv") == file_text(one / "evaluations.csv"));
   CHECK(file_text(place.path / "two/calibration.csv") == file_text(one / "calibration.csv"));
 
-  // Called again, nothing is run; with other data of the same experiment, only what is new.
+  // A second call runs nothing; with other data of the experiment, it runs only new points.
   const auto times = done_runs(one);
   REQUIRE(place.run({"-o", "one", "-q"}).exit_code == 0);
   CHECK(json_of(one)["runs"]["started"] == 0);
@@ -160,7 +160,7 @@ TEST_CASE("parameters of a scene and of its laws are fitted in their units", "[c
   CHECK(contains(dry.out, "l from 0.0001 to 0.0005 m"));
 }
 
-TEST_CASE("an interrupted calibration ends with 130 and goes on", "[calibrate]") {
+TEST_CASE("an interrupted calibration ends with 130 and can be continued", "[calibrate]") {
   const Place place(pull_fit("", "{design: 6, chains: 0, polish: false}"));
   Program program(place.path, {"calibrate", "fit.yaml", "-o", "parts"});
   for (int i = 0; i < 12000 && done_runs(place.path / "parts").empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -210,7 +210,7 @@ TEST_CASE("two experiments share a number; runs that fail count as bad, and as t
   CHECK(contains(none.err, "all 3 evaluations of the initial design failed; the first one: timed out"));
 }
 
-TEST_CASE("what is wrong with a calibration is told before anything runs", "[calibrate]") {
+TEST_CASE("errors of a calibration are reported before anything runs", "[calibrate]") {
   const Place place;
   const std::string good = pull_fit();
   const auto error = [&](const std::string& what, const std::string& by) { return place.error(replaced(good, what, by)); };

@@ -54,7 +54,7 @@ TEST_CASE("a reference whose path ends in .md is one page, with the components o
   CHECK(contains(energies, "[selection](selection.md)"));
 }
 
-TEST_CASE("without the program that has it, a command says what to build, and the others work") {
+TEST_CASE("without its program, a command names the target to build, and other commands work") {
   const TemporaryFolder folder;
   const fs::path alone = folder.path() / "tack";
   fs::copy_file(TACK_PROGRAM, alone);
@@ -103,7 +103,7 @@ TEST_CASE("components that the program lacks at its start are loaded once one is
   }
 }
 
-TEST_CASE("the script that started the program builds what it lacks, and can be ended meanwhile") {
+TEST_CASE("the script that started the program builds missing libraries, and can be ended meanwhile") {
   const TemporaryFolder folder;
   const fs::path alone = folder.path() / "tack", script = folder.path() / "script";
   fs::copy_file(TACK_PROGRAM, alone);
@@ -147,7 +147,7 @@ TEST_CASE("tack list names kinds, components and their parameters") {
   CHECK(contains(fang, "critical_strain"));
 }
 
-TEST_CASE("tack mesh info tells what a file holds") {
+TEST_CASE("tack mesh info reports the contents of a file") {
   const TemporaryFolder folder;
   const ProgramResult result =
       run_tack(folder.path(), {"mesh", "info", TACK_TEST_DATA "/meshes/two_tets_41_ascii.msh"});

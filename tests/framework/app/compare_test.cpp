@@ -106,7 +106,7 @@ TEST_CASE("tack compare solves several experiments, and tells of all of them tog
   CHECK(contains(twice.err, "two problems are named 'tiny'; give the entries of `bases` a `name`"));
 }
 
-TEST_CASE("without gnuplot, tables are written and the message says what is missing") {
+TEST_CASE("without gnuplot, tables are written and the message names gnuplot") {
   const Place place;
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
@@ -119,7 +119,7 @@ TEST_CASE("without gnuplot, tables are written and the message says what is miss
   CHECK_FALSE(place.text("results/two/plots/performance_profile.gp").empty());
 }
 
-TEST_CASE("mistakes in a comparison are told with their place, and nothing is written") {
+TEST_CASE("mistakes in a comparison are reported with their location, and nothing is written") {
   const Place place;
   const auto error_of = [&](const std::string& part, const std::string& wrong) {
     std::string text = comparison;
@@ -152,7 +152,7 @@ TEST_CASE("a solver's name is never run", "[compare]") {
   CHECK_FALSE(fs::exists(place.folder.path() / "owned"));
 }
 
-TEST_CASE("tack compare lays steppers over a scene, and tells what passes through what", "[compare]") {
+TEST_CASE("tack compare replaces the stepper of a scene, and reports penetrations", "[compare]") {
   const Place place;
   write_file(place.folder.path() / "scene.yaml",
              "name: press\n"

@@ -46,7 +46,7 @@ std::string anchor_of(const std::string& heading) {
   return anchor;
 }
 
-// The anchors of a page: those of its headings, and `<a id="...">`.
+// The anchors of a page: its headings, and `<a id="...">`.
 std::set<std::string> anchors_of(const std::string& text) {
   const std::vector<std::string> ids = all_matches(text, std::regex(R"re(<a id="([^"]+)")re"));
   std::set<std::string> anchors(ids.begin(), ids.end());
@@ -73,7 +73,7 @@ std::vector<std::string> blocks(const std::string& text, const std::string& lang
 
 }  // namespace
 
-TEST_CASE("the scene in docs/scenes.md is the one in experiments, and its run shows what it must") {
+TEST_CASE("the scene in docs/scenes.md is the one in experiments, and its expectations hold") {
   const fs::path scene = source / "experiments/first/hang.yaml";
   CHECK(contains(file_text(source / "docs/scenes.md"), "```yaml\n" + file_text(scene) + "```\n"));
   const TemporaryFolder folder;
@@ -82,7 +82,7 @@ TEST_CASE("the scene in docs/scenes.md is the one in experiments, and its run sh
   CHECK(result.exit_code == 0);
 }
 
-TEST_CASE("what the README shows of files is what they hold") {
+TEST_CASE("excerpts of files in the README equal the files") {
   const std::string readme = file_text(source / "README.md");
   std::string experiments;
   for (const auto& entry : fs::recursive_directory_iterator(source / "experiments"))

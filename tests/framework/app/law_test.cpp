@@ -117,7 +117,7 @@ contact:
   CHECK(tables == 4);
 }
 
-TEST_CASE("tack law says what is wrong and what may have been meant", "[law]") {
+TEST_CASE("tack law reports errors and suggests names", "[law]") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", tiny_scene);
   write_file(folder.path() / "nothing.yaml", "a: 1\n");

@@ -24,7 +24,7 @@ TEST_CASE("tack mesh info tells defects by number") {
                         Contains("degrees"));
 }
 
-TEST_CASE("tack mesh goes from a broken file to tets of good angles") {
+TEST_CASE("tack mesh turns a broken file into tets of good angles") {
   const TemporaryFolder folder;
   write_mesh(folder.path() / "broken.ply", with_two_holes());
   const auto run = [&](const Arguments& words) {
@@ -67,7 +67,7 @@ TEST_CASE("tack mesh refuses bad calls and bad meshes with a remedy") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "a.vtu"));
 }
 
-TEST_CASE("a mesh in other units is told by its size, and scaled") {
+TEST_CASE("a mesh in other units is noticed by its size, and scaled") {
   const TemporaryFolder folder;
   Mesh ball = with_hole();
   scale(ball, Vec3::Constant(1000));
@@ -102,7 +102,7 @@ TEST_CASE("an open sheet is not closed by triangles that lie on it") {
   }
 }
 
-TEST_CASE("a mesh goes from format to format, unit to unit and place to place") {
+TEST_CASE("a mesh is converted between formats and units, and moved") {
   const TemporaryFolder folder;
   const auto run = [&](Arguments words) {
     words.insert(words.begin(), "mesh");
@@ -149,7 +149,7 @@ TEST_CASE("a mesh goes from format to format, unit to unit and place to place") 
   CHECK_THAT(run({"convert", "solid.vtu", "-o", "c.stl", "surface=true"}), Contains("the surface of 48 tets") && Contains("triangles 48"));
 }
 
-TEST_CASE("a mesh that does not fit the disk is told, and what was there stays") {
+TEST_CASE("a mesh that does not fit the disk is reported, and the previous file stays") {
   if (!std::filesystem::exists("/dev/full")) return;
   for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.glb", "a.gltf", "a.vtk", "a.vtu", "a.msh"}) {
     INFO(name);
@@ -219,7 +219,7 @@ TEST_CASE("a creature of ten thousand good tets comes out of one file, and falls
   REQUIRE(std::regex_search(after, angle, std::regex("dihedral angles from ([0-9.]+) to")));
   CHECK(std::stod(angle[1]) > 8);
   CHECK_FALSE(contains(after, "warning"));
-  // The mesh is kept now.
+  // The mesh is cached now.
   const ProgramResult run = run_tack(folder.path(), {"run", TACK_SOURCE_DIR "/experiments/meshing/creature.yaml", "-o", "out", "-q", "--set",
                                                      "output.frames=false"});
   INFO(run.out << run.err);

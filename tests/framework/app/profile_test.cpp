@@ -140,7 +140,7 @@ TEST_CASE("the object that costs most by itself leads the table of pairs") {
   CHECK(contains(profiled.out, "\nblock with itself"));
 }
 
-TEST_CASE("a step that was cut is told with what cut it") {
+TEST_CASE("a truncated step is reported with its blocker") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene());
   const ProgramResult profiled =

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Friction, and a part of the block held for half of the run: all that a state must carry.
+// Friction, and vertices of the block fixed for half of the run: everything that a state stores.
 std::string scene_text() {
   std::string scene = tiny_scene_with("energies:", "velocity: [0.3, -0.2, 0.1]\n    motion: [{type: translate, velocity: "
                                       "[0.3, 0, 0], until: 0.055 s, select: {type: face, direction: [-1, 0, 0]}}]\n    energies:");
@@ -96,7 +96,7 @@ TEST_CASE("a run that is interrupted and resumed has the bits of one that is not
   CsvTable a = read_csv(whole / "steps.csv"), b = read_csv(parts / "steps.csv");
   REQUIRE(a.rows.size() == 10);
   REQUIRE(b.rows.size() == 10);
-  const size_t counted = *a.column("wall_seconds");  // what follows are times
+  const size_t counted = *a.column("wall_seconds");  // times follow
   for (size_t i = 0; i < 10; ++i)
     for (size_t c = 0; c < counted; ++c) CHECK(a.rows[i][c] == b.rows[i][c]);
   const auto summary = read_json(parts / "summary.json");
@@ -165,7 +165,7 @@ output: {checkpoint_interval: 0.03 s, frame_interval: 0.05 s}
   CHECK(file_text(folder.path() / "parts/frames/frame_000002.vtu") == file_text(folder.path() / "whole/frames/frame_000002.vtu"));
 }
 
-TEST_CASE("what integrators remember of contact, and the balance of energy, survive a resume") {
+TEST_CASE("contact history of integrators and the energy balance survive a resume") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());
   // Past the checkpoint of 0.03 s; Newmark's steps are smaller around the impact.
@@ -207,7 +207,7 @@ TEST_CASE("plastic deformation survives a resume bit for bit") {
   CHECK(work.rows.back().back() > work.rows[3].back());
 }
 
-TEST_CASE("what cannot be resumed is told, and nothing is written") {
+TEST_CASE("a run that cannot be resumed is reported, and nothing is written") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());
   const auto error_of = [&](const Arguments& options) {
@@ -273,7 +273,7 @@ TEST_CASE("a run is not resumed with another mesh or from a damaged checkpoint")
   CHECK(run(folder.path(), {"--resume", "--steps", "1"}).exit_code == 0);
 }
 
-// A law's table and a measured curve: a run goes on with the files that it began with, or not at all.
+// A law's table and a measured curve: a run is resumed with unchanged files, or refused.
 TEST_CASE("a run is not resumed once a file that its scene reads has changed") {
   const TemporaryFolder folder;
   const auto law = [](int peak) { return fmt::format("gap [mm],traction [kPa]\n0,0\n0.5,{}\n1,{}\n2,0\n", 0.5 * peak, peak); };

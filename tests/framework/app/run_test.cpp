@@ -45,7 +45,7 @@ ProgramResult interrupted(const Place& place) {
 
 }  // namespace
 
-TEST_CASE("a run whose expectations hold ends with 0 and leaves what is documented") {
+TEST_CASE("a run whose expectations hold ends with 0 and writes the documented files") {
   const Place place;
   const ProgramResult result = place.run({});
   INFO(result.err);
@@ -107,7 +107,7 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   REQUIRE(steps.rows.size() == 5);
   for (const auto& row : steps.rows) {
     CHECK(row[10] > 0);                 // min_distance
-    CHECK(row[10] < 1e-3);              // the block stays within reach of the floor
+    CHECK(row[10] < 1e-3);              // the block stays near the floor
     CHECK(row[28] <= row[29]);         // forces balance
     CHECK(row[30] == 1);               // converged
   }
@@ -123,7 +123,7 @@ TEST_CASE("a failed expectation ends with 1, after everything is written") {
   CHECK(place.table("results/tiny/probes.csv").rows.size() == 6);
 }
 
-TEST_CASE("a simulation that cannot go on ends with 3 and keeps what was written before") {
+TEST_CASE("a failed simulation ends with 3 and keeps the results so far") {
   const Place place(fall);
   const ProgramResult result = place.run(hard);
   INFO(result.out << result.err);
@@ -141,7 +141,7 @@ TEST_CASE("a simulation that cannot go on ends with 3 and keeps what was written
 
 TEST_CASE("a failed step is rolled back and repeated in halves, up to the end") {
   const Place place(fall);
-  // How many iterations an impact takes is the solver's business: allow fewer until they do not do for a whole step, at one of a few speeds.
+  // The number of iterations of an impact depends on the solver: allow fewer until they do not suffice for a full step, at one of a few speeds.
   for (const char* speed : {"0.5", "0.7", "1", "1.4", "2", "3"})
     for (int allowed = 10; allowed > 2; --allowed) {
       const ProgramResult result =
@@ -160,7 +160,7 @@ TEST_CASE("a failed step is rolled back and repeated in halves, up to the end") 
   FAIL("no step failed and was repeated");
 }
 
-TEST_CASE("Ctrl-C ends a run with 130 and what was done so far is complete") {
+TEST_CASE("Ctrl-C ends a run with 130 and complete results so far") {
   const Place place;
   const ProgramResult result = interrupted(place);
   REQUIRE(result.exit_code == 130);
@@ -212,7 +212,7 @@ TEST_CASE("of a run's threads one waits for the signals that end it, and no othe
   }
 }
 
-TEST_CASE("time.wall_limit ends a run with 3 and what was done so far is complete") {
+TEST_CASE("time.wall_limit ends a run with 3 and complete results so far") {
   const Place place;
   const ProgramResult result = place.run({"--set", "time.duration=100000", "time.wall_limit=0.5 s"});
   REQUIRE(result.exit_code == 3);
@@ -227,7 +227,7 @@ TEST_CASE("time.wall_limit ends a run with 3 and what was done so far is complet
   CHECK(place.table("results/tiny/probes.csv").rows.size() == done + 1);
 }
 
-TEST_CASE("wall time that is over before the first step is told as such") {
+TEST_CASE("a wall limit that is exceeded before the first step is reported") {
   const Place place;
   for (const char* limit : {"1 us", "1 ms", "5 ms"}) {
     const ProgramResult result = place.run({"--set", "time.duration=100000", std::string("time.wall_limit=") + limit});
@@ -238,7 +238,7 @@ TEST_CASE("wall time that is over before the first step is told as such") {
   }
 }
 
-TEST_CASE("a run ends in an orderly way when its terminal goes") {
+TEST_CASE("a run ends in an orderly way when its terminal is closed") {
   const Place place;
   Program program(place.folder.path(), {"run", "scene.yaml", "--set", "time.duration=1000"});
   const fs::path steps = place.path("results/tiny/steps.csv");
@@ -248,7 +248,7 @@ TEST_CASE("a run ends in an orderly way when its terminal goes") {
   CHECK(place.summary()["status"] == "interrupted");
 }
 
-TEST_CASE("a run that was interrupted goes on from there, with an interval of checkpoints or without") {
+TEST_CASE("an interrupted run can be resumed, with an interval of checkpoints or without") {
   const Place place;
   const ProgramResult result = interrupted(place);
   REQUIRE(result.exit_code == 130);
@@ -266,7 +266,7 @@ TEST_CASE("a run that was interrupted goes on from there, with an interval of ch
   CHECK(place.table("results/tiny/probes.csv").rows.size() == static_cast<size_t>(done) + 3);
 }
 
-TEST_CASE("a probe without a finite number is told, once, and one that is infinite by its nature is not") {
+TEST_CASE("a probe without a finite number is reported once, unless it is infinite by definition") {
   const Place place(tiny_scene_with("probes:\n", "probes:\n  - {name: wrong, type: formula, of: 1 / (0 * t)}\n"
                                                 "  - {name: far, type: gap, between: [block, floor]}\n"
                                                 "  - {name: unknown, type: formula, of: 0 / 0}\n"));
@@ -304,7 +304,7 @@ TEST_CASE("option --steps stops early without judging the expectations") {
   CHECK(place.summary()["expect"].empty());
 }
 
-TEST_CASE("a run is held against measured data in a file beside its scene") {
+TEST_CASE("a run is compared with measured data in a file beside its scene") {
   const Place place(tiny_scene + "  - {name: data, probe: height, statistic: deviation, along: time, at_most: 5 %, follows: {file: data/height.csv}}\n");
   const ProgramResult missing = place.run({});
   CHECK(missing.exit_code == 2);

@@ -37,7 +37,7 @@ TEST_CASE("an address space that is too small is refused at once") {
 #endif
 }
 
-TEST_CASE("a reader that goes away ends a run as Ctrl-C does") {
+TEST_CASE("a closed output pipe ends a run as Ctrl-C does") {
   const Shell shell;
   const ProgramResult result = shell.run("$TACK run scene.yaml -v --set time.duration=1000 | head -n 5; exit ${PIPESTATUS[0]}");
   CHECK(result.exit_code == 130);
@@ -54,7 +54,7 @@ TEST_CASE("a limit of file sizes ends a run with a word") {
   CHECK((contains(result.err, "cannot be written (File too large)") || shell.status() == "interrupted"));
 }
 
-TEST_CASE("what is printed without a standard output goes into no file") {
+TEST_CASE("without a standard output, messages go into no file") {
   const Shell shell;
   const ProgramResult result = shell.run("$TACK run scene.yaml -v >&- 2>&-");
   CHECK(result.exit_code == 0);

@@ -30,7 +30,7 @@ std::vector<std::string> names_of(const BatchPlan& plan) {
 
 }  // namespace
 
-TEST_CASE("cases are all combinations of what varies, named after it", "[batch]") {
+TEST_CASE("cases are all combinations of the variants, named after them", "[batch]") {
   const Files files;
   const BatchPlan plan = files.plan(
       "set: [time.duration=0.02 s]\n"
@@ -50,7 +50,7 @@ TEST_CASE("cases are all combinations of what varies, named after it", "[batch]"
   CHECK(plan.units.count("mu") == 0);
   CHECK(plan.units.at("wall_seconds") == "s");
   CHECK(plan.units.at("seconds_assembly") == "s");
-  // A resolved scene is a scene, and stays what it is.
+  // A resolved scene resolves to itself.
   const LoadedExperiment again = parse_experiment(plan.cases[2].scene, "again");
   CHECK(contains(plan.cases[2].scene, "young: 2000000"));
   CHECK(again.experiment.time.duration == 0.02);
@@ -75,7 +75,7 @@ TEST_CASE("names differ, and are no longer than file systems like", "[batch]") {
         std::vector<std::string>{"case_0001", "about=y"});
 }
 
-TEST_CASE("what is wrong with any case is told before anything runs", "[batch]") {
+TEST_CASE("errors of any case are reported before anything runs", "[batch]") {
   const Files files;
   const auto refused = [&](const std::string& rest, const std::string& message) {
     CHECK_THROWS_WITH(files.plan(rest), Catch::Contains(message));
@@ -115,14 +115,14 @@ TEST_CASE("thousands of cases get names that differ, and the plan tells how far 
   const Files files;
   write_file(files.folder.path() / "batch.yaml", "name: b\nbase: tiny.yaml\nvary: [{type: grid, keys: {about: [a, b]}}, {type: repeat, count: 300, as: n}, "
                                                  "{type: cases, as: m, cases: [{name: 1/2}, {name: 1_2}]}]\n");
-  size_t told = 0, last = 0;
+  size_t calls = 0, last = 0;
   const BatchPlan plan = plan_of(load_batch(files.folder.path() / "batch.yaml", {}), "program", [&](size_t done, size_t all) {
     CHECK(done == last + 1);
     CHECK(all == 1200);
     last = done;
-    ++told;
+    ++calls;
   });
-  CHECK(told == 1200);
+  CHECK(calls == 1200);
   std::vector<std::string> names = names_of(plan);
   CHECK(names[1] == "about=a,n=1,m=1_2.2");
   std::sort(names.begin(), names.end());

@@ -55,7 +55,7 @@ TEST_CASE("a batch's own plots are curves of its runs, by probes or steps", "[ba
   CHECK(curves_of(plan.plots[0], plan, runs).curves.at(1).title == "two, pull");
 }
 
-TEST_CASE("a batch's own plots have bars of its table, with what others published beside them", "[batch][plot]") {
+TEST_CASE("plots of a batch have bars of its table beside published values", "[batch][plot]") {
   const TemporaryFolder folder;
   const BatchPlan plan = plan_with(folder,
                                    "  - {name: bars, bars: newton_iterations, per: steps, published: [{base: two, value: 8.5}], source: Them}\n"

@@ -103,7 +103,7 @@ TEST_CASE("Sobol's samples fill the square, and more keep the first", "[batch]")
   }
 }
 
-TEST_CASE("what is no variation is refused with its place", "[batch]") {
+TEST_CASE("wrong variations are refused with their location", "[batch]") {
   const auto refused = [](const std::string& yaml, const std::string& message) {
     CHECK_THROWS_WITH(variants_of(yaml), Catch::Contains("vary.yaml:1:") && Catch::Contains(message));
   };

@@ -43,7 +43,7 @@ double exact(double degrees, double gap = 0.7 * distance) {
 
 struct Adhered {
   VecX forces;  // on all vertices, at the start [N]
-  std::vector<std::string> told;
+  std::vector<std::string> warnings;
 };
 Adhered adhered(const std::string& yaml) {
   TestScene scene(yaml);
@@ -51,8 +51,8 @@ Adhered adhered(const std::string& yaml) {
   world.contact->begin_step({world.start.x});
   world.contact->move_to(world.start.x);
   AdhesionResolution resolution(scene.config, world);
-  resolution.look(world.start.x, 1);
-  return {world.contact_term->forces(world.start.x, LawTerm::adhesion), resolution.coarse()};
+  resolution.examine(world.start.x, 1);
+  return {world.contact_term->forces(world.start.x, LawTerm::adhesion), resolution.warnings()};
 }
 // Over the exact one, across the lower plate; that on it comes first.
 double pull(const Adhered& adhered, double degrees) {
@@ -63,25 +63,25 @@ double pull(const Adhered& adhered, double degrees) {
 
 }  // namespace
 
-TEST_CASE("adhesion on elements across which the gap changes by much of its range is told", "[contact]") {
+TEST_CASE("adhesion on elements across which the gap changes by much of its range is warned of", "[contact]") {
   const Adhered coarse = adhered(tilted(10, 26));  // just smaller than twice the range
   CHECK(std::abs(pull(coarse, 10) - 1) > 0.1);
-  REQUIRE(coarse.told.size() == 1);
-  CHECK(contains(coarse.told[0], "where 'upper' adhered to 'lower', the gap changed by more than a quarter of the range"));
-  INFO(coarse.told[0]);
-  CHECK(contains(coarse.told[0], "elements of 0.0002"));  // no more than a quarter of the range over sin(10 degrees), 0.29 mm
+  REQUIRE(coarse.warnings.size() == 1);
+  CHECK(contains(coarse.warnings[0], "where 'upper' adhered to 'lower', the gap changed by more than a quarter of the range"));
+  INFO(coarse.warnings[0]);
+  CHECK(contains(coarse.warnings[0], "elements of 0.0002"));  // no more than a quarter of the range over sin(10 degrees), 0.29 mm
 }
 
-TEST_CASE("adhesion on elements that are as small as was told is right, and silent, and on those that are larger than twice the range", "[contact]") {
+TEST_CASE("adhesion on elements of the recommended size is right and gives no warning, nor on elements above twice the range", "[contact]") {
   for (const auto& [degrees, cells] : {std::pair(5, 24), std::pair(5, 8), std::pair(5, 2), std::pair(1, 8), std::pair(0, 2)}) {
     INFO(degrees << " degrees, " << cells << " cells");
     const Adhered fine = adhered(tilted(degrees, cells));
-    CHECK(fine.told.empty());
+    CHECK(fine.warnings.empty());
     CHECK(pull(fine, degrees) == Approx(1).epsilon(0.02));
   }
 }
 
-TEST_CASE("adhesion where ridges cross between vertices is told", "[contact]") {
+TEST_CASE("adhesion where ridges cross between vertices is warned of", "[contact]") {
   // Two bars on an edge each, the one across the other.
   const auto ridges = [](int cells) {
     return fmt::format(
@@ -92,7 +92,7 @@ TEST_CASE("adhesion where ridges cross between vertices is told", "[contact]") {
         "contact: {{distance: 0.5 mm, pairs: [{{between: [high, low], adhesion: {{type: fang, peak_traction: 1 kPa}}}}]}}\n",
         10 * cells, cells, 0.01 * std::sqrt(2.0) + 1e-4);
   };
-  const auto told = adhered(ridges(1)).told;
-  REQUIRE(told.size() == 1);
-  CHECK(contains(told[0], "the gap changed by more than a quarter of the range"));
+  const auto warnings = adhered(ridges(1)).warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK(contains(warnings[0], "the gap changed by more than a quarter of the range"));
 }

@@ -38,7 +38,7 @@ class Fading : public BondLawOf<Fading> {
 
 }  // namespace
 
-TEST_CASE("laws of bonds that are what they state are silent", "[law_check]") {
+TEST_CASE("consistent bond laws give no warnings", "[law_check]") {
   const std::vector<std::map<std::string, std::string>> settings = {{},
                                                                     {{"viscosity", "0.02"}},
                                                                     {{"intensity", "0.4"}},
@@ -47,19 +47,19 @@ TEST_CASE("laws of bonds that are what they state are silent", "[law_check]") {
   for (const ComponentVariant& v : variants<AdhesionLaw, BondLaw>(settings)) {
     INFO(v.yaml);
     const LawCheck check = check_law(*bond_law(v.yaml));
-    CHECK(check.wrong.empty());
-    CHECK(check.doubtful.empty());
+    CHECK(check.errors.empty());
+    CHECK(check.warnings.empty());
   }
   const LawCheck check = check_law(Fading(1, 1, 1, 1));
-  CHECK((check.wrong.empty() && check.doubtful.empty()));
+  CHECK((check.errors.empty() && check.warnings.empty()));
 }
 
-TEST_CASE("a law of bonds whose derivatives, losses, peak or work are not its own is told", "[law_check]") {
-  const auto only = [](const Fading& law, const std::string& line, bool doubtful = false) {
+TEST_CASE("a bond law with wrong derivatives, losses, peak or work is reported", "[law_check]") {
+  const auto only = [](const Fading& law, const std::string& line, bool warns = false) {
     const LawCheck check = check_law(law);
-    CHECK(check.wrong.size() == (doubtful ? 0 : 1));
-    CHECK(check.doubtful.size() == (doubtful ? 1 : 0));
-    const std::vector<std::string>& lines = doubtful ? check.doubtful : check.wrong;
+    CHECK(check.errors.size() == (warns ? 0 : 1));
+    CHECK(check.warnings.size() == (warns ? 1 : 0));
+    const std::vector<std::string>& lines = warns ? check.warnings : check.errors;
     if (!lines.empty()) CHECK_THAT(lines[0], Contains(line));
   };
   only(Fading(1, 0.9, 1, 1), "second derivatives are not those of its tractions");
@@ -67,6 +67,6 @@ TEST_CASE("a law of bonds whose derivatives, losses, peak or work are not its ow
   only(Fading(1, 1, 1, 1.1), "states a peak traction of 8468 Pa, and has 7698 when it is pulled slowly", true);
   only(Fading(1, 1, 1, 1, 1.1), "states a work of adhesion of 1.1 J/m^2, and has 1 when it is pulled slowly", true);
   const LawCheck slope = check_law(Fading(1.01, 1.01, 1, 1));
-  REQUIRE(!slope.wrong.empty());
-  CHECK_THAT(slope.wrong[0], Contains("tractions are not the derivatives of its energy"));
+  REQUIRE(!slope.errors.empty());
+  CHECK_THAT(slope.errors[0], Contains("tractions are not the derivatives of its energy"));
 }

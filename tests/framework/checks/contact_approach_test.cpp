@@ -39,7 +39,7 @@ std::vector<PressedPoint> disc(double a, const Rest& rest, const Now& now) {
 constexpr double a = 0.01, gap = 1e-4;  // m
 const auto parallel = [](int side, double, const Vec3&) { return side * gap; };
 
-// A held ball above a block, which goes down by 4 mm more than the contact distance, in two steps. The ball has a radius of 5 cm.
+// A fixed ball above a block, which moves down by 4 mm more than the contact distance, in two steps. The ball has a radius of 5 cm.
 std::string ball_on_block(double distance, int cells = 12, const std::string& barrier = "") {
   return fmt::format(
       "time: {{step: 0.5 s, duration: 1 s, integrator: quasi_static}}\n"
@@ -57,9 +57,9 @@ std::vector<std::string> after(const std::string& yaml, int steps) {
   ContactApproach approach(run.config, *run.world);
   for (int i = 0; i < steps; ++i) {
     run.step();
-    approach.look(run.state().x);
+    approach.examine(run.state().x);
   }
-  return approach.soft();
+  return approach.warnings();
 }
 
 double number_after(const std::string& text, const std::string& words) {
@@ -70,14 +70,14 @@ double number_after(const std::string& text, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("contact approach: what a sphere is flattened by is a^2 / 7.6 R, however it is turned") {
+TEST_CASE("contact approach: a sphere is flattened by a^2 / 7.6 R, in any orientation") {
   for (const double radius : {0.02, 1.0}) {
     const auto sphere = [&](int side, double r, const Vec3&) { return side * a * a * r * r / (2 * radius); };
     const PressedZone zone = pressed_zone(disc(a, sphere, parallel));
     CHECK(zone.gap == Approx(gap));
     CHECK(zone.curved == Approx(a * a / (7.6 * radius)).epsilon(0.01));
     CHECK(zone.flattened == Approx(zone.curved).epsilon(0.01));
-    // Two spheres that bend away from each other; one in a socket that fits; one that keeps its shape.
+    // Two convex spheres; one in a matching socket; a rigid one.
     const auto both = [&](int side, double r, const Vec3&) { return (2 * side - 1) * a * a * r * r / (2 * radius); };
     CHECK(pressed_zone(disc(a, both, parallel)).curved == Approx(2 * zone.curved).epsilon(0.01));
     const auto socket = [&](int, double r, const Vec3&) { return a * a * r * r / (2 * radius); };
@@ -86,7 +86,7 @@ TEST_CASE("contact approach: what a sphere is flattened by is a^2 / 7.6 R, howev
   }
 }
 
-TEST_CASE("contact approach: what is flat, tilted, folded over at its rim, or too small to tell, is not curved") {
+TEST_CASE("contact approach: flat, tilted, folded or too small zones count as flat") {
   const auto flat = [](int, double, const Vec3&) { return 0.0; };
   const auto tilted = [](int side, double, const Vec3& at) { return side * 0.05 * at.x(); };
   const auto folded = [](int side, double r, const Vec3&) { return side * (r > 0.97 ? 0.01 : 0.0); };
@@ -104,16 +104,16 @@ TEST_CASE("contact approach: what is flat, tilted, folded over at its rim, or to
   CHECK(pressed_zone(row).curved == 0);
 }
 
-TEST_CASE("contact approach: a ball pressed into a block with a contact distance that is not small is told, and with what is told is not") {
+TEST_CASE("contact approach: a ball pressed into a block with a large contact distance is warned of, with the recommended one not") {
   const double coarse = 2e-3;
-  const auto told = after(ball_on_block(coarse), 2);
-  REQUIRE(told.size() == 1);
-  INFO(told[0]);
-  CHECK(contains(told[0], "where 'block' and 'ball' were pressed together, the barrier took "));
-  CHECK(contains(told[0], "contact.distance (0.002 m) is not small"));
+  const auto warnings = after(ball_on_block(coarse), 2);
+  REQUIRE(warnings.size() == 1);
+  INFO(warnings[0]);
+  CHECK(contains(warnings[0], "where 'block' and 'ball' were pressed together, the barrier took "));
+  CHECK(contains(warnings[0], "contact.distance (0.002 m) is not small"));
   // Since they began to press each other it went down by the distance and 4 mm.
-  CHECK(number_after(told[0], "of their approach of ") == Approx(coarse + 4e-3).epsilon(0.3));
-  const double cure = number_after(told[0], "take ");
+  CHECK(number_after(warnings[0], "of their approach of ") == Approx(coarse + 4e-3).epsilon(0.3));
+  const double cure = number_after(warnings[0], "take ");
   CHECK(cure < coarse / 2);
   CHECK(after(ball_on_block(cure, 16), 2).empty());
 }
@@ -138,17 +138,17 @@ TEST_CASE("contact approach: bodies that are flat where they meet are silent") {
 TEST_CASE("contact approach: quasi-static runs tell, those that move do not") {
   const TemporaryFolder folder;
   write_file(folder.path() / "ball.yaml", "name: ball\n" + ball_on_block(2e-3, 10));
-  const auto told = [&](const std::string& integrator) {
+  const auto warnings = [&](const std::string& integrator) {
     const ProgramResult result = run_tack(folder.path(), {"run", "ball.yaml", "-q", "-o", integrator, "--threads", "1", "--set",
                                                           "time.integrator=" + integrator, "--set", "objects.block.energies.0.density=1000"});
     CHECK(result.exit_code == 0);
     return contains(file_text(folder.path() / integrator / "summary.json"), "were pressed together");
   };
-  CHECK(told("quasi_static"));
-  CHECK_FALSE(told("implicit_euler"));
+  CHECK(warnings("quasi_static"));
+  CHECK_FALSE(warnings("implicit_euler"));
 }
 
-TEST_CASE("contact approach: what adheres is not looked at") {
+TEST_CASE("contact approach: adhering surfaces are not examined") {
   std::string yaml = ball_on_block(2e-3);
   yaml.replace(yaml.find("distance: 0.002"), 15, "distance: 0.002, barrier: {stiffness: 1e5}, pairs: [{between: [ball, block], adhesion: {type: fang, peak_traction: 1 kPa}}]");
   CHECK(after(yaml, 2).empty());

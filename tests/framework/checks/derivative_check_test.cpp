@@ -131,7 +131,7 @@ TEST_CASE("derivatives that are those of the value pass, also at tiny gaps, in s
   }
 }
 
-TEST_CASE("derivatives that are off by three percent are told, as a whole or in one entry", "[scene]") {
+TEST_CASE("derivatives with errors of three percent are found, in all entries or in one", "[scene]") {
   for (const char* name : {"neo_hookean", "contact"}) {
     INFO(name);
     CHECK_FALSE(spoilt(plain, name, {}).wrong());
@@ -143,14 +143,14 @@ TEST_CASE("derivatives that are off by three percent are told, as a whole or in 
   }
 }
 
-TEST_CASE("one wrong entry is told in a mesh of a thousand vertices", "[scene]") {
+TEST_CASE("one wrong entry is found in a mesh of a thousand vertices", "[scene]") {
   const std::string text = scene_text("size: [0.2, 0.2, 0.2]", "size: [0.2, 0.2, 0.2], cells: [9, 9, 9]");
   CHECK_FALSE(spoilt(text, "neo_hookean", {}).wrong());
   CHECK(spoilt(text, "neo_hookean", {.gradient_entry = 1.03}).gradient.wrong);
   CHECK(spoilt(text, "neo_hookean", {.hessian_entry = 1.03}).hessian.wrong);
 }
 
-TEST_CASE("derivatives that are off are told at tiny gaps, in slivers and far away too", "[scene]") {
+TEST_CASE("wrong derivatives are found at tiny gaps, in slivers and far from the origin", "[scene]") {
   for (const std::string& text : hard_scenes) {
     INFO(text);
     for (const char* name : {"neo_hookean", "contact"}) {

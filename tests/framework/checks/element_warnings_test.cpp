@@ -27,7 +27,7 @@ std::string rod(const std::string& shape, const std::string& energy = "elastic_r
 
 std::string ring(int edges) { return fmt::format("{{type: ring, radius: 1, edges: {}}}", edges); }
 
-// A bar of 10 thicknesses, held at one end. What else acts on it: loads or another motion.
+// A bar of 10 thicknesses, fixed at one end. `more`: loads or another motion.
 std::string bar(int cells, const std::string& more, const std::string& body = "energies: [{type: neo_hookean, young: 1e6, poisson: 0.3}]") {
   return fmt::format("time: {{step: 1 s, duration: 1 s, integrator: quasi_static}}\nsolver: {{type: projected_newton, force_tolerance: 1e-6}}\n"
                      "objects:\n  - {{name: bar, shape: {{type: box, size: [0.2, 0.02, 0.02], cells: [{}, {}, {}]}}, {},\n"
@@ -39,15 +39,15 @@ std::vector<std::string> after_a_step(const std::string& yaml) {
   TestRun run(yaml);
   BentSolids solids(run.config, *run.world);
   run.step();
-  solids.look(run.state().x);
-  return solids.bent();
+  solids.examine(run.state().x);
+  return solids.warnings();
 }
 
 const std::string down = "value: [0, -2, 0]", along = "value: [1000, 0, 0]";
 
 }  // namespace
 
-TEST_CASE("elements: tets that lock in volume are told") {
+TEST_CASE("elements: tets that lock in volume are warned of") {
   const auto lines = warnings(cube(0.49));
   REQUIRE(lines.size() == 1);
   CHECK(contains(lines[0], "the linear tets of 'it' lock in volume with a Poisson's ratio of 0.49"));
@@ -58,7 +58,7 @@ TEST_CASE("elements: tets that lock in volume are told") {
   CHECK(warnings("shape: {type: grid, size: [1, 1]}, shell: {thickness: 1 mm}, energies: [{type: stvk_membrane, young: 1e5, poisson: 0.49}]").empty());
 }
 
-TEST_CASE("elements: curved rods of few edges are told") {
+TEST_CASE("elements: curved rods of few edges are warned of") {
   const auto lines = warnings(rod(ring(16)));
   REQUIRE(lines.size() == 1);
   CHECK(contains(lines[0], "the edges of 'it' turn by 22.5 degrees from one to the next, 16 for a full turn"));
@@ -72,7 +72,7 @@ TEST_CASE("elements: curved rods of few edges are told") {
   CHECK(warnings(rod("{type: helix, radius: 0.1, turns: 3, pitch: 0.02, edges: 120}")).empty());
 }
 
-TEST_CASE("elements: slender bodies of few tets that bend are told") {
+TEST_CASE("elements: slender bodies of few tets that bend are warned of") {
   const auto lines = after_a_step(bar(2, down));
   REQUIRE(lines.size() == 1);
   CHECK(contains(lines[0], "'bar' has at most 3 linear tets across"));
@@ -92,10 +92,10 @@ TEST_CASE("elements: slender bodies of few tets that bend are told") {
 TEST_CASE("elements: before the run, slender bodies of few tets are named") {
   TestScene coarse(bar(2, down)), fine(bar(8, down)), block("objects:\n  - {name: it, " + cube(0.3) + "}\n"),
       affine("objects:\n  - {name: it, shape: {type: box, size: [0.2, 0.02, 0.02], cells: [10, 1, 1]}, body: {type: affine, density: 1000}}\n");
-  const auto lines = BentSolids(coarse.config, *coarse.world).expected();
+  const auto lines = BentSolids(coarse.config, *coarse.world).notes();
   REQUIRE(lines.size() == 1);
   CHECK(contains(lines[0], "where it bends, it will be too stiff"));
-  CHECK(BentSolids(fine.config, *fine.world).expected().empty());
-  CHECK(BentSolids(block.config, *block.world).expected().empty());
-  CHECK(BentSolids(affine.config, *affine.world).expected().empty());
+  CHECK(BentSolids(fine.config, *fine.world).notes().empty());
+  CHECK(BentSolids(block.config, *block.world).notes().empty());
+  CHECK(BentSolids(affine.config, *affine.world).notes().empty());
 }

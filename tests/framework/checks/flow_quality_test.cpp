@@ -36,9 +36,9 @@ Drawn draw(double length, const std::string& elements, const std::string& materi
   TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
   while (!stepper.finished()) {
     stepper.advance();
-    quality.look(stepper.state().x, stepper.state().time);
+    quality.examine(stepper.state().x, stepper.state().time);
   }
-  Drawn result{quality.lowest(), quality.poor()};
+  Drawn result{quality.lowest(), quality.warnings()};
   for (const Tet& tet : scene.world->tets) result.expected = std::min(result.expected, mean_ratio(tet, stepper.state().x) / mean_ratio(tet, scene.world->rest));
   return result;
 }
@@ -59,7 +59,7 @@ TEST_CASE("the mean ratio of a tet is one if it is regular, whatever its size, a
   CHECK(mean_ratio({0, 1, 2, 3}, flat) == 0);
 }
 
-TEST_CASE("the lowest quality is that of what has flowed, and a poor one is told", "[flow_quality]") {
+TEST_CASE("the lowest quality is over tets that have flowed, and a poor one is warned of", "[flow_quality]") {
   for (const std::string elements : {"linear", "composite", "patches"}) {
     INFO(elements);
     const Drawn little = draw(0.13, elements, plastic);
@@ -75,7 +75,7 @@ TEST_CASE("the lowest quality is that of what has flowed, and a poor one is told
   }
 }
 
-TEST_CASE("what does not flow has no quality", "[flow_quality]") {
+TEST_CASE("a body that does not flow has no quality", "[flow_quality]") {
   CHECK_FALSE(draw(0.2, "linear", "type: neo_hookean, young: 1e6").lowest);
   CHECK_FALSE(draw(0.101, "linear", plastic).lowest);  // hardly flows
 }

@@ -63,41 +63,41 @@ class Boastful : public Exponential {
 
 }  // namespace
 
-TEST_CASE("a law that ends smoothly and states what it has is silent", "[law_check]") {
+TEST_CASE("a smooth law with correct statements gives no warnings", "[law_check]") {
   const LawCheck check = check_law(Exponential(30));
-  CHECK(check.wrong.empty());
-  CHECK(check.doubtful.empty());
+  CHECK(check.errors.empty());
+  CHECK(check.warnings.empty());
 }
 
-TEST_CASE("a traction or an energy that jumps at the range is told", "[law_check]") {
+TEST_CASE("a traction or an energy that jumps at the range is warned of", "[law_check]") {
   const LawCheck cut = check_law(Exponential(3));
-  CHECK(cut.wrong.empty());
-  REQUIRE(cut.doubtful.size() >= 2);
-  CHECK_THAT(cut.doubtful[0], Contains("traction jumps from 406 Pa to 0 at its range, 0.003 m (41% of the largest)"));  // 3 exp(-2)
-  CHECK_THAT(cut.doubtful[1], Contains("energy jumps from -0.5413 J/m^2 to 0 at its range"));                           // e s p 4 exp(-3)
+  CHECK(cut.errors.empty());
+  REQUIRE(cut.warnings.size() >= 2);
+  CHECK_THAT(cut.warnings[0], Contains("traction jumps from 406 Pa to 0 at its range, 0.003 m (41% of the largest)"));  // 3 exp(-2)
+  CHECK_THAT(cut.warnings[1], Contains("energy jumps from -0.5413 J/m^2 to 0 at its range"));                           // e s p 4 exp(-3)
   const LawCheck shifted = check_law(Exponential(3, true));
-  REQUIRE(shifted.doubtful.size() == 1);
-  CHECK_THAT(shifted.doubtful[0], Contains("traction jumps"));
+  REQUIRE(shifted.warnings.size() == 1);
+  CHECK_THAT(shifted.warnings[0], Contains("traction jumps"));
 }
 
 TEST_CASE("derivatives of a law that disagree are wrong", "[law_check]") {
-  CHECK(check_law(Skewed(1, 1)).wrong.empty());
+  CHECK(check_law(Skewed(1, 1)).errors.empty());
   const LawCheck slope = check_law(Skewed(1.01, 1.01));
-  REQUIRE(slope.wrong.size() == 1);
-  CHECK_THAT(slope.wrong[0], Contains("its traction is not the derivative of its energy"));
+  REQUIRE(slope.errors.size() == 1);
+  CHECK_THAT(slope.errors[0], Contains("its traction is not the derivative of its energy"));
   const LawCheck curvature = check_law(Skewed(1, 0.9));
-  REQUIRE(curvature.wrong.size() == 1);
-  CHECK_THAT(curvature.wrong[0], Contains("its curvature is not the derivative of its traction"));
+  REQUIRE(curvature.errors.size() == 1);
+  CHECK_THAT(curvature.errors[0], Contains("its curvature is not the derivative of its traction"));
 }
 
-TEST_CASE("a law that states another peak or work than it has is told", "[law_check]") {
+TEST_CASE("a law with a wrong stated peak or work is warned of", "[law_check]") {
   const LawCheck check = check_law(Boastful());
-  REQUIRE(check.doubtful.size() == 2);
-  CHECK_THAT(check.doubtful[0], Contains("states a peak traction of 2000 Pa, and has"));
-  CHECK_THAT(check.doubtful[1], Contains("states a work of adhesion of 3.262 J/m^2, and has 2.718"));
+  REQUIRE(check.warnings.size() == 2);
+  CHECK_THAT(check.warnings[0], Contains("states a peak traction of 2000 Pa, and has"));
+  CHECK_THAT(check.warnings[1], Contains("states a work of adhesion of 3.262 J/m^2, and has 2.718"));
 }
 
-TEST_CASE("a peak within the contact distance is told, one beyond is not", "[law_check]") {
+TEST_CASE("a peak within the contact distance is warned of, a peak beyond is not", "[law_check]") {
   const auto check = [](double contact_distance) {
     std::shared_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");
     barrier->prepare({.contact_distance = contact_distance, .softer_young = 1e6, .adhesion_peak = strength});
@@ -107,28 +107,28 @@ TEST_CASE("a peak within the contact distance is told, one beyond is not", "[law
     return check_pair(pair);
   };
   const LawCheck within = check(3 * peak);
-  CHECK(within.wrong.empty());
-  REQUIRE(within.doubtful.size() == 1);
-  CHECK_THAT(within.doubtful[0], Contains("its traction peaks at 0.001 m, within the contact distance of 0.003 m"));
+  CHECK(within.errors.empty());
+  REQUIRE(within.warnings.size() == 1);
+  CHECK_THAT(within.warnings[0], Contains("its traction peaks at 0.001 m, within the contact distance of 0.003 m"));
   const LawCheck beyond = check(0.9 * peak);
-  CHECK(beyond.wrong.empty());
-  CHECK(beyond.doubtful.empty());
+  CHECK(beyond.errors.empty());
+  CHECK(beyond.warnings.empty());
 }
 
-TEST_CASE("a peak between the places that are looked at is found, and what laws say of themselves is told", "[law_check]") {
+TEST_CASE("a peak between sample points is found, and remarks of laws are passed on", "[law_check]") {
   const auto narrow = bind_component<AdhesionLaw>(parse_string("{type: lennard_jones, work_of_adhesion: 1, range: 0.3 m}", "test.yaml"));
-  narrow->prepare({.contact_distance = 1e-3});  // places are 0.75 equilibrium gaps apart
+  narrow->prepare({.contact_distance = 1e-3});  // sample points are 0.75 equilibrium gaps apart
   const LawCheck check = check_law(dynamic_cast<const NormalAdhesion&>(*narrow));
-  CHECK(check.wrong.empty());
-  CHECK(check.doubtful.empty());
+  CHECK(check.errors.empty());
+  CHECK(check.warnings.empty());
   REQUIRE(check.notes.size() == 1);
   CHECK_THAT(check.notes[0], Contains("of its work would be done beyond its range, 0.3 m"));
 }
 
-TEST_CASE("what the envelope of bonds says of itself is told", "[law_check]") {
+TEST_CASE("remarks of the envelope of a bond law are passed on", "[law_check]") {
   const std::string scene = tiny_scene_with("{type: fang, critical_strain: 0.001}", "{type: damage, envelope: {type: table, file: '" TACK_TEST_DATA "/laws/six_rows.csv'}}");
   const LawCheck all = check_laws(*TestScene(scene.substr(scene.find("time:"))).world);
-  CHECK((all.wrong.empty() && all.doubtful.empty()));
+  CHECK((all.errors.empty() && all.warnings.empty()));
   REQUIRE(all.notes.size() == 1);
   CHECK_THAT(all.notes[0], Contains("6 rows of "));
 }
@@ -140,7 +140,7 @@ TEST_CASE("the laws of scenes are checked with the names of their pairs", "[law_
     const std::string scene = tiny_scene_with("{type: fang, critical_strain: 0.001}", right);
     const LawCheck all = check_laws(*TestScene(scene.substr(scene.find("time:"))).world);
     INFO(right);
-    CHECK(all.wrong.empty());
-    CHECK(all.doubtful.empty());
+    CHECK(all.errors.empty());
+    CHECK(all.warnings.empty());
   }
 }

@@ -34,7 +34,7 @@ TEST_CASE("resolution: a scene that is fine enough is silent") {
   CHECK(warnings(ground + cube(8), sticky).empty());
 }
 
-TEST_CASE("resolution: elements above the process zone are told") {
+TEST_CASE("resolution: elements above the process zone are warned of") {
   const auto lines = warnings(ground + cube(3, 1e5), "  distance: 1 mm\n  pairs: [{between: [cube, ground], "
                                                      "adhesion: {type: fang, peak_traction: 30 kPa}}]\n");
   REQUIRE(lines.size() == 1);
@@ -42,7 +42,7 @@ TEST_CASE("resolution: elements above the process zone are told") {
   CHECK(one_with(lines, "E W / sigma^2 = 0.00333 m"));  // E dhat_a / (2 sigma)
 }
 
-TEST_CASE("resolution: a tape or a rod that is too coarse to be peeled is told") {
+TEST_CASE("resolution: a tape or a rod that is too coarse to be peeled is warned of") {
   const auto tape = [](int cells, const char* bending = "young: 60 MPa, poisson: 0") {
     return fmt::format("  - {{name: cube, shape: {{type: grid, size: [0.06, 0.003], cells: [{}, 4]}}, place: {{translate: [0, 0.0002, 0]}},\n"
                        "     shell: {{thickness: 0.2 mm}},\n"
@@ -63,7 +63,7 @@ TEST_CASE("resolution: a tape or a rod that is too coarse to be peeled is told")
   CHECK_FALSE(one_with(warnings(ground + rod(90), glue), "not resolved"));
 }
 
-TEST_CASE("resolution: a coarse sphere is told") {
+TEST_CASE("resolution: a coarse sphere is warned of") {
   const auto ball = [](int cells) {
     return fmt::format("  - {{name: cube, shape: {{type: sphere, radius: 0.05, cells: {}}}, place: {{translate: [0, 0.0511, 0]}},\n"
                        "     energies: [{{type: neo_hookean, young: 1e7}}]}}\n", cells);
@@ -71,13 +71,13 @@ TEST_CASE("resolution: a coarse sphere is told") {
   CHECK(one_with(warnings(ground + ball(4), sticky), "the surface of 'cube' is coarse"));
 }
 
-TEST_CASE("resolution: a contact distance above the elements is told, and forces of a body on itself") {
+TEST_CASE("resolution: a contact distance above the elements is warned of, and so are forces of a body on itself") {
   const auto lines = warnings(ground + cube(60), "  distance: 2 mm\n");
   CHECK(one_with(lines, "contact.distance (0.002 m) exceeds the elements of 'cube'"));
   CHECK_FALSE(one_with(lines, "starts with contact forces"));  // neighbours at rest are none
 }
 
-TEST_CASE("resolution: a range above the thickness is told") {
+TEST_CASE("resolution: a range above the thickness is warned of") {
   const std::string sheet = "  - {name: cube, shape: {type: box, size: [0.1, 0.0005, 0.1], cells: [10, 1, 10]},\n"
                             "     place: {translate: [0, 0.0015, 0]}, energies: [{type: neo_hookean, young: 1e5}]}\n";
   CHECK(one_with(warnings(ground + sheet, "  distance: 1 mm\n"), "above its thickness"));
@@ -91,7 +91,7 @@ TEST_CASE("resolution: copies of an object are warned of in one line") {
   CHECK_THAT(lines[0], Catch::Contains("exceeds the elements of 'grain_1'") && Catch::Contains("(and so it is for 4 more copies of 'grain')"));
 }
 
-TEST_CASE("resolution: two objects that start within the contact distance are told where it squeezes one or throws it off") {
+TEST_CASE("resolution: two objects that start within the contact distance are warned of if that squeezes one or throws it off") {
   const auto bar = [](double gap) {
     return fmt::format("  - {{name: walls, shape: {{type: parts, parts: [{{shape: {{type: box, size: [0.3, 0.1, 0.3]}}, place: {{translate: [0, {0}, 0]}}}},\n"
                        "     {{shape: {{type: box, size: [0.3, 0.1, 0.3]}}, place: {{translate: [0, -{0}, 0]}}}}]}}, motion: [fixed]}}\n"

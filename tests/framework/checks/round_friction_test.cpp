@@ -27,7 +27,7 @@ std::string particles(const std::string& more = "") {
 
 }  // namespace
 
-TEST_CASE("rods and particles that can rub are told to slide without turning") {
+TEST_CASE("rods and particles that can rub are warned to slide without turning") {
   for (const std::string& object : {rod(), rod("", "radius: 5 mm", "string"), particles()}) {
     const auto lines = warnings(object);
     REQUIRE(lines.size() == 1);
@@ -46,7 +46,7 @@ TEST_CASE("rods and particles that can rub are told to slide without turning") {
   CHECK(warnings(rod(", motion: [{type: fixed, until: 1 s, select: {type: indices, vertices: [0]}}]")).size() == 1);
 }
 
-TEST_CASE("what cannot roll, rolls or does not rub is not told of") {
+TEST_CASE("objects that cannot roll, that roll, or that do not rub give no warning") {
   CHECK(warnings("shape: {type: points}, particle: {radius: 5 mm}, energies: [{type: particle, rolling: true}]").empty());
   CHECK(warnings(rod(), "friction: {mu: 0}").empty());
   CHECK(warnings(rod(), "pairs: [{between: [it, it], friction: {mu: 0.2}}]").empty());  // one rod and itself

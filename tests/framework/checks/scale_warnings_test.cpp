@@ -89,14 +89,14 @@ TEST_CASE("no shipped scene is doubted for its scale or its faces, and most are 
     CHECK(flush_face_warnings(scene, world).empty());
     world.start.x *= 1000;
     world.mass *= 1e9;
-    const bool doubted = !scale_warnings(scene, world).empty();
+    const bool warned = !scale_warnings(scene, world).empty();
     const auto count = [&](Count& of) {
       ++of.scenes;
-      of.found += doubted ? 1 : 0;
+      of.found += warned ? 1 : 0;
     };
     if (distance > 0) count(with_contact);
     if (sag > 0) count(standing);
-    if (print) fmt::print("{} {:.3g} {:.3g} {:.3g} {}\n", name, side, distance, sag, doubted);
+    if (print) fmt::print("{} {:.3g} {:.3g} {:.3g} {}\n", name, side, distance, sag, warned);
   }
   CHECK(with_contact.scenes > 100);
   CHECK(with_contact.found > 0.85 * with_contact.scenes);

@@ -1,5 +1,5 @@
 // `start`: objects begin in the state of an earlier run, with their history variables.
-#include "framework/experiment/earlier_run.hpp"
+#include "framework/experiment/read_initial_state.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -38,13 +38,13 @@ const std::string all = std::string(floor_object) + lump + stone;
 std::string from(const fs::path& folder, const std::string& more = "") { return fmt::format("start: {{from: {}{}}}\n", folder.string(), more); }
 
 RunSummary record(const std::string& yaml, const fs::path& folder, std::vector<std::string> dump = {}) {
-  std::ostringstream told;
+  std::ostringstream printed;
   RunSettings settings;
   settings.output = folder.string();
   settings.dump_problems = std::move(dump);
-  RecordedRun run(parse_experiment("name: settled\n" + yaml, "settled.yaml"), settings, {}, told, {});
+  RecordedRun run(parse_experiment("name: settled\n" + yaml, "settled.yaml"), settings, {}, printed, {});
   const RunSummary summary = run.execute();
-  INFO(told.str());
+  INFO(printed.str());
   REQUIRE(summary.status == RunStatus::done);
   return summary;
 }
@@ -63,7 +63,7 @@ struct Settled {
 
 }  // namespace
 
-TEST_CASE("a scene goes on where an earlier run of it ended", "[start]") {
+TEST_CASE("a scene starts where an earlier run of it ended", "[start]") {
   const Settled settled;
   const State end = settled.state();
   REQUIRE(end.history.at("lump/energies/0/plastic_strain").values.size() > 0);
@@ -79,7 +79,7 @@ TEST_CASE("a scene goes on where an earlier run of it ended", "[start]") {
   CHECK((more.state().x - state_at(settled.folder.path() / "whole", 30).x).lpNorm<Eigen::Infinity>() < 2e-6);
 }
 
-TEST_CASE("what was divided, or remembers in patches, starts as it was if it is so again", "[start]") {
+TEST_CASE("subdivided objects and history on patches start unchanged if the scene is equal", "[start]") {
   const auto with = [](const std::string& elements) {
     std::string objects = all;
     objects.insert(objects.find("cells: [2, 2, 2]},") + 18, " elements: " + elements + ",");
@@ -131,7 +131,7 @@ TEST_CASE("it is the start that must not intersect, not the shapes at rest", "[s
                     Contains("the start intersects"));
 }
 
-TEST_CASE("what objects remember of each other comes along, by its keys", "[start]") {
+TEST_CASE("history variables of pairs are restored by their keys", "[start]") {
   const Settled settled;
   const fs::path path = settled.run / "checkpoints/step_00000020.checkpoint";
   StateFile file = read_state_file(path, StateFile::Kind::checkpoint);
@@ -162,7 +162,7 @@ TEST_CASE("the side of an adhesive pair that integrates comes along", "[start]")
   write_state_file(path, file);
   TestRun more(sticky(scene_of(stone + std::string(floor_object) + lump, 0.1, from(run))));
   more.step();
-  // They are far from each other, so nobody decides anew.
+  // They are far from each other, so no side is chosen again.
   CHECK(more.state().history.at("contact/integrating_sides") == HistoryArray{1, {1}, {{8, 0}}});
 }
 

@@ -24,9 +24,9 @@ std::string cube(double size, double step, const std::string& more = "", const s
 
 double tolerance(const std::string& yaml) { return TestScene(yaml).config.solver->velocity_tolerance(); }
 
-std::vector<std::string> doubts(const std::string& yaml) {
+std::vector<std::string> warnings_of(const std::string& yaml) {
   TestScene scene(yaml);
-  return doubtful_tolerances(scene.config, *scene.world);
+  return tolerance_warnings(scene.config, *scene.world);
 }
 
 }  // namespace
@@ -37,16 +37,16 @@ TEST_CASE("the default tolerance is 1 cm/s where a metre is, and less where that
   CHECK(tolerance(cube(1, 0.01)) == 0.01);
   CHECK(tolerance(cube(1, 0.04, "contact: {distance: 1 mm}\n")) == Approx(0.0025));   // the step
   CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1e-5}\n")) == Approx(1e-4));     // the contact
-  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3}}\n")) == 1e-3);                 // what sticks
+  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3}}\n")) == 1e-3);                 // sticking
   CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3, eps_v: 5 cm/s}}\n")) == 0.01);
-  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3, eps_v: 1e-8}}\n")) == 1e-4);    // as far as it goes
-  CHECK(doubts(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3}}\n")).empty());
-  CHECK(doubts(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3, eps_v: 1e-8}}\n")).size() == 1);
+  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3, eps_v: 1e-8}}\n")) == 1e-4);    // the smallest
+  CHECK(warnings_of(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3}}\n")).empty());
+  CHECK(warnings_of(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3, eps_v: 1e-8}}\n")).size() == 1);
   CHECK(tolerance(cube(1e-6, 0.01)) == Approx(std::sqrt(3.0) * 1e-7));                // the size
-  CHECK(tolerance(cube(1e-6, 0.01, "solver: {type: lbfgs, tolerance: 0.01}\n")) == 0.01);  // what is given, holds
+  CHECK(tolerance(cube(1e-6, 0.01, "solver: {type: lbfgs, tolerance: 0.01}\n")) == 0.01);  // a given tolerance stays
 }
 
-TEST_CASE("what was settled is part of the scene", "[scene]") {
+TEST_CASE("default tolerances become part of the scene", "[scene]") {
   TestScene scene(cube(1e-3, 0.01));
   const Value solver = to_value(scene.config.solver.get());
   REQUIRE(solver.find("tolerance"));
@@ -54,11 +54,11 @@ TEST_CASE("what was settled is part of the scene", "[scene]") {
   CHECK(again->velocity_tolerance() == scene.config.solver->velocity_tolerance());
 }
 
-TEST_CASE("tolerances that do not fit contact or friction are told", "[scene]") {
+TEST_CASE("tolerances that do not fit contact or friction are warned of", "[scene]") {
   const std::string contact = "contact: {distance: 1 mm}\n";
-  CHECK(doubts(cube(1, 0.01, contact)).empty());
-  CHECK(doubts(cube(1, 0.04, contact)).empty());  // the default fits
-  const auto coarse = doubts(cube(1, 0.04, contact + "solver: {type: lbfgs, tolerance: 1 cm/s}\n"));
+  CHECK(warnings_of(cube(1, 0.01, contact)).empty());
+  CHECK(warnings_of(cube(1, 0.04, contact)).empty());  // the default fits
+  const auto coarse = warnings_of(cube(1, 0.04, contact + "solver: {type: lbfgs, tolerance: 1 cm/s}\n"));
   REQUIRE(coarse.size() == 1);
   CHECK(coarse[0].find("contact distance is 0.001 m") != std::string::npos);
   CHECK(coarse[0].find("lower solver.tolerance to 0.0025 m/s") != std::string::npos);
@@ -66,10 +66,10 @@ TEST_CASE("tolerances that do not fit contact or friction are told", "[scene]") 
   const std::string friction =
       "contact:\n  friction: {mu: 0.5, eps_v: 2 cm/s}\n"
       "  pairs: [{between: [cube, ground], friction: {mu: 0.1, eps_v: 1 mm/s}}]\n";
-  CHECK(doubts(cube(1, 0.01, friction)).empty());  // the default fits
-  const auto creeping = doubts(cube(1, 0.01, friction + "solver: {type: projected_newton, tolerance: 1 cm/s}\n"));
+  CHECK(warnings_of(cube(1, 0.01, friction)).empty());  // the default fits
+  const auto creeping = warnings_of(cube(1, 0.01, friction + "solver: {type: projected_newton, tolerance: 1 cm/s}\n"));
   REQUIRE(creeping.size() == 1);
   CHECK(creeping[0].find("contact.pairs[0].friction.eps_v 0.001 m/s is below solver.tolerance 0.01 m/s") == 0);
-  CHECK(doubts(cube(1, 0.01, friction + "solver: {type: projected_newton, tolerance: 0.1 mm/s}\n")).empty());
-  CHECK(doubts(cube(1, 0.01, friction + "solver: {type: projected_newton, stopping: force}\n")).empty());
+  CHECK(warnings_of(cube(1, 0.01, friction + "solver: {type: projected_newton, tolerance: 0.1 mm/s}\n")).empty());
+  CHECK(warnings_of(cube(1, 0.01, friction + "solver: {type: projected_newton, stopping: force}\n")).empty());
 }

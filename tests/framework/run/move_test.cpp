@@ -62,7 +62,7 @@ TEST_CASE("a move to where everything is changes no bit", "[move]") {
   });
 }
 
-TEST_CASE("what is put back to rest stays at rest", "[move]") {
+TEST_CASE("a body put back to its rest state stays at rest", "[move]") {
   for_each_scene([](const std::string& integrator, const Acting& acting, const std::string& body) {
     TestRun run(thrown(integrator, acting, body));
     const VecX rest = of_meshes(*run.world, run.world->rest), still = VecX::Zero(rest.size());
@@ -79,9 +79,9 @@ TEST_CASE("what is put back to rest stays at rest", "[move]") {
   });
 }
 
-TEST_CASE("what is moved goes on as a run that starts there", "[move]") {
+TEST_CASE("a moved simulation continues as a run that starts there", "[move]") {
   for (const std::string& integrator : Registry<TimeIntegrator>::kind().names()) {
-    if (integrator == "quasi_static") continue;  // a body that nothing holds has no equilibrium of its own
+    if (integrator == "quasi_static") continue;  // a free body has no unique equilibrium
     INFO(integrator);
     const Acting& friction = all_acting[1];
     TestRun moved(thrown(integrator, friction, elastic)), fresh(thrown(integrator, friction, elastic));

@@ -22,44 +22,44 @@ TEST_CASE("a run is recorded without the command line", "[run]") {
   RunSettings settings;
   settings.output = (folder.path() / "results").string();
   settings.steps = 2;
-  std::ostringstream told;
+  std::ostringstream printed;
   Provenance provenance;
   provenance.build.version = "1.2.3";
-  RecordedRun run(tiny(), settings, provenance, told, {});
+  RecordedRun run(tiny(), settings, provenance, printed, {});
   const RunSummary& summary = run.execute();
   CHECK(summary.status == RunStatus::done);
   CHECK(summary.steps == 2);
-  CHECK(contains(told.str(), "done: 2 steps"));
+  CHECK(contains(printed.str(), "done: 2 steps"));
   for (const char* file : {"scene.yaml", "steps.csv", "probes.csv", "summary.json", "log.txt"})
     CHECK(std::filesystem::exists(folder.path() / "results" / file));
   CHECK(contains(file_text(folder.path() / "results/summary.json"), "\"1.2.3\""));
 }
 
-TEST_CASE("what a run warns of stands in its summary, also of a run that is gone on with", "[run]") {
+TEST_CASE("warnings of a run are in its summary, also after a resume", "[run]") {
   // With so few iterations that steps at the impact are halved.
   std::string text = tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:");
   text += "output: {checkpoint_interval: 0.02 s}\nsolver: {type: projected_newton, max_iterations: 8}\n";
   const TemporaryFolder folder;
   const auto recorded = [&](RunSettings settings) {
     settings.output = (folder.path() / "results").string();
-    std::ostringstream told;
-    RecordedRun run(parse_experiment(text, "tiny.yaml"), settings, {}, told, {});
+    std::ostringstream printed;
+    RecordedRun run(parse_experiment(text, "tiny.yaml"), settings, {}, printed, {});
     run.execute();
-    return told.str();
+    return printed.str();
   };
-  const std::string told = recorded({});
-  INFO(told);
+  const std::string printed = recorded({});
+  INFO(printed);
   const auto summary = read_json(folder.path() / "results/summary.json"), whole = summary["warnings"], energy = summary["energy"];
   int lines = 0, counted = 0;
-  for (size_t at = 0; (at = told.find("warning: ", at)) != told.npos; ++at) ++lines;
+  for (size_t at = 0; (at = printed.find("warning: ", at)) != printed.npos; ++at) ++lines;
   for (const auto& w : whole) {
-    CHECK(contains(told, "warning: " + w["text"].get<std::string>()));
+    CHECK(contains(printed, "warning: " + w["text"].get<std::string>()));
     counted += w["times"].get<int>();
   }
   CHECK(counted == lines);
   CHECK(whole.size() > 0);
   CHECK(counted > static_cast<int>(whole.size()));  // more than one step was halved
-  CHECK(contains(told, std::to_string(whole.size()) + " warning"));
+  CHECK(contains(printed, std::to_string(whole.size()) + " warning"));
   // At its end, of the impact.
   CHECK(contains(whole.back()["text"].get<std::string>(), "energy: time integration lost"));
   CHECK(energy["causes"]["integrator"]["lost"].get<double>() > 0.03 * energy["at_play"].get<double>());
@@ -83,7 +83,7 @@ TEST_CASE("a run leaves its specification as it is", "[run]") {
   CHECK(&simulation.solver() != simulation.experiment().solver.get());
 }
 
-TEST_CASE("what goes on from a state has the bits of what went there", "[run]") {
+TEST_CASE("a run that starts from a state has the bits of the run that reached it", "[run]") {
   Simulation whole(tiny()), second(tiny());
   whole.start();
   whole.step();
@@ -96,7 +96,7 @@ TEST_CASE("what goes on from a state has the bits of what went there", "[run]") 
   CHECK((whole.state().x == second.state().x && whole.state().v == second.state().v));
 }
 
-// The block adheres: energies of adhesion and of the overlap boundary are those of its group.
+// The block adheres: energies of adhesion and of the overlap boundary belong to its group.
 TEST_CASE("the summary of a run names the objects of each energy group", "[run]") {
   std::string text = tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:");
   const size_t objects = text.find("objects:\n") + std::string("objects:\n").size();
@@ -105,11 +105,11 @@ TEST_CASE("the summary of a run names the objects of each energy group", "[run]"
   RunSettings settings;
   settings.output = (folder.path() / "results").string();
   settings.steps = 3;
-  std::ostringstream told;
-  RecordedRun run(parse_experiment(text, "tiny.yaml"), settings, {}, told, {});
+  std::ostringstream printed;
+  RecordedRun run(parse_experiment(text, "tiny.yaml"), settings, {}, printed, {});
   run.execute();
   const auto summary = read_json(folder.path() / "results/summary.json");
-  INFO(told.str() << summary["energy"]);
+  INFO(printed.str() << summary["energy"]);
   std::vector<std::string> named;
   for (const auto& group : summary["energy"]["groups"]) named.push_back(group["objects"].get<std::string>());
   CHECK(named == std::vector<std::string>{"'afar'", "'block'"});

@@ -79,19 +79,19 @@ TEST_CASE("a body without equilibrium is found before the run", "[checks]") {
     return check_equilibrium(s.config, *s.world, s.clock);
   };
   const std::string beside = "  - {name: other, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [1, 0.5, 0]}, energies: [{type: neo_hookean, young: 1e6}]}\n";
-  CHECK(check(cube("0.0505", "50")).wrong.empty());
+  CHECK(check(cube("0.0505", "50")).error.empty());
   const EquilibriumCheck falls = check(cube("0.0505", "50", beside));
-  INFO(falls.wrong);
-  CHECK(contains(falls.wrong, "nothing holds 'other'"));
-  CHECK(contains(falls.wrong, "hold it (motion, attach)"));
+  INFO(falls.error);
+  CHECK(contains(falls.error, "nothing holds 'other'"));
+  CHECK(contains(falls.error, "hold it (motion, attach)"));
   // With inertia it falls, and that is that.
   std::string dynamic = cube("0.0505", "50", beside);
   dynamic.replace(dynamic.find("quasi_static"), 12, "implicit_euler");
-  CHECK(check(dynamic).wrong.empty());
+  CHECK(check(dynamic).error.empty());
 }
 
 TEST_CASE("a torque on a body that nothing holds is told before the run", "[checks]") {
-  const auto doubtful = [](const char* upper, const char* lower, const char* motion = "") {
+  const auto warnings_of = [](const char* upper, const char* lower, const char* motion = "") {
     TestRun s(std::string("time: {step: 0.25, duration: 1, integrator: quasi_static}\n"
                           "objects:\n"
                           "  - name: held\n    shape: {type: box, size: [0.1, 0.1, 0.1]}\n    place: {translate: [1, 0, 0]}\n    energies: [{type: neo_hookean, young: 1e6}]\n    motion: [fixed]\n"
@@ -99,14 +99,14 @@ TEST_CASE("a torque on a body that nothing holds is told before the run", "[chec
               "    loads:\n      - {type: traction, value: [" + upper + ", 0, 0], select: {type: face, direction: [0, 1, 0]}}\n"
               "      - {type: traction, value: [" + lower + ", 0, 0], select: {type: face, direction: [0, -1, 0]}}\n");
     const EquilibriumCheck check = check_equilibrium(s.config, *s.world, s.clock);
-    CHECK(check.wrong.empty());
-    return check.doubtful;
+    CHECK(check.error.empty());
+    return check.warnings;
   };
-  const auto turns = doubtful("50", "-50");
+  const auto turns = warnings_of("50", "-50");
   REQUIRE(turns.size() == 1);
   INFO(turns[0]);
   CHECK(contains(turns[0], "nothing keeps 'cube' from turning under the torque (0, 0, -0.05) N m"));
   CHECK(contains(turns[0], "hold it (motion, attach)"));
-  CHECK(doubtful("0", "0").empty());
-  CHECK(doubtful("50", "-50", "    motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]\n").empty());
+  CHECK(warnings_of("0", "0").empty());
+  CHECK(warnings_of("50", "-50", "    motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]\n").empty());
 }
