@@ -1,4 +1,4 @@
-// Makes the page of `tack report`, and that of `tack render` beside it: one file each with all scripts, styles and the licences of what is in it.
+// Builds the pages of `tack report` and `tack render`: one file each with all scripts, styles and licences.
 //   node build.mjs MODULES OUTPUT    MODULES: the folder that holds node_modules; OUTPUT: report.html, beside which film.html and render.mjs go
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -19,7 +19,7 @@ const bundle = (entry) => esbuild.build({
   format: "iife",
   target: "es2022",
   charset: "utf8",
-  legalComments: "none", // all of them stand in the page's list
+  legalComments: "none", // the page lists all licences
   metafile: true,
   logLevel: "warning",
 });
@@ -28,7 +28,7 @@ const result = await bundle("main.js");
 const textOf = (made, ending) => made.outputFiles.find((file) => file.path.endsWith(ending)).text;
 const escaped = (plain) => plain.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 
-// Every package that something of is in the bundle.
+// Returns every package that the bundle contains.
 const packages = new Set();
 for (const input of Object.keys(result.metafile.inputs)) {
   const found = /node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(input);

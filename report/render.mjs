@@ -1,7 +1,7 @@
-// Draws pictures and films of runs in a browser without a window:
+// Renders pictures and films of runs in a headless browser:
 //   node render.mjs MODULES PAGE VIEW OUTPUT
-// MODULES: the folder that holds node_modules; PAGE: film.html with the data of the runs; VIEW: what `tack render` was told (JSON); OUTPUT: a file that ends
-// in .png, .mp4 or .gif. Tells how far it is, a line a frame: "frame 3 of 120".
+// MODULES: the folder that holds node_modules; PAGE: film.html with the data of the runs; VIEW: settings of `tack render` (JSON); OUTPUT: a file that ends
+// in .png, .mp4 or .gif. Prints a line per frame: "frame 3 of 120".
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -60,7 +60,7 @@ try {
     coder.on("error", () => fail("there is no ffmpeg to make films with; install it, or draw a picture (-o picture.png)"));
     let last = null;
     for (let i = 0; i < count; ++i) {
-      // What did not change is not drawn again.
+      // An unchanged picture is not drawn again.
       const frame = run.times.reduce((best, t, k) => (Math.abs(t - times[i]) < Math.abs(run.times[best] - times[i]) ? k : best), 0);
       if (!last || last.frame !== frame || view.time || run.kept.length > 1) last = { frame, png: await draw(times[i]) };
       if (!coder.stdin.write(last.png)) await once(coder.stdin, "drain");

@@ -1,4 +1,4 @@
-// What a run is and what became of it: facts, expectations, provenance, its scene.
+// Sections about a run: status, facts, warnings, expectations, provenance and scene.
 import { button, h, lazyDetails, plainTable, section } from "./dom.js";
 import { byName, duration, format, scaledNumber, words } from "./format.js";
 
@@ -13,13 +13,13 @@ export function head(title, about, badges, kind = "tack report") {
 }
 
 export function notesOf(notes) {
-  return notes.length > 0 && h("div", { class: "notice", role: "note" }, h("p", {}, "Not everything could be read:"), h("ul", {}, notes.map((note) => h("li", {}, note))));
+  return notes.length > 0 && h("div", { class: "notice", role: "note" }, h("p", {}, "Some files could not be read:"), h("ul", {}, notes.map((note) => h("li", {}, note))));
 }
 
-// The name of an object, which can be pressed: the 3D view goes there (view.js).
+// Returns a button with the name of an object: it focuses the 3D view on the object (view.js).
 export const objectButton = (name, text = name) => button(text, () => document.dispatchEvent(new CustomEvent("tack-object", { detail: name })), { class: "object", title: `show '${name}' in the 3D view` });
 
-// A text with those of the objects that it names.
+// Replaces the quoted names of objects in a text by such buttons.
 export function withObjects(text, scene) {
   const names = new Set(scene?.objects.map(({ name }) => name) ?? []);
   return text.split(/('[^']+')/).map((part) => {
@@ -28,11 +28,11 @@ export function withObjects(text, scene) {
   });
 }
 
-// What the runs warned of: it is told before what they show.
+// Returns the warnings of the runs; they stand before the results.
 export function warnings(runs) {
   const lines = runs.flatMap((run) => (run.summary?.warnings ?? []).map(({ text, times }) =>
-    h("li", {}, runs.length > 1 && `${run.label}: `, run.frames ? withObjects(text, run.scene) : text, times > 1 && ` (and ${times - 1} more of the kind)`)));
-  return lines.length > 0 && section("warnings", runs.length > 1 ? "What they warned of" : "What it warned of", h("div", { class: "notice warnings" }, h("ul", {}, lines)));
+    h("li", {}, runs.length > 1 && `${run.label}: `, run.frames ? withObjects(text, run.scene) : text, times > 1 && ` (and ${times - 1} more of this kind)`)));
+  return lines.length > 0 && section("warnings", "Warnings", h("div", { class: "notice warnings" }, h("ul", {}, lines)));
 }
 
 function factsOf({ summary: s, scene, steps, frames }) {
@@ -55,21 +55,21 @@ export function facts(runs) {
   }
   const of = runs.map((run) => new Map(factsOf(run)));
   const names = [...new Set(of.flatMap((map) => [...map.keys()]))];
-  return plainTable(["run", "status", ...names], runs.map((run, i) => [run.label, statusBadge(run.status), ...names.map((name) => of[i].get(name) ?? "–")]), "The runs");
+  return plainTable(["run", "status", ...names], runs.map((run, i) => [run.label, statusBadge(run.status), ...names.map((name) => of[i].get(name) ?? "–")]), "Runs");
 }
 
 const mark = (pass) => h("span", { class: `mark ${pass === null ? "open" : pass ? "good" : "bad"}` },
-  h("span", { "aria-hidden": "true" }, pass === null ? "○ " : pass ? "✓ " : "✗ "), pass === null ? "not known" : pass ? "pass" : "fail");
+  h("span", { "aria-hidden": "true" }, pass === null ? "○ " : pass ? "✓ " : "✗ "), pass === null ? "unknown" : pass ? "pass" : "fail");
 
-// Unfinished runs know what they must show, but not whether they do.
+// Returns the expectations of a run; those of an unfinished run have no result.
 function expectationsOf(run) {
   const units = byName(Object.fromEntries((run.scene?.expect ?? []).map(({ name, unit }) => [name, unit])));
   const judged = run.summary?.expect ?? [];
-  if (judged.length > 0) return judged.map((e) => ({ ...e, ...told(e, units[e.name]) }));
+  if (judged.length > 0) return judged.map((e) => ({ ...e, ...resultText(e, units[e.name]) }));
   return (run.scene?.expect ?? []).map(({ name, wanted }) => ({ name, pass: null, is: "the run is not finished", wanted: criterion(wanted, units[name]) }));
 }
 
-// What is accepted: around a target, or between bounds of which one may be open.
+// Returns the accepted range as text: around a target, or between bounds of which one may be open.
 function criterion({ target, tolerance, at_least: least, at_most: most }, unit) {
   const number = (n) => scaledNumber(n, unit);
   if (typeof target === "number") return `${number(target)} within ${number(tolerance)}`;
@@ -77,8 +77,9 @@ function criterion({ target, tolerance, at_least: least, at_most: most }, unit) 
   return typeof least === "number" ? `from ${number(least)} to ${number(most)}` : `at most ${number(most)}`;
 }
 
-// Without a number, the text says why; else it may say more than the number, in brackets.
-function told(e, unit) {
+// Returns the result of an expectation as text. Without a number it gives the reason; details of the
+// number follow in brackets.
+function resultText(e, unit) {
   if (typeof e.value !== "number") return { is: e.text.replace(/, expected [^,]*$/, ""), wanted: criterion(e, unit) };
   const more = /^is \S+ (\(.*\)), expected/.exec(e.text);
   return { is: `${scaledNumber(e.value, unit)}${more ? ` ${more[1]}` : ""}`, wanted: criterion(e, unit) };
@@ -88,8 +89,8 @@ export function expectations(runs) {
   const all = runs.flatMap((run) => expectationsOf(run).map((e) => ({ run, ...e })));
   const rows = all.map((e) => [...(runs.length > 1 ? [e.run.label] : []), e.name, mark(e.pass), e.is, e.wanted]);
   const failed = all.filter((e) => e.pass === false).length;
-  if (rows.length === 0) return section("expectations", "What it must show", h("p", { class: "note" }, "The scene says nothing of what its run must show."));
-  return section("expectations", "What it must show",
+  if (rows.length === 0) return section("expectations", "Expectations", h("p", { class: "note" }, "The scene has no expectations."));
+  return section("expectations", "Expectations",
     failed > 0 && h("p", { class: "notice bad" }, failed === 1 ? "One expectation failed." : `${failed} expectations failed.`),
     plainTable([...(runs.length > 1 ? ["run"] : []), "expectation", "result", "value", "expected"], rows, "Expectations", { class: "expectations" }));
 }
@@ -101,7 +102,7 @@ function textOf(value) {
   return typeof value === "number" ? format(value, 6) : String(value);
 }
 
-// [[key, value]] of whatever stands in objects, nested ones by the keys on the way.
+// Returns [[key, value]] of an object; nested objects are flattened, with all keys of the path.
 export function rowsOf(object, before = "") {
   return Object.entries(object).flatMap(([key, value]) => {
     const name = before ? `${before}, ${words(key)}` : words(key);
@@ -111,7 +112,7 @@ export function rowsOf(object, before = "") {
 
 const leadingKeys = ["version", "commit", "threads", "linear_solver"];
 
-// What provenance says as well is left to it.
+// Returns rows of provenance. Leading keys that the provenance also has are omitted.
 export function provenanceOf(summary) {
   const leading = Object.fromEntries(leadingKeys.filter((key) => summary?.[key] !== undefined && summary[key] !== "" && summary.provenance?.[key] === undefined)
     .map((key) => [key, summary[key]]));
@@ -123,11 +124,11 @@ export function provenance(runs, extra = []) {
     const rows = provenanceOf(run.summary);
     return [runs.length > 1 && h("h3", {}, run.label),
       run.summary?.error && h("p", { class: "notice bad" }, run.summary.error),
-      rows.length > 0 ? plainTable(null, rows, `Provenance of ${run.label}`, { class: "pairs" }) : h("p", { class: "note" }, "Nothing is known: there is no summary.json."),
+      rows.length > 0 ? plainTable(null, rows, `Provenance of ${run.label}`, { class: "pairs" }) : h("p", { class: "note" }, "Unknown: there is no summary.json."),
       run.summary && lazyDetails("All totals of the run", () => plainTable(null,
         rowsOf(Object.fromEntries(Object.entries(run.summary).filter(([key]) => !["expect", "provenance", "adhesion", "warnings", ...leadingKeys].includes(key)))),
         `Totals of ${run.label}`, { class: "pairs" })),
-      run.scene && lazyDetails("Its scene, every default filled in", () => h("pre", { tabindex: 0 }, run.scene.text))];
+      run.scene && lazyDetails("Scene with all defaults", () => h("pre", { tabindex: 0 }, run.scene.text))];
   });
-  return section("provenance", "Where it comes from", extra, parts);
+  return section("provenance", "Provenance", extra, parts);
 }

@@ -8,7 +8,7 @@ import { numberTable } from "./unpack.js";
 
 const unique = (values) => [...new Set(values)];
 const isNumber = (v) => typeof v === "number";
-// Of the text of a cell: a number in SI with its unit, else as it is.
+// Formats the text of a cell: a number in SI gets its unit, other texts are unchanged.
 const shown = (text, unit) => (text === undefined || text === null ? "–" : text !== "" && Number.isFinite(Number(text)) ? scaledNumber(Number(text), unit) : text);
 
 export async function batchSections(data) {
@@ -30,16 +30,16 @@ export async function batchSections(data) {
     return h("span", { class: `mark ${row[c] ? "good" : "bad"}` }, row[c] ? "✓ pass" : "✗ fail");
   };
   const sections = [
-    section("plots", "A number against a key", plotAgainst(table, keys, column, state, (batch.statistics ?? []).map((one) => one.name), byName(batch.units))),
+    section("plots", "Results against varied keys", plotAgainst(table, keys, column, state, (batch.statistics ?? []).map((one) => one.name), byName(batch.units))),
     section("multiples", "Curves of all cases", smallMultiples(cases, curves, byName(data.units), keys, state, byName(batch.units))),
   ];
-  const cases_ = section("table", "Cases", h("p", { class: "note" }, "The filter holds for the plots below as well."), sortedTable(table, { caption: "Cases", changed, mark }));
-  return [cases_, ...sections, section("origin", "Where the batch comes from",
+  const cases_ = section("table", "Cases", h("p", { class: "note" }, "The filter also applies to the plots below."), sortedTable(table, { caption: "Cases", changed, mark }));
+  return [cases_, ...sections, section("origin", "Provenance",
     plainTable(null, [...provenanceOf(batch), ...rowsOf(Object.fromEntries(Object.entries(batch).filter(([key]) => !["name", "about", "cases", "provenance", "version", "commit", "statistics", "units"].includes(key))))],
       "Provenance of the batch", { class: "pairs" }))];
 }
 
-// Before results.csv is there.
+// Returns the table of a batch without results.csv.
 function fromCases(cases, keys) {
   return { columns: ["case", ...keys, "status"], rows: cases.map((one) => [one.name, ...keys.map((key) => one.values?.[key] ?? null), one.status ?? null]) };
 }
@@ -47,8 +47,8 @@ function fromCases(cases, keys) {
 function plotAgainst(table, keys, column, state, statistics, units) {
   const numeric = table.columns.filter((name, c) => c > 0 && table.rows.some((row) => isNumber(row[c])));
   const results = numeric.filter((name) => !keys.includes(name));
-  if (keys.length === 0 || results.length === 0) return h("p", { class: "note" }, "There is no key that was varied, or no number to plot.");
-  // What the runs measured comes before what they cost.
+  if (keys.length === 0 || results.length === 0) return h("p", { class: "note" }, "There is no varied key, or no number to plot.");
+  // Statistics of the runs are preferred to their cost.
   const first = results.find((name) => statistics.includes(name)) ?? results.find((name) => name.includes(".")) ?? results[0];
   const chosen = { x: keys[0], y: first, by: keys[1] ?? "", logX: false, logY: false };
   const place = h("div", { class: "charts wide" });
@@ -80,7 +80,7 @@ function plotAgainst(table, keys, column, state, statistics, units) {
 
 const mostPanels = 48;
 
-// A small chart per case with the same axes, or all cases in one.
+// Draws a small chart per case with equal axes, or all cases in one chart.
 function smallMultiples(cases, curves, units, keys, state, keyUnits) {
   const columns = unique(curves.flatMap((table) => table?.columns ?? [])).filter((name) => name !== "time");
   if (columns.length === 0) return h("p", { class: "note" }, "The cases have no probes.");

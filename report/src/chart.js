@@ -1,5 +1,5 @@
-// Line charts on uPlot: several lines, each with abscissas of its own in any order, stacked areas or points; zoom by dragging
-// or keys, values under the cursor, labels at the ends of lines, and a table of the numbers.
+// Line charts with uPlot: several lines, each with its own abscissas in any order, stacked areas or points; zoom by dragging
+// or keys, values at the cursor, labels at the ends of lines, and a table of the numbers.
 import uPlot from "uplot";
 import { button, freshId, h, lazyDetails, plainTable } from "./dom.js";
 import { axisTitle, format, powerOfTen, scaled } from "./format.js";
@@ -31,7 +31,7 @@ function padded([low, high], log) {
   return [low === 0 ? 0 : low - room, high === 0 && low < 0 ? 0 : high + room];
 }
 
-// Of a logarithmic axis: decades; with fewer than two of them 1, 2 and 5 of each; with fewer than two of those, as on a linear one.
+// Returns the ticks of a logarithmic axis: decades; if fewer than two, 1, 2 and 5 of each; if still fewer than two, linear ticks.
 function logTicks(low, high) {
   const some = (mantissas) => {
     const ticks = [];
@@ -45,8 +45,8 @@ function logTicks(low, high) {
   const decades = some([1]);
   if (decades.length > 9) return decades.filter((_, i) => i % Math.ceil(decades.length / 9) === 0);
   if (decades.length > 1) return decades;
-  const parts = some([1, 2, 5]);
-  if (parts.length > 1) return parts;
+  const divided = some([1, 2, 5]);
+  if (divided.length > 1) return divided;
   const step = 10 ** Math.floor(Math.log10(high - low));
   const ticks = [];
   for (let k = Math.ceil(low / step); k * step <= high; ++k) ticks.push(k * step);
@@ -57,8 +57,8 @@ function logTicks(low, high) {
 const groups = new Map();
 
 /*
- options: title, x and y {name, unit, log, loose: with room at both ends, span: the least that is shown, zero: shown as well}, series [{label, x, y, lower, index, points, line}], stacked, group, height, note, plain: without labels.
- lower: of a stacked area, its other side. index: of colour and dashes, instead of the place in the list.
+ options: title, x and y {name, unit, log, loose: with a margin at both ends, span: range that is always shown, zero: include zero}, series [{label, x, y, lower, index, points, line}], stacked, group, height, note, plain: without labels.
+ lower: lower side of a stacked area. index: of colour and dashes; by default the index in the list.
 */
 export function chart(options) {
   const { title, series, x, y } = options;
@@ -77,7 +77,7 @@ export function chart(options) {
   const lines = series.map((s, i) => ({ ...s, index: s.index ?? i }));
   const data = [null, ...lines.map((s) => [Float64Array.from(s.x, (v) => v * unitX.factor), Float64Array.from(s.y, (v) => v * unitY.factor)])];
   const lowers = lines.map((s) => s.lower && Float64Array.from(s.lower, (v) => v * unitY.factor));
-  // Little room around time, whose ends are facts; more where it is a quantity.
+  // Time has no margin; other quantities have one.
   const tight = [wholeX[0] * unitX.factor, wholeX[1] * unitX.factor];
   const full = x.log || x.loose ? padded(tight, x.log) : tight[0] < tight[1] ? tight : padded(tight, false);
   let windowX = full;
@@ -174,7 +174,7 @@ export function chart(options) {
   };
   const roomRight = (u) => (direct && u.width >= 480 && longest <= 22 ? 12 + 6.4 * longest : 14);
 
-  // The legend has the values under the cursor.
+  // The legend shows the values at the cursor.
   const values = lines.map(() => h("span", { class: "value" }));
   const legend = h("ul", { class: "legend" }, lines.map((s, i) => h("li", {}, swatch(s, options.stacked), h("span", {}, s.label), values[i])));
   const where = h("p", { class: "where", "aria-live": "polite" });
@@ -200,8 +200,8 @@ export function chart(options) {
     const single = lines.length === 1 && values[0].textContent ? `: ${values[0].textContent}` : "";
     where.textContent = at === null ? "" : `${x.name} ${format(at)}${unitX.unit ? ` ${unitX.unit}` : ""}${single}`;
   };
-  // Told when keys move the cursor; the mouse shows it without a word to screen readers.
-  const tell = () => {
+  // Announces the values to screen readers when keys move the cursor.
+  const announce = () => {
     where.setAttribute("aria-label", `${where.textContent}: ${lines.map((s, i) => `${s.label} ${values[i].textContent || "none"}`).join(", ")}`);
   };
 
@@ -294,7 +294,7 @@ export function chart(options) {
       const bounded = Math.min(high, Math.max(low, to));
       plot.setCursor({ left: plot.valToPos(bounded, "x"), top: plot.over.clientHeight / 2 }, false);
       show(bounded);
-      tell();
+      announce();
     };
     const keys = {
       ArrowRight: () => move(at + step), ArrowLeft: () => move(at - step), Home: () => move(low), End: () => move(high),
@@ -339,7 +339,7 @@ function swatch(s, stacked) {
   return canvas;
 }
 
-// What the chart shows, in a sentence.
+// Describes the chart in a sentence, for screen readers.
 function summary({ title, series, x, y }, unitX, unitY) {
   const parts = series.map((s) => {
     const range = extent([{ values: s.y }], () => true);

@@ -1,4 +1,4 @@
-// From numbers to colours. Viridis is even to the eye, in black and white, and to the colour-blind; what has both signs is blue below zero, red above
+// Colour scales. Viridis is perceptually uniform, also in greyscale and for the colour-blind; fields with both signs are blue below zero, red above
 // it, and white at zero.
 import { interpolateCividis, interpolateMagma, interpolateRdBu, interpolateViridis } from "d3-scale-chromatic";
 import { Color, SRGBColorSpace } from "three";
@@ -17,15 +17,15 @@ function tableOf(map) {
   return tables.get(map);
 }
 
-const least = 0.01; // of the larger side: less of the other sign is round-off
+const signMin = 0.01; // of the larger side: smaller values of the other sign count as round-off
 
-// Which colours suit numbers from `low` to `high`, if that is left to us.
+// Returns the colour map; "automatic" is chosen by the signs of `low` and `high`.
 export function mapOf(wanted, low, high, log = false) {
   if (wanted !== "automatic") return wanted;
-  return !log && -low > least * high && high > least * -low ? "red_blue" : "viridis";
+  return !log && -low > signMin * high && high > signMin * -low ? "red_blue" : "viridis";
 }
 
-// As far below zero as above it.
+// Returns limits symmetric about zero for the diverging map.
 export function centred(map, [low, high]) {
   if (map !== "red_blue") return [low, high];
   const most = Math.max(Math.abs(low), Math.abs(high));
@@ -42,28 +42,28 @@ export class ColourScale {
     this.table = tableOf(map);
   }
 
-  // Of the scale, 0 to 1, and NaN.
-  part(number) {
+  // Returns the position of a number on the scale, 0 to 1, or NaN.
+  fraction(number) {
     if (Number.isNaN(number)) return NaN;
     if (!(this.high > this.low)) return 0;
-    const part = this.log
+    const fraction = this.log
       ? Math.log(Math.max(number, this.low) / this.low) / Math.log(this.high / this.low)
       : (number - this.low) / (this.high - this.low);
-    return Math.min(1, Math.max(0, part));
+    return Math.min(1, Math.max(0, fraction));
   }
 
-  number(part) {
-    return this.log ? this.low * (this.high / this.low) ** part : this.low + part * (this.high - this.low);
+  number(fraction) {
+    return this.log ? this.low * (this.high / this.low) ** fraction : this.low + fraction * (this.high - this.low);
   }
 
-  // Of the colours, 0 to 1: zero has the middle one where they are of both signs.
+  // Returns the position of a number in the colour map, 0 to 1; zero is in the middle of a diverging map.
   tone(number) {
-    if (!this.diverging || Number.isNaN(number)) return this.part(number);
+    if (!this.diverging || Number.isNaN(number)) return this.fraction(number);
     const most = Math.max(Math.abs(this.low), Math.abs(this.high));
     return most > 0 ? Math.min(1, Math.max(0, 0.5 + (0.5 * number) / most)) : 0.5;
   }
 
-  // Writes three numbers at `at`.
+  // Writes the linear colour of a number into `out`, from index `at`.
   write(number, out, at) {
     const tone = this.tone(number);
     if (Number.isNaN(tone)) {
@@ -76,7 +76,7 @@ export class ColourScale {
     out[at + 2] = this.table[i + 2];
   }
 
-  // The colour at a part of the scale, and all of it.
-  css(part) { return interpolators[this.map](this.tone(this.number(part))); }
+  // Returns the CSS colour at a fraction of the scale, and the gradient of the whole scale.
+  css(fraction) { return interpolators[this.map](this.tone(this.number(fraction))); }
   gradient() { return `linear-gradient(to right, ${Array.from({ length: 33 }, (_, i) => this.css(i / 32)).join(", ")})`; }
 }

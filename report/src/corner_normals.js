@@ -1,5 +1,5 @@
-// Normals of triangles' corners that are smooth where a surface is, and sharp at its edges. Which triangles a corner's normal is the mean of is known from
-// the first frame: those around its vertex, of the same object, that turn from its own by less than an angle.
+// Normals of triangle corners: smooth on smooth surfaces, sharp at edges. The normal of a corner is the mean over triangles chosen in the first frame: those
+// around its vertex, of the same object, whose normals differ from that of its own triangle by less than an angle.
 
 function faceNormals(places, triangles) {
   const normals = new Float32Array(triangles.length);
@@ -15,7 +15,7 @@ function faceNormals(places, triangles) {
 }
 
 export class CornerNormals {
-  // places: 3 per vertex; triangles: vertices, 3 each; angle [rad]; 0: every triangle by itself.
+  // places: 3 coordinates per vertex; triangles: 3 vertices each; angle [rad]; 0: flat shading.
   constructor(places, triangles, angle) {
     this.triangles = triangles;
     const normals = faceNormals(places, triangles);
@@ -40,7 +40,7 @@ export class CornerNormals {
     this.members = Uint32Array.from(members);
   }
 
-  // Writes 3 per corner.
+  // Writes 3 numbers per corner.
   write(places, out) {
     const normals = faceNormals(places, this.triangles);
     for (let corner = 0; corner < this.triangles.length; ++corner) {

@@ -1,4 +1,4 @@
-// The charts of runs: probes, laws, energies, contacts, and what the steps cost.
+// The charts of runs: probes, laws, energies, contacts, and cost of the steps.
 import { chart } from "./chart.js";
 import { h, labelled, plainTable, section, select } from "./dom.js";
 import { axisTitle, byName, duration, format, quantityOf, words } from "./format.js";
@@ -44,7 +44,7 @@ function probesByUnit(run, columns, units) {
   }));
 }
 
-// Axes that the scene names: of what it expects along another probe than time. Else a force over a gap, or the first two.
+// Chooses the axes: those of an expectation along another probe than time; else a force over a gap, or the first two probes.
 function axesOf(runs, columns, units) {
   const named = runs.flatMap((run) => run.scene?.expect ?? []).find(({ probe, along }) => along !== "time" && columns.includes(along) && columns.includes(probe));
   if (named) return [named.along, named.probe];
@@ -52,9 +52,9 @@ function axesOf(runs, columns, units) {
   return gap ? [gap, columns.find((name) => units[name] === "N") ?? columns.find((name) => name !== gap)] : [columns[0], columns[1]];
 }
 
-let chosen = null; // by hand; of a run under way the chart is made again and again
+let chosen = null; // by the user; kept when the chart of a live run is made again
 
-// Any probe against any other.
+// Returns a chart of any probe against any other.
 function against(runs, columns, units) {
   const all = ["time", ...columns];
   const of = byName(units, { time: "s" });
@@ -73,11 +73,11 @@ function against(runs, columns, units) {
     h("div", { class: "bar" }, labelled("Vertical", select(options, y, (name) => { y = name; choose(); })), labelled("Horizontal", select(options, x, (name) => { x = name; choose(); }))), place);
 }
 
-// Laws in closed form, beside what was measured between the same objects.
+// Returns the laws in closed form, beside the force measured between their objects.
 export function lawSection(runs) {
   const parts = runs.flatMap((run) => (run.laws ? lawsOf(run).map((law) => lawCharts(run, law, runs.length > 1)) : []));
   return parts.length > 0 && section("laws", "Laws of adhesion",
-    h("p", { class: "note" }, "Traction over gap in closed form, as the run computed it: positive where the sides attract, negative where the barrier keeps them apart."), parts);
+    h("p", { class: "note" }, "Traction over gap in closed form, as the run computed it: positive in attraction, negative in repulsion by the barrier."), parts);
 }
 
 function lawsOf(run) {
@@ -95,7 +95,7 @@ const names = (law, object) => object !== null && object !== undefined && law.pa
 
 function lawCharts(run, law, several) {
   const x = { name: "gap", unit: "m", loose: true };
-  // What the sum is made of, down to as much repulsion as the sum is drawn with.
+  // The barrier is drawn down to the largest repulsion of the sum.
   const within = (values) => values.map((v) => (v < 1.05 * Math.min(...law.traction) ? NaN : v));
   const sum = chart({
     title: `Traction, ${law.pair}${several ? ` (${run.label})` : ""}`, x, y: { name: "traction", unit: "Pa" },
@@ -105,9 +105,9 @@ function lawCharts(run, law, several) {
   const force = probes.find((p) => ["contact_force", "adhesion_force"].includes(p.type) && p.unit === "N" && names(law, p.on) && names(law, p.from));
   const gap = probes.find((p) => p.type === "gap" && (p.between ?? []).every((object) => names(law, object)));
   if (!force || !gap || !run.probes?.get(force.column)) return grid(sum);
-  const reach = Math.max(...law.gap);
+  const range = Math.max(...law.gap);
   const xs = run.probes.get(gap.column);
-  const ys = run.probes.get(force.column).map((v, i) => (xs[i] <= reach ? v : NaN));
+  const ys = run.probes.get(force.column).map((v, i) => (xs[i] <= range ? v : NaN));
   const place = h("div");
   const traction = force.type === "adhesion_force" ? law.adhesion : law.traction;
   const sign = Math.sign(ys.reduce((most, v) => (Math.abs(v) > Math.abs(most) ? v : most), 0)) || 1;
@@ -117,10 +117,10 @@ function lawCharts(run, law, several) {
   }));
   draw(0);
   const area = h("input", { type: "number", min: 0, step: "any", placeholder: "not given", oninput: () => draw(Number(area.value)) });
-  return grid(sum, h("div", {}, place, h("div", { class: "bar" }, labelled("Area in contact [m²], to lay the law over it", area))));
+  return grid(sum, h("div", {}, place, h("div", { class: "bar" }, labelled("Contact area [m²], to overlay the law", area))));
 }
 
-// Sums over the run of what flows in a step.
+// Returns the cumulative sums of the flows of steps.
 function cumulative(values) {
   let sum = 0;
   return Float64Array.from(values, (v) => (sum += Number.isFinite(v) ? v : 0));
@@ -137,12 +137,12 @@ export function energySection(runs) {
     const [has, gone] = [lines(stored, (v) => v), lines(flowing, cumulative)];
     const of = runs.length > 1 ? `, ${run.label}` : "";
     return [has.length > 0 && chart({ title: `Energy at the end of each step${of}`, x: time, y: { name: "energy", unit: "J" }, series: has, group: "time" }),
-      gone.length > 0 && chart({ title: `Work done and energy lost since the start${of}`, x: time, y: { name: "energy", unit: "J" }, series: gone, group: "time" })];
+      gone.length > 0 && chart({ title: `Cumulative work and dissipation${of}`, x: time, y: { name: "energy", unit: "J" }, series: gone, group: "time" })];
   });
   return charts.some(Boolean) && section("energies", "Energies", grid(charts.filter(Boolean)));
 }
 
-// Between objects; of runs that have none near each other, of objects from themselves.
+// Returns the smallest gaps between objects; if no objects come near each other, the smallest distances within objects.
 function gapsOf(runs) {
   const near = runs.some((run) => run.steps?.get("min_gap")?.some(Number.isFinite));
   return near ? linesOf(runs, "steps", "time", "min_gap") : linesOf(runs, "steps", "time", "min_distance");
@@ -161,7 +161,7 @@ export function costSection(runs) {
   const some = runs.filter((run) => run.steps);
   if (some.length === 0) return null;
   const step = { name: "step" };
-  return section("cost", "What the steps cost",
+  return section("cost", "Cost of the steps",
     grid(some.map((run) => phasesOverSteps(run, runs.length > 1)),
       chart({ title: "Newton iterations per step", x: step, y: { name: "iterations", zero: true }, series: linesOf(runs, "steps", "step", "newton_iterations"), group: "step" }),
       columnsOf(runs, "steps", (name) => name === "linear_iterations").length > 0 && some.some((run) => nonzero(run, "steps", "linear_iterations"))
@@ -198,7 +198,7 @@ function phaseTotals(runs) {
     const of = run.summary?.phases ?? Object.fromEntries(phaseColumns(run).map((name) => [name.replace("seconds_", ""), run.steps.get(name).reduce((a, b) => a + b, 0)]));
     return Object.entries(of).filter(([, seconds]) => seconds > 0).sort((a, b) => b[1] - a[1]);
   };
-  return h("div", { class: "totals" }, h("h3", {}, "Time per phase in total"), runs.map((run) => {
+  return h("div", { class: "totals" }, h("h3", {}, "Total time per phase"), runs.map((run) => {
     const totals = totalsOf(run);
     const sum = totals.reduce((a, [, seconds]) => a + seconds, 0);
     const bar = h("div", { class: "stack", role: "img", "aria-label": totals.map(([name, seconds]) => `${words(name)} ${Math.round((100 * seconds) / sum)} %`).join(", ") });

@@ -1,4 +1,4 @@
-// Elements. Texts are always text nodes: nothing of a scene is ever read as HTML.
+// Creates elements. Texts are always text nodes, so that no text of a scene is parsed as HTML.
 
 export function h(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
@@ -14,7 +14,7 @@ export function h(tag, attributes = {}, ...children) {
 let count = 0;
 export const freshId = (stem) => `${stem}-${++count}`;
 
-// A labelled control.
+// Returns a control with a label.
 export function labelled(text, control, attributes = {}) {
   control.id ||= freshId("control");
   return h("span", { class: "field", ...attributes }, h("label", { for: control.id }, text), control);
@@ -37,7 +37,7 @@ export function section(id, title, ...children) {
   return h("section", { id, "aria-labelledby": `${id}-title` }, h("h2", { id: `${id}-title` }, title), ...children);
 }
 
-// A plain table: cells may be elements.
+// Returns a plain table. Cells may be elements.
 export function plainTable(head, rows, caption, attributes = {}) {
   const cell = (content, c) => h(c === 0 ? "th" : "td", c === 0 ? { scope: "row" } : { class: typeof content === "number" ? "number" : null },
     typeof content === "number" ? String(content) : content);
@@ -47,7 +47,7 @@ export function plainTable(head, rows, caption, attributes = {}) {
       h("tbody", {}, rows.map((row) => h("tr", {}, row.map(cell))))));
 }
 
-// Its content is made when it is opened for the first time.
+// Returns an element <details> whose content is made when it is opened for the first time.
 export function lazyDetails(summary, make) {
   const details = h("details", {
     ontoggle: () => { if (details.open && details.childElementCount === 1) details.append(make()); },

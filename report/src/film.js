@@ -1,4 +1,4 @@
-// The page of `tack render`: draws frames of runs as the view says, one at a time, when it is told to (render.mjs).
+// The page of `tack render`: draws frames of runs for a view, one at a time, called by render.mjs.
 import { Color, SRGBColorSpace } from "three";
 import { ColourScale, centred, mapOf } from "./colour_scale.js";
 import { format, scaled } from "./format.js";
@@ -50,7 +50,7 @@ class Film {
     this.scale = new ColourScale(...(range ?? centred(chosen, [low, high])), log, chosen);
   }
 
-  // Of all runs at a time [s], the frame that is nearest; a PNG, as base64.
+  // Draws the nearest frames of all runs to a time [s]. Returns a PNG in base64.
   draw(time) {
     const { view, studio, runs } = this;
     const [width, height] = view.size;
@@ -80,7 +80,7 @@ class Film {
     return this.out.toDataURL("image/png").slice("data:image/png;base64,".length);
   }
 
-  // Of the objects that are shown.
+  // Returns the bounding box of the shown objects in a frame.
   boxOf(run, number) {
     const { frames, set } = run;
     const shown = new Set();

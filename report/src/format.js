@@ -2,7 +2,7 @@
 
 const superscript = (n) => String(n).replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c]));
 
-// At most `digits` significant ones; powers of ten beyond what reads well.
+// Formats a number with at most `digits` significant digits; very large and small numbers with a power of ten.
 export function format(number, digits = 4) {
   if (number === null || number === undefined) return "–";
   if (!Number.isFinite(number)) return Number.isNaN(number) ? "–" : number > 0 ? "∞" : "−∞";
@@ -21,7 +21,7 @@ export const withUnit = (number, unit) => (unit && unit !== "1" ? `${format(numb
 const prefixes = { "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T" };
 const takesPrefix = new Set(["m", "s", "N", "Pa", "J", "W", "m/s", "N m", "Hz", "J/m^2", "N/m"]);
 
-// {factor, unit}: what numbers up to `largest` are multiplied by so that an axis has few digits.
+// Returns {factor, unit} for an axis with numbers up to `largest`, so that its ticks have few digits.
 export function scaled(largest, unit) {
   const plain = { factor: 1, unit: unit === "1" ? "" : pretty(unit ?? "") };
   if (!(largest > 0) || !Number.isFinite(largest)) return plain;
@@ -33,14 +33,14 @@ export function scaled(largest, unit) {
   return { factor, unit: `10${superscript(exponent)}${plain.unit ? ` ${plain.unit}` : ""}` };
 }
 
-// "5 kPa"; without a unit as it is.
+// Returns "5 kPa"; the plain number without a unit.
 export function scaledNumber(number, unit) {
   if (!unit || unit === "1") return format(number);
   const { factor, unit: text } = scaled(Math.abs(number), unit);
   return `${format(Number((number * factor).toPrecision(12)))} ${text}`;
 }
 
-// A table by names that somebody chose, one of which may be `__proto__`: without what every object has.
+// Returns an object without prototype: its keys are user-defined names, such as `__proto__`.
 export const byName = (...tables) => Object.assign(Object.create(null), ...tables);
 
 export const pretty = (unit) => unit.replace(/\^(-?\d)/g, (_, n) => superscript(n));

@@ -1,5 +1,4 @@
-// The frames of a run: places of vertices, what they make up, and fields on them. They come in parts, each with ranges of its own; of a run that is under way
-// there are more and more.
+// The frames of a run: positions of vertices, elements, and fields. Frames come in batches, each with its own ranges of codes; a live run appends batches.
 import { codeFrames, numberOfCode, wholeNumbers } from "./unpack.js";
 import { words } from "./format.js";
 
@@ -19,23 +18,23 @@ export class Frames {
       label: magnitude ? named[name] ?? `${words(name)} (magnitude)` : words(name),
       ofVertices: of === "vertices",
     }));
-    frames.list = []; // {time, part, at: its number in the part}
+    frames.list = []; // {time, batch, at: index in the batch}
     await frames.append(data);
     return frames;
   }
 
   async append(data) {
-    const part = { codes: await codeFrames(data.positions, data.times.length), place: numberOfCode(data), count: data.times.length,
+    const batch = { codes: await codeFrames(data.positions, data.times.length), position: numberOfCode(data), count: data.times.length,
       fields: data.fields.map((field) => ({ ...field, number: numberOfCode(field) })) };
     data.fields.forEach(({ lowest, highest }, f) => {
       this.fields[f].lowest = Math.min(this.fields[f].lowest, lowest);
       this.fields[f].highest = Math.max(this.fields[f].highest, highest);
     });
-    this.list.push(...data.times.map((time, at) => ({ time, part, at })));
+    this.list.push(...data.times.map((time, at) => ({ time, batch, at })));
     this.written = data.written;
   }
 
-  // Leaves every second one out, but not the last.
+  // Drops every second frame, but not the last.
   thin() {
     this.list = this.list.filter((_, i) => (this.list.length - 1 - i) % 2 === 0);
   }
@@ -45,28 +44,29 @@ export class Frames {
   get triangleCount() { return this.triangles.length / 3; }
   get edgeCount() { return this.edges.length / 2; }
 
-  // Of a frame: x of all vertices, then y, then z, as codes, and the number of a code.
-  codes(frame) { return this.list[frame].part.codes[this.list[frame].at]; }
-  place(frame) { return this.list[frame].part.place; }
+  // Returns the codes of a frame: x of all vertices, then y, then z.
+  codes(frame) { return this.list[frame].batch.codes[this.list[frame].at]; }
+  // Returns the function from codes to coordinates [m].
+  position(frame) { return this.list[frame].batch.position; }
 
-  // Of each frame {codes, number of a code}; unpacked when they are first asked for.
+  // Returns {codes, number: function from codes to numbers} of a field for each frame; unpacked on first use.
   async values(field) {
     const unpacked = new Map();
-    for (const { part } of this.list)
-      if (!unpacked.has(part)) unpacked.set(part, (part.fields[field.index].codes ??= codeFrames(part.fields[field.index].block, part.count)));
-    for (const [part, codes] of unpacked) unpacked.set(part, await codes);
-    return this.list.map(({ part, at }) => ({ codes: unpacked.get(part)[at], number: part.fields[field.index].number }));
+    for (const { batch } of this.list)
+      if (!unpacked.has(batch)) unpacked.set(batch, (batch.fields[field.index].codes ??= codeFrames(batch.fields[field.index].block, batch.count)));
+    for (const [batch, codes] of unpacked) unpacked.set(batch, await codes);
+    return this.list.map(({ batch, at }) => ({ codes: unpacked.get(batch)[at], number: batch.fields[field.index].number }));
   }
 
-  // Smallest and largest coordinates in some frames, of some vertices; unless given, of all.
+  // Returns the smallest and largest coordinates in the given frames and vertices; by default in all.
   box(numbers = this.list.keys(), vertices = null) {
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
     for (const number of numbers) {
-      const [codes, place] = [this.codes(number), this.place(number)];
+      const [codes, position] = [this.codes(number), this.position(number)];
       for (let c = 0; c < 3; ++c) {
         const take = (v) => {
-          const x = place(codes[c * this.vertices + v]);
+          const x = position(codes[c * this.vertices + v]);
           if (x < low[c]) low[c] = x;
           if (x > high[c]) high[c] = x;
         };
@@ -77,7 +77,7 @@ export class Frames {
     return { low, high };
   }
 
-  // Those that elements of an object have.
+  // Returns the vertices of an object's elements.
   verticesOf(object) {
     const own = new Set();
     this.triangles.forEach((v, i) => { if (this.object[Math.floor(i / 3)] === object) own.add(v); });

@@ -1,5 +1,4 @@
-// A run that is served: what it has that the page has not is fetched every now and then, frames and rows as they come. The run can be held and ended from here
-// if the program that serves it is the one that runs it.
+// A served run: new frames and rows are fetched at intervals. The page can pause and stop the run if the program that serves it also runs it.
 import { expectations, facts, provenance, statusBadge, warnings } from "./about.js";
 import { contactSection, costSection, energySection, lawSection, probeSection } from "./curves.js";
 import { button, h } from "./dom.js";
@@ -7,11 +6,11 @@ import { format } from "./format.js";
 import { scoped } from "./theme.js";
 import { viewSection, viewOf } from "./view.js";
 
-const pause = { running: 400, idle: 2000 }; // ms between two looks
-const margin = 300;                         // pixels beyond the window that are kept up to date
-const mostRows = 3000;                      // of a table that grows; beyond, every second one is left out
+const pause = { running: 400, idle: 2000 }; // ms between two updates
+const margin = 300;                         // pixels around the window in which charts are updated
+const mostRows = 3000;                      // of a growing table; above, every second row is dropped
 
-// A table that grows, as numberTable makes them (unpack.js).
+// A growing table with the interface of numberTable (unpack.js).
 class Growing {
   constructor(table) {
     this.columns = table?.columns ?? [];
@@ -41,19 +40,19 @@ export class Live {
     this.run = run;
     this.tables = { steps: new Growing(run.steps), probes: new Growing(run.probes) };
     this.written = run.frames?.written ?? 0;
-    this.ended = Boolean(run.summary); // what is known of it
-    // What is on the page, by name, in its order; what has nothing to show yet is empty.
+    this.ended = Boolean(run.summary);
+    // The sections of the page by name, in order; a section without content is empty.
     this.makers = { facts: () => facts([run]), warnings: () => warnings([run]), expectations: () => expectations([run]), view: () => viewSection([run], { newest: true }),
       probes: () => probeSection([run]), laws: () => lawSection([run]), energies: () => energySection([run]), contacts: () => contactSection([run]),
       cost: () => costSection([run]), provenance: () => provenance([run]) };
     this.slots = Object.fromEntries(Object.keys(this.makers).map((name) => [name, { element: h("div", { class: "slot" }), end: () => {} }]));
     Object.keys(this.makers).forEach((name) => this.make(name));
     this.badge = h("span", { class: "state" });
-    this.progress = h("progress", { max: 1, value: 0, "aria-label": "how far the run is" });
-    this.told = h("output", { class: "told" });
+    this.progress = h("progress", { max: 1, value: 0, "aria-label": "progress of the run" });
+    this.status = h("output", { class: "status-text" });
     this.holdButton = button("Pause", () => this.order(this.asked ? "resume" : "pause"), { class: "hold", disabled: true });
-    this.stopButton = button("Stop", () => this.order("stop"), { class: "stop", disabled: true, title: "ends the run as Ctrl-C does, with everything written" });
-    this.bar = h("div", { class: "live", role: "group", "aria-label": "The run" }, this.badge, this.progress, this.told, controlled && [this.holdButton, this.stopButton]);
+    this.stopButton = button("Stop", () => this.order("stop"), { class: "stop", disabled: true, title: "ends the run like Ctrl-C: all results are written" });
+    this.bar = h("div", { class: "live", role: "group", "aria-label": "The run" }, this.badge, this.progress, this.status, controlled && [this.holdButton, this.stopButton]);
   }
 
   get parts() { return Object.values(this.slots).map(({ element }) => element); }
@@ -71,8 +70,8 @@ export class Live {
     slot.element.replaceChildren(...[made].filter(Boolean));
   }
 
-  // Not what somebody is working with, nor charts that nobody sees: they follow once that is otherwise.
-  waits(name) {
+  // Returns true for a section that is not updated now: one in use, or one with charts outside the window.
+  defers(name) {
     const { element } = this.slots[name];
     if (element.contains(document.activeElement) || element.querySelector(".reset:not([hidden]), details[open]")) return true;
     const { top, bottom } = element.getBoundingClientRect();
@@ -82,16 +81,16 @@ export class Live {
   async look() {
     const begun = performance.now();
     const wait = await this.next();
-    setTimeout(() => this.look(), Math.max(wait, 3 * (performance.now() - begun))); // what is drawn leaves time to look at it
+    setTimeout(() => this.look(), Math.max(wait, 3 * (performance.now() - begun))); // at most a quarter of the time is spent drawing
   }
 
-  // One look at a time.
+  // Updates the page, one update at a time.
   next() {
     this.turn = (this.turn ?? Promise.resolve()).then(() => this.update());
     return this.turn;
   }
 
-  // Null if nobody answers.
+  // Returns null if the program does not answer.
   async fetchNews() {
     const { steps, probes } = this.tables;
     try {
@@ -110,7 +109,7 @@ export class Live {
     const news = await this.fetchNews();
     if (!news) return pause.idle;
     if (news.generation !== this.generation) {
-      location.reload(); // another run has taken the place of this one
+      location.reload(); // the program serves another run
       return pause.idle;
     }
     await this.take(news);
@@ -139,7 +138,7 @@ export class Live {
       Object.keys(this.makers).filter((name) => name !== "view").forEach((name) => changed.add(name));
     }
     this.waiting = new Set([...(this.waiting ?? []), ...changed]);
-    for (const name of [...this.waiting].filter((one) => !this.waits(one))) {
+    for (const name of [...this.waiting].filter((one) => !this.defers(one))) {
       this.waiting.delete(name);
       this.make(name);
     }
@@ -164,7 +163,7 @@ export class Live {
     this.progress.value = end > 0 ? Math.min(1, time / end) : 0;
     const parts = [`step ${step}`, `t = ${format(time, 4)} s${end ? ` of ${format(end, 4)} s` : ""}`];
     if (p?.iterations) parts.push(`${p.iterations} iteration${p.iterations === 1 ? "" : "s"}`);
-    if (running && p?.iteration > 0 && !p.holding) parts.push(`step under way: iteration ${p.iteration}, residual ${format(p.residual, 3)}`);
+    if (running && p?.iteration > 0 && !p.holding) parts.push(`current step: iteration ${p.iteration}, residual ${format(p.residual, 3)}`);
     this.asked = Boolean(p?.paused);
     const state = !running ? this.run.status : p?.stopped ? "stopping" : p?.holding ? "paused" : p?.paused ? "pausing" : "running";
     this.say(state, null, parts.join(", "));
@@ -175,10 +174,10 @@ export class Live {
     this.bar.dataset.frames = this.written;
   }
 
-  say(state, kind, told) {
+  say(state, kind, text) {
     const known = { running: "open", paused: "open", pausing: "open", stopping: "open" };
     this.badge.replaceChildren((kind ?? known[state]) ? h("span", { class: `badge ${kind ?? known[state]}` }, state) : statusBadge(state));
-    this.told.textContent = told;
+    this.status.textContent = text;
   }
 
   async order(what) {

@@ -1,5 +1,5 @@
-// A report from its data: a run, several runs, a comparison, a batch, a calibration, or a scene that was not run yet. Of a run that is served, also while it is
-// under way (live.js).
+// Builds a page from its data: a run, several runs, a comparison, a batch, a calibration, or a scene that was not run yet. A served run is updated while it runs
+// (live.js).
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { expectations, facts, head, notesOf, provenance, statusBadge, warnings } from "./about.js";
@@ -51,7 +51,7 @@ async function contentOf(data, runs) {
     const live = data.live && new Live(data.live, run);
     return { title: nameOf(run), about: run.scene?.about, badges: live ? [] : [statusBadge(run.status)], parts: live ? live.parts : [facts(runs), ...runSections(runs)], live };
   }
-  return { title: runs.map((run) => run.label).join(", "), about: `${runs.length} runs over each other`, parts: [facts(runs), ...runSections(runs)] };
+  return { title: runs.map((run) => run.label).join(", "), about: `${runs.length} runs overlaid`, parts: [facts(runs), ...runSections(runs)] };
 }
 
 function linksOf(parts) {
@@ -63,7 +63,7 @@ async function main() {
   const place = document.getElementById("content");
   const data = JSON.parse(document.getElementById("data")?.textContent ?? "{}");
   if (data.format !== understood) {
-    place.append(h("p", { class: "notice bad" }, "This page holds no data that it understands: make the report again with `tack report`."));
+    place.append(h("p", { class: "notice bad" }, "This page has no data in a format that it reads: make the report again with `tack report`."));
     return;
   }
   const runs = await Promise.all(data.runs.map(loaded));

@@ -1,5 +1,5 @@
-// The part of Markdown that `tack compare` writes: headings, paragraphs, tables, **bold**, *slanted*, `code`, \ before a character that
-// means itself.
+// The subset of Markdown that `tack compare` writes: headings, paragraphs, tables, **bold**, *italic*, `code`, \ before a literal
+// character.
 import { h, plainTable } from "./dom.js";
 
 function inline(text) {
@@ -23,7 +23,7 @@ function inline(text) {
   return parts;
 }
 
-// Cells of "| a | b |".
+// Returns the cells of "| a | b |".
 const cells = (line) => line.trim().slice(1, -1).split(/(?<!\\)\|/).map((cell) => cell.trim());
 
 export function markdown(text) {

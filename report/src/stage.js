@@ -1,5 +1,5 @@
-// The 3D picture of one frame: surfaces, rods as cylinders, particles as balls; camera, cut plane. Drawn when something has
-// changed, not all the time.
+// The 3D picture of one frame: surfaces, rods as cylinders, particles as balls; camera, cut plane. It is drawn only after
+// changes.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, DynamicDrawUsage,
   IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera,
@@ -8,8 +8,8 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { surfaceColours } from "./theme.js";
 
-const thinnest = 0.0012; // radius of a rod or particle that can be seen, of the size of the first frame
-const usual = 0.004;     // without a radius
+const radiusMin = 0.0012;    // smallest drawn radius of a rod or particle, of the size of the first frame
+const radiusDefault = 0.004; // of objects without a radius, of the size of the first frame
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
 
 const diagonal = (low, high) => Math.hypot(...low.map((l, c) => high[c] - l));
@@ -30,7 +30,7 @@ export class Stage {
     this.hidden = new Set();
   }
 
-  // Shows another run from here on.
+  // Shows another run.
   show(frames, up) {
     this.frames = frames;
     this.hidden.clear();
@@ -52,16 +52,16 @@ export class Stage {
     this.look("corner");
   }
 
-  // By frames that came later.
+  // Enlarges the box of the run by the given frames.
   grow(numbers) {
     const { low, high } = this.frames.box(numbers);
     this.low = this.low.map((x, c) => Math.min(x, low[c]));
     this.high = this.high.map((x, c) => Math.max(x, high[c]));
   }
 
-  // What the camera looks at from here on: a frame, or, without a number, the whole run.
+  // Sets the target of the camera: a frame, or, without a number, the whole run.
   fit(frame) { this.fitBox(frame === null ? this : this.frames.box([frame])); }
-  // Or a box, with some of what is around it, but no more than there is.
+  // Sets the target to a box, with a margin inside `within`.
   fitBox({ low, high }, within = null) {
     this.target = low.map((l, c) => ((l + high[c]) / 2 - this.centre[c]) / this.size);
     const own = diagonal(low, high);
@@ -91,7 +91,7 @@ export class Stage {
     }
   }
 
-  // How far contact reaches from each surface: where two of these meet, it begins.
+  // Makes surfaces at half of the contact range: contact begins where two of them meet.
   makeShells() {
     const { frames } = this;
     this.shelled = frames.objects.some((object) => object.reach > 0);
@@ -176,18 +176,18 @@ export class Stage {
   makeRods() { this.rods = this.instances(new CylinderGeometry(1, 1, 1, 10, 1), this.frames.edgeCount); }
   makeBalls() { this.balls = this.instances(new IcosahedronGeometry(1, this.frames.points.length > 3000 ? 1 : 3), this.frames.points.length); }
 
-  // In the scene's units of length that the camera sees: one for the whole run.
+  // Returns the drawn radius of an object, in units of the camera's scene.
   radius(object) {
     const radius = this.frames.objects[object].radius;
-    return radius === null ? usual * this.firstSize : Math.max(thinnest * this.firstSize, radius / this.size);
+    return radius === null ? radiusDefault * this.firstSize : Math.max(radiusMin * this.firstSize, radius / this.size);
   }
 
   // colourOf(element, vertex, out, at) writes the colour of a corner.
   setFrame(number, colourOf) {
     const { frames, placed, centre, size } = this;
-    const [codes, place] = [frames.codes(number), frames.place(number)];
+    const [codes, position] = [frames.codes(number), frames.position(number)];
     const n = frames.vertices;
-    for (let v = 0; v < n; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (place(codes[c * n + v]) - centre[c]) / size;
+    for (let v = 0; v < n; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (position(codes[c * n + v]) - centre[c]) / size;
     this.placeSurface(colourOf);
     this.placeRods(colourOf);
     this.placeBalls(colourOf);
@@ -213,7 +213,7 @@ export class Stage {
 
   placeRods(colourOf) {
     const { frames, placed, hidden } = this;
-    const [a, b, way, middle] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+    const [a, b, axis, middle] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
     const [turn, scale, matrix] = [new Quaternion(), new Vector3(), new Matrix4()];
     const colours = [new Float32Array(3), new Float32Array(3)];
     let shown = 0;
@@ -224,9 +224,9 @@ export class Stage {
       const [v, w] = [frames.edges[2 * e], frames.edges[2 * e + 1]];
       a.fromArray(placed, 3 * v);
       b.fromArray(placed, 3 * w);
-      way.subVectors(b, a);
-      const length = way.length();
-      turn.setFromUnitVectors(axes[1], way.divideScalar(length || 1));
+      axis.subVectors(b, a);
+      const length = axis.length();
+      turn.setFromUnitVectors(axes[1], axis.divideScalar(length || 1));
       const r = this.radius(object);
       matrix.compose(middle.addVectors(a, b).multiplyScalar(0.5), turn, scale.set(r, length, r));
       this.rods.setMatrixAt(shown, matrix);
@@ -270,11 +270,11 @@ export class Stage {
     this.request();
   }
 
-  // axis: 0, 1, 2, or null for none; part: 0 to 1 of the run's box; what lies beyond is cut away.
-  cut(axis, part, flipped) {
+  // Cuts away one side of a plane. axis: 0, 1, 2, or null for none; fraction: position in the box of the run, 0 to 1.
+  cut(axis, fraction, flipped) {
     this.planes.length = 0;
     if (axis !== null) {
-      const at = (this.low[axis] + part * (this.high[axis] - this.low[axis]) - this.centre[axis]) / this.size;
+      const at = (this.low[axis] + fraction * (this.high[axis] - this.low[axis]) - this.centre[axis]) / this.size;
       this.plane.setComponents(...axes[axis].clone().multiplyScalar(flipped ? 1 : -1).toArray(), flipped ? -at : at);
       this.planes.push(this.plane);
     }
@@ -282,7 +282,7 @@ export class Stage {
     this.request();
   }
 
-  // "corner", or along an axis: "x", "y", "z".
+  // Turns the camera. from: "corner", or an axis: "x", "y", "z".
   look(from) {
     const directions = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
     const up = new Vector3(...this.up);
@@ -292,7 +292,7 @@ export class Stage {
       direction = side.addScaledVector(up, 0.5);
     }
     direction.normalize();
-    // Seen from above, what is behind is on top.
+    // In a view from above, the back is at the top of the picture.
     const back = Math.abs(up.z) > 0.5 ? axes[1] : axes[2].clone().negate();
     this.camera.up.copy(Math.abs(direction.dot(up)) > 0.99 ? back : up);
     this.controls.target.set(...this.target);
@@ -302,7 +302,7 @@ export class Stage {
     this.request();
   }
 
-  // Where it stands and what it looks at [m].
+  // Returns position, target [m] and angle [rad] of the camera.
   view() {
     const metres = (p) => p.toArray().map((x, c) => x * this.size + this.centre[c]);
     return { from: metres(this.camera.position), to: metres(this.controls.target), angle: (this.camera.fov * Math.PI) / 180 };
@@ -350,7 +350,7 @@ export class Stage {
     this.changed();
   }
 
-  // Directions of x, y and z on the screen, y upwards.
+  // Returns the directions of the axes on the screen, y upwards.
   triad() {
     const turn = this.camera.quaternion.clone().invert();
     return axes.map((axis) => axis.clone().applyQuaternion(turn));

@@ -1,5 +1,5 @@
-// Pictures of one frame under an even sky and a sun: the mean of many drawings, each with one light that casts shadows. What the sky reaches less is darker, edges of
-// shadows are soft, and as each drawing is shifted by a part of a pixel, edges are smooth.
+// Pictures of one frame under a uniform sky and a sun: the mean of many drawings, each with one light that casts shadows. This gives ambient occlusion and soft
+// shadows; each drawing is shifted by a fraction of a pixel, which smooths edges.
 import {
   AddEquation, AmbientLight, BufferAttribute, BufferGeometry, Color, CustomBlending, CylinderGeometry, DirectionalLight, DoubleSide, DynamicDrawUsage, FloatType,
   HalfFloatType, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial, NearestFilter, OneFactor,
@@ -22,14 +22,14 @@ const shown = `uniform sampler2D picture; varying vec2 at;
     gl_FragColor = vec4(s, 1.0);
   }`;
 
-// Numbers that fill [0, 1) evenly, however many are taken.
+// Returns the i-th number of a van der Corput sequence, which fills [0, 1) evenly.
 function radical(i, base) {
   let [sum, part] = [0, 1 / base];
   for (; i > 0; i = Math.floor(i / base), part /= base) sum += part * (i % base);
   return sum;
 }
 
-// Each corner once: of the triangles of three.js, which share none, it has six, and drawing many balls is the time of their corners.
+// Returns a ball with shared vertices. three.js repeats each vertex six times, and drawing many balls costs time per vertex.
 function ball(detail) {
   const geometry = new IcosahedronGeometry(1, detail);
   geometry.deleteAttribute("uv");
@@ -37,7 +37,7 @@ function ball(detail) {
 }
 
 export class Studio {
-  // Throws if the browser has no WebGL. lights: drawings that a picture is the mean of.
+  // Throws if the browser has no WebGL. lights: number of drawings that are averaged.
   constructor(width, height, { lights, background }) {
     lightBothSides();
     this.renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
@@ -67,7 +67,7 @@ export class Studio {
 
   get canvas() { return this.renderer.domElement; }
 
-  // A set for one run: what is drawn of it. looks: per object, over what is usual.
+  // Returns the objects of one run to be drawn. looks: appearance per object, over the defaults.
   set(frames, vertical, looks, colours) {
     return new Actors(frames, vertical, looks, colours);
   }
@@ -129,7 +129,7 @@ class Actors {
 
   place(number) {
     const { frames, placed, centre, size } = this;
-    const [codes, at] = [frames.codes(number), frames.place(number)];
+    const [codes, at] = [frames.codes(number), frames.position(number)];
     for (let v = 0; v < frames.vertices; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (at(codes[c * frames.vertices + v]) - centre[c]) / size;
   }
 
@@ -184,7 +184,7 @@ class Actors {
     return part;
   }
 
-  // colourOf(element, vertex) -> [r, g, b], linear, or null: that of the object.
+  // Places the objects of a frame. colourOf(element, vertex) -> [r, g, b], linear, or null: the colour of the object.
   setFrame(number, colourOf) {
     this.place(number);
     for (const part of this.parts) this.placePart(part, colourOf);
@@ -213,7 +213,7 @@ class Actors {
         line.needsUpdate = true;
       }
     }
-    const [a, b, way, scale, middle, turn, matrix] = [new Vector3(), new Vector3(), new Vector3(), new Vector3(), new Vector3(), new Quaternion(), new Matrix4()];
+    const [a, b, axis, scale, middle, turn, matrix] = [new Vector3(), new Vector3(), new Vector3(), new Vector3(), new Vector3(), new Quaternion(), new Matrix4()];
     const done = (mesh) => (mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true);
     if (part.rods) {
       const r = part.radius;
@@ -221,8 +221,8 @@ class Actors {
         const ends = [frames.edges[2 * e], frames.edges[2 * e + 1]];
         a.fromArray(placed, 3 * ends[0]);
         b.fromArray(placed, 3 * ends[1]);
-        const length = way.subVectors(b, a).length();
-        turn.setFromUnitVectors(up, way.divideScalar(length || 1));
+        const length = axis.subVectors(b, a).length();
+        turn.setFromUnitVectors(up, axis.divideScalar(length || 1));
         part.rods.setMatrixAt(k, matrix.compose(middle.addVectors(a, b).multiplyScalar(0.5), turn, scale.set(r, length, r)));
         const both = ends.map((v) => colour(frames.triangleCount + e, v));
         part.rods.instanceColor.array.set(both[0].map((x, c) => (x + both[1][c]) / 2), 3 * k);
@@ -245,7 +245,7 @@ class Actors {
     }
   }
 
-  // A third of the drawings are the sun's, from behind the left shoulder of who looks, and wide; the others are the sky's.
+  // Sets the light of drawing i. A third of the drawings are lit by a wide sun from behind the camera on the left, the others by the sky.
   lightUp(i, count, camera) {
     const suns = Math.max(1, Math.round(count / 3));
     const sun = i < suns;
@@ -261,35 +261,35 @@ class Actors {
       const [r, angle] = [0.12 * Math.sqrt((k + 0.5) / n), 2.39996 * k];
       away.addScaledVector(across, r * Math.cos(angle)).addScaledVector(along, r * Math.sin(angle)).normalize();
     } else {
-      // By the cosine of their height, a little of them from the side.
+      // Directions are distributed by the cosine of their zenith angle, down to almost horizontal ones.
       const [height, angle] = [Math.sqrt(1 - 0.97 * ((k + 0.5) / n)), 2.39996 * k];
       const flat = Math.sqrt(1 - height * height);
       away.set(flat * Math.cos(angle), height, flat * Math.sin(angle)).applyQuaternion(this.turn);
     }
     this.light.intensity = sun ? 5.2 : 2.3;
-    const reach = this.reach;
+    const { radius } = this;
     this.light.target.position.copy(this.middle);
-    this.light.position.copy(this.middle).addScaledVector(away, 2 * reach);
+    this.light.position.copy(this.middle).addScaledVector(away, 2 * radius);
     const shadow = this.light.shadow.camera;
-    shadow.left = shadow.bottom = -reach;
-    shadow.right = shadow.top = reach;
-    shadow.near = 0.5 * reach;
-    shadow.far = 3.5 * reach;
+    shadow.left = shadow.bottom = -radius;
+    shadow.right = shadow.top = radius;
+    shadow.near = 0.5 * radius;
+    shadow.far = 3.5 * radius;
     shadow.updateProjectionMatrix();
-    this.light.shadow.normalBias = (2.5 * reach) / shadowPixels;
+    this.light.shadow.normalBias = (2.5 * radius) / shadowPixels;
     this.light.shadow.needsUpdate = true;
   }
 
-  // Where shadows matter: a box of the run, in metres.
+  // Restricts shadows to a box [m].
   focus(low, high) {
     const place = (p) => new Vector3(...p.map((x, c) => (x - this.centre[c]) / this.size));
     const [a, b] = [place(low), place(high)];
     this.middle = a.clone().add(b).multiplyScalar(0.5);
-    this.reach = Math.max(1e-3, a.distanceTo(b) / 2);
+    this.radius = Math.max(1e-3, a.distanceTo(b) / 2);
     this.target = this.middle;
   }
 
-  // {from, to} in metres, or {look, turn, lift, zoom}: directions as of the report, degrees, and how much nearer.
+  // Returns the camera of a view: {from, to} [m], or {look, turn, lift, zoom}: a direction as in the report, two angles [degrees], and a magnification.
   camera(view, box, aspect) {
     const camera = new PerspectiveCamera(view.angle, aspect, 0.01, 100);
     const vertical = new Vector3(...this.vertical);

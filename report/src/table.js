@@ -1,4 +1,4 @@
-// A table that is sorted by its heads and filtered by a text or a comparison ("wall_seconds > 2").
+// A table that can be sorted by columns and filtered by a text or a comparison ("wall_seconds > 2").
 import { button, freshId, h, labelled } from "./dom.js";
 import { format, words } from "./format.js";
 
@@ -6,7 +6,7 @@ const shownRows = 500;
 
 const isNumber = (v) => typeof v === "number";
 
-// Numbers first and by size, then texts; what there is not comes last in both directions.
+// Compares cells: numbers first, then texts; empty cells come last in both directions.
 function compare(a, b, direction) {
   if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
   if (isNumber(a) !== isNumber(b)) return isNumber(a) ? -direction : direction;
@@ -15,7 +15,7 @@ function compare(a, b, direction) {
 
 const comparisons = { "<": (a, b) => a < b, "<=": (a, b) => a <= b, ">": (a, b) => a > b, ">=": (a, b) => a >= b, "=": (a, b) => a === b, "!=": (a, b) => a !== b };
 
-// Every word must be in some cell; "column > number" compares. Returns a function of a row.
+// Returns a predicate of rows: every word of the text occurs in some cell, and every comparison "column > number" holds.
 export function filterOf(text, columns) {
   const tests = [];
   const rest = text.replace(/("[^"]+"|[^\s"<>=!]+)\s*(<=|>=|!=|<|>|=)\s*("[^"]*"|[^\s"]+)/g, (whole, name, sign, value) => {
@@ -34,7 +34,7 @@ export function filterOf(text, columns) {
   return (row) => tests.every((test) => test(row));
 }
 
-// changed(rows) is told of the rows that are left, in their order. mark(row, column) may return an element for a cell.
+// changed(rows) is called with the filtered rows in their order. mark(row, column) may return an element for a cell.
 export function sortedTable({ columns, rows }, { caption, changed = () => {}, mark = () => null }) {
   let sorted = null;
   let direction = 1;

@@ -1,5 +1,5 @@
-// Colours: those of the page by its style sheet, those of data by Okabe and Ito's palette, which the colour-blind can tell
-// apart; dashes tell lines apart once more.
+// Colours of the page (from its style sheet) and of data (Okabe and Ito's palette for colour-blind readers). Lines also differ
+// by dashes.
 
 const onLight = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#8A6D00", "#56B4E9", "#000000", "#E69F00"];
 const onDark = ["#56B4E9", "#E69F00", "#2BC79A", "#E39BC4", "#F0E442", "#7FA8FF", "#F2F2F2", "#FF8A50"];
@@ -8,7 +8,7 @@ const dashes = [[], [7, 4], [2, 3], [9, 3, 2, 3], [12, 4], [4, 2, 1, 2, 1, 2], [
 const dark = matchMedia("(prefers-color-scheme: dark)");
 export const isDark = () => dark.matches && document.documentElement.dataset.theme !== "light";
 
-// Beyond the palette, the same ones paler.
+// Beyond the palette, colours repeat in paler tones.
 export function colour(i) {
   const palette = isDark() ? onDark : onLight;
   const one = palette[i % palette.length];
@@ -17,12 +17,12 @@ export function colour(i) {
   const part = (at) => Math.round(0.55 * parseInt(one.slice(at, at + 2), 16) + 0.45 * towards).toString(16).padStart(2, "0");
   return `#${part(1)}${part(3)}${part(5)}`;
 }
-// The same in both modes: surfaces are lit.
+// Colours of lit surfaces, equal in light and dark mode.
 export const surfaceColours = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#999999"];
 export const dash = (i) => dashes[i % dashes.length];
 export const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-// What a part of the page has begun ends with it, where it is replaced by a newer one: [what make() makes, a function that ends it].
+// Makes a section that may be replaced. Returns [the result of make(), a function that ends all that the section started].
 let ends = null;
 export function scoped(make) {
   const outer = ends;
@@ -42,7 +42,7 @@ export function onThemeChange(redraw) {
 }
 const redrawAll = () => redraws.forEach((redraw) => redraw());
 dark.addEventListener("change", redrawAll);
-// Paper is light.
+// Printing uses the light mode.
 addEventListener("beforeprint", () => {
   document.documentElement.dataset.theme = "light";
   redrawAll();

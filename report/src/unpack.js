@@ -1,6 +1,6 @@
-// The numbers of a report: the other side of framework/report/packing.hpp.
+// Unpacks the numbers of a report, which framework/report/packing.hpp packs.
 
-// block: the number of one in the page, or what came by itself.
+// block: index of a block in the page, or the text of a block.
 async function bytesOf(block) {
   const text = atob(typeof block === "string" ? block : document.getElementById(`block-${block}`).textContent);
   const packed = new Uint8Array(text.length);
@@ -9,7 +9,7 @@ async function bytesOf(block) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Planes of bytes to bytes of numbers.
+// Converts planes of bytes to the bytes of numbers.
 function interleaved(planes, width) {
   const n = planes.length / width;
   const bytes = new Uint8Array(planes.length);
@@ -22,7 +22,7 @@ const doubles = (planes) => new Float64Array(interleaved(planes, 8));
 
 export const wholeNumbers = async (block) => Uint32Array.from(floats(await bytesOf(block)));
 
-// {columns, rows, get(name) -> numbers or undefined}
+// Returns {columns, rows, of, get(name) -> numbers or undefined}.
 export async function numberTable(table) {
   const bytes = await bytesOf(table.block);
   const wideBytes = 8 * table.rows * table.wide.length;
@@ -39,7 +39,7 @@ export async function numberTable(table) {
   return { columns: table.columns, rows: table.rows, of: table.of, get: (name) => columns.get(name) };
 }
 
-// One array of codes per frame.
+// Returns one array of codes per frame.
 export async function codeFrames(block, count) {
   const bytes = await bytesOf(block);
   const n = bytes.length / 2 / count;
@@ -59,7 +59,7 @@ export async function codeFrames(block, count) {
   return frames;
 }
 
-// The number of a code, as a function; NaN for 0.
+// Returns a function from codes to numbers; NaN for code 0.
 export function numberOfCode({ lowest, highest, levels }) {
   const step = levels > 1 ? (highest - lowest) / (levels - 1) : 0;
   return (code) => (code === 0 ? NaN : lowest + step * (code - 1));

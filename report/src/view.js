@@ -7,15 +7,15 @@ import { Stage } from "./stage.js";
 import { onThemeChange, style, surfaceColours } from "./theme.js";
 import { wholeNumbers } from "./unpack.js";
 
-const listed = 24; // objects with a box of their own before the list scrolls
+const listed = 24; // number of objects before their list scrolls
 
-const mostFrames = 400;           // of a run under way
-const marked = [0.9, 0.12, 0.02]; // linear; what is highlighted of objects
-const faded = [0.32, 0.32, 0.32]; // all the rest
+const mostFrames = 400;           // of a live run
+const marked = [0.9, 0.12, 0.02]; // linear colour of highlighted vertices
+const faded = [0.32, 0.32, 0.32]; // linear colour of all others
 
 const views = new WeakMap();
 
-// newest: it begins with the last frame.
+// newest: the view starts at the last frame.
 export function viewSection(runs, { title = "Motion", newest = false } = {}) {
   const shown = runs.filter((run) => run.frames);
   if (shown.length === 0) return section("view", title, h("p", { class: "note" }, "There are no frames to show."));
@@ -25,7 +25,7 @@ export function viewSection(runs, { title = "Motion", newest = false } = {}) {
   return element;
 }
 
-// What a section that viewSection() has made shows; undefined if it has no frames.
+// Returns the view of a section made by viewSection(); undefined if the section has no frames.
 export const viewOf = (element) => views.get(element);
 
 class View {
@@ -38,7 +38,7 @@ class View {
     this.range = "run";
     this.log = false;
     this.wantedMap = "automatic";
-    this.mark = null; // what is highlighted: {object} or {vertices: a set}
+    this.mark = null; // highlighted: {object} or {vertices: a set}
     this.cutAxis = null;
     this.build();
     this.start();
@@ -88,7 +88,7 @@ class View {
         h("div", { class: "of-field" }, labelled("Scale", this.rangeSelect), labelled("Colours", this.mapSelect), this.logBox),
         labelled("Highlight", this.markSelect),
         labelled("Cut", this.cutSelect),
-        h("div", { class: "of-cut" }, labelled("Place of the cut", this.cutSlider), this.cutFlip),
+        h("div", { class: "of-cut" }, labelled("Position of the cut", this.cutSlider), this.cutFlip),
         labelled("View from", (this.lookSelect = select([["corner", "corner"], ["x", "x"], ["y", "y"], ["z", "z"]], "corner", (from) => this.stage.look(from)))),
         h("div", { class: "bar" }, button("Fit frame", () => this.fit(this.frame)), button("Fit run", () => this.fit(null))),
         checkbox("mesh lines", false, (on) => this.stage?.setLines(on)),
@@ -98,7 +98,7 @@ class View {
         h("fieldset", {}, h("legend", {}, "Objects"), this.objects)),
       this.keys);
     this.canvas.addEventListener("keydown", (event) => this.key(event));
-    // Who speaks of an object elsewhere on the page lets it be shown.
+    // Buttons elsewhere on the page focus an object.
     document.addEventListener("tack-object", (event) => this.showObject(event.detail));
   }
 
@@ -106,14 +106,14 @@ class View {
     try {
       this.stage = new Stage(this.canvas, () => this.drawOverlay());
     } catch {
-      this.screen.replaceWith(h("p", { class: "notice" }, "This browser has no WebGL, so there is no 3D view. Everything else is here."));
+      this.screen.replaceWith(h("p", { class: "notice" }, "This browser has no WebGL, so that there is no 3D view. The rest of the page is complete."));
       return;
     }
     const background = () => this.stage.setBackground(style("--stage"));
     background();
     onThemeChange(background);
     new ResizeObserver(() => this.resize()).observe(this.screen);
-    // Printers take what was drawn last.
+    // Printing uses the last drawn picture.
     addEventListener("beforeprint", () => this.stage.render());
     this.shown = this.showRun(this.runs[0]);
   }
@@ -152,7 +152,7 @@ class View {
     this.element.dataset.ready = "true";
   }
 
-  // What can be highlighted: objects, and of previews selections.
+  // Lists what can be highlighted: objects, and selections of a preview.
   async listMarks() {
     const { run, frames } = this;
     this.marks = new Map(frames.objects.map((object, i) => [`object ${i}`, { text: object.name, object: i }]));
@@ -171,7 +171,7 @@ class View {
     this.place();
   }
 
-  // Highlights an object and goes near it; again: as before.
+  // Highlights an object and moves the camera to it; a second call undoes both.
   showObject(name) {
     const i = this.frames?.objects.findIndex((object) => object.name === name) ?? -1;
     if (i < 0) return;
@@ -185,7 +185,7 @@ class View {
     this.element.scrollIntoView({ block: "nearest" });
   }
 
-  // More frames of the run that is shown. Whoever looks at the last one goes on to the new last one.
+  // Appends frames to the shown run. A view of the last frame moves to the new last frame.
   async append(data) {
     await this.shown;
     const { frames } = this;
@@ -250,7 +250,7 @@ class View {
     this.place();
   }
 
-  // Which colours: by the whole run, so that they stay the same from frame to frame.
+  // Chooses the colour map by the values of the whole run, so that it does not change between frames.
   scaleOf(field) {
     const map = mapOf(this.wantedMap, field.lowest, field.highest, this.log);
     return new ColourScale(...centred(map, this.limits()), this.log, map);
@@ -289,7 +289,7 @@ class View {
     this.slider.setAttribute("aria-valuetext", `frame ${this.frame + 1} of ${frames.count}, ${format(time, 4)} seconds`);
   }
 
-  // What is highlighted stands out from all else.
+  // Returns the colours with all but the highlighted elements faded.
   withMark(colourOf) {
     const { mark, frames } = this;
     if (!mark) return colourOf;
@@ -352,7 +352,7 @@ class View {
     keys[event.key]();
   }
 
-  // The directions of the axes, in the corner.
+  // Draws the directions of the axes into a corner.
   drawOverlay(ctx = this.overlay.getContext("2d"), height = this.overlay.height, clear = true) {
     if (clear) ctx.clearRect(0, 0, this.overlay.width, this.overlay.height);
     if (!this.frames) return;
@@ -374,7 +374,7 @@ class View {
     ctx.restore();
   }
 
-  // The picture with the time, the axes and the colour scale.
+  // Returns the picture with time, axes and colour scale.
   picture() {
     this.stage.render();
     const { width, height } = this.canvas;
@@ -406,7 +406,7 @@ class View {
     return out;
   }
 
-  // For `tack render --view`.
+  // Copies the camera as a line for `tack render --view`.
   async copyCamera() {
     const { from, to, angle } = this.stage.view();
     const numbers = (list) => `[${list.map((x) => Number(x.toPrecision(5))).join(", ")}]`;
@@ -415,7 +415,7 @@ class View {
     try {
       await navigator.clipboard.writeText(text);
     } catch {
-      said = text; // where pages may not write there
+      said = text; // the page may not write to the clipboard
     }
     this.copyButton.textContent = said;
     setTimeout(() => (this.copyButton.textContent = "Copy camera"), said === text ? 20000 : 1500);

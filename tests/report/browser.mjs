@@ -1,5 +1,5 @@
-// A browser without a window, and what tests look at in it. Pages are loaded from files, or from the address that serves them; any word on the console and any
-// request but that for the page itself, or below its address, counts.
+// A headless browser for tests. Pages are loaded from files or from an address. Tests fail if a page writes to the console, or makes a request other than for itself
+// and paths below its address.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
@@ -25,7 +25,7 @@ export async function launch(playwright, executablePath) {
   });
 }
 
-// What a test needs to start a browser: what `page` is the file of, and a browser. Ends the test with 77, and says why, without them. Returns how one is started.
+// Returns a function that starts a browser. Ends the test with code 77 and a message if the page or a browser is missing.
 export function needBrowser(modules, page, what = "the page of reports") {
   const skip = (why) => {
     console.log(`skipped: ${why}`);
@@ -38,7 +38,7 @@ export function needBrowser(modules, page, what = "the page of reports") {
   return () => launch(playwright, executable);
 }
 
-// Runs all tests, by their names, and tells of each. Returns how many failed.
+// Runs all tests by name and prints their results. Returns the number of failures.
 export async function runTests(tests, browser) {
   let failures = 0;
   for (const [name, test] of Object.entries(tests)) {
@@ -61,7 +61,7 @@ export class Page {
     one.page = await one.context.newPage();
     one.said = [];
     one.requests = [];
-    // Of pictures that are taken of the page, not of the page.
+    // Console lines of screenshots, which are not of the page.
     const ours = /GPU stall due to ReadPixels/;
     one.page.on("console", (message) => ours.test(message.text()) || one.said.push(`${message.type()}: ${message.text()}`));
     one.page.on("pageerror", (error) => one.said.push(`error: ${error.stack}`));
@@ -70,12 +70,12 @@ export class Page {
     one.url = one.served ? file : pathToFileURL(file).href;
     await one.page.goto(one.url);
     await one.page.waitForSelector("html[data-ready]", { timeout: 60000 });
-    // Another page, without our own's rules, to take pictures apart.
+    // A page without the content policy, for the analysis of pictures.
     one.bench = await one.context.newPage();
     return one;
   }
 
-  // With the view ready, if there is one.
+  // Waits until the 3D view is ready, if there is one.
   async ready() {
     if (await this.page.locator(".view").count()) await this.page.waitForSelector(".view[data-ready]", { timeout: 60000 });
     await this.settle();
@@ -85,14 +85,14 @@ export class Page {
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50)))));
   }
 
-  // {colours, ink: the share of pixels that are not of the commonest colour, bytes} of an element as it is seen.
+  // Returns {colours, ink: fraction of pixels without the most frequent colour, bytes} of an element as drawn.
   async picture(selector) {
     await this.settle();
     const png = await this.page.locator(selector).first().screenshot();
     return this.analyse(png);
   }
 
-  // The picture once it is another one than `from`, or the same: what is drawn follows what was pressed, sooner or later.
+  // Waits until the picture differs from `from`, or equals it: drawing follows input with a delay.
   async other(selector, from, why) { return this.once(selector, from, (part) => part > noticeable, why ?? "the picture changes"); }
   async same(selector, from, why) { return this.once(selector, from, (part) => part <= noticeable, why ?? "the picture is the same"); }
 
@@ -106,7 +106,7 @@ export class Page {
     }
   }
 
-  // The share of pixels that differ visibly; all of them if the sizes do.
+  // Returns the fraction of visibly different pixels; 1 if the sizes differ.
   async difference(a, b) {
     return this.bench.evaluate(async (pictures) => {
       const [one, two] = await Promise.all(pictures.map(async (base64) => {
@@ -146,7 +146,7 @@ export class Page {
     return { ...result, png };
   }
 
-  // Every chart canvas has lines of data: pixels that are coloured, not grey as axes and letters are.
+  // Checks that every chart has lines of data: coloured pixels. Axes and letters are grey.
   async checkCharts(least) {
     await this.page.waitForFunction(() => [...document.querySelectorAll(".plot")].every((plot) => plot.querySelector("canvas")));
     await this.settle();
@@ -181,7 +181,7 @@ export class Page {
     assert.deepEqual(this.said, [], "the console stays silent");
     const own = (url) => (this.served ? url.startsWith(this.url) : url === this.url) || url.startsWith("blob:");
     assert.deepEqual(this.requests.filter((url) => !own(url)), [], "nothing is fetched");
-    // No control without a name.
+    // Every control has a name.
     const nameless = await this.page.evaluate(() => [...document.querySelectorAll("button, input, select, [role=application], [role=img]")]
       .filter((e) => e.offsetParent && !(e.getAttribute("aria-label") || e.labels?.[0]?.textContent.trim() || e.textContent.trim())).map((e) => e.outerHTML.slice(0, 120)));
     assert.deepEqual(nameless, [], "every control has a name");

@@ -1,4 +1,4 @@
-// The folders that reports are made of: small runs by the program itself, and what stands for a comparison and a batch.
+// Makes the folders for reports: small runs by the program, and files in place of a comparison, a calibration and a batch.
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -33,7 +33,7 @@ expect:
 ${expect}  - {name: work of the push, probe: push, statistic: integral, along: height, at_least: -10, at_most: 10}
 `;
 
-// Names that every object of JavaScript has.
+// Names of properties that every JavaScript object has.
 const objectsHave = "  - {name: __proto__, type: energy, term: kinetic}\n  - {name: constructor, type: energy, term: gravity}\n";
 
 const failing = "  - {name: it flies, probe: height, statistic: max, at_least: 10}\n";
@@ -81,7 +81,7 @@ export function makeFixtures(tack, folder) {
   writeFileSync(join(folder, "batch", "results.csv"), `${results.join("\n")}\n`);
 }
 
-// Of a calibration: one number that is determined and one that is not.
+// A calibration with a determined and an undetermined parameter.
 export function makeCalibration(folder) {
   const root = join(folder, "calibration");
   mkdirSync(join(root, "fits"), { recursive: true });

@@ -1,5 +1,5 @@
-// Pictures and films by `tack render`: what is in them, looked at in a browser, and what is refused.
-//   node render_test.mjs TACK MODULES PAGE     ends with 77, and says why, without what it takes
+// Pictures and films by `tack render`: their contents, checked in a browser, and refused settings.
+//   node render_test.mjs TACK MODULES PAGE     ends with code 77 and a message if a requirement is missing
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -52,7 +52,7 @@ done("run", "sheets.yaml", "-q", "-o", "sheets");
 const browser = await start();
 const tab = await browser.newPage();
 
-// {width, height, pixels: [r, g, b] at parts of width and height}
+// Returns {width, height, pixels: [r, g, b] at fractions of width and height}.
 async function looked(file, places) {
   const base64 = readFileSync(join(folder, file)).toString("base64");
   return tab.evaluate(async ([data, at]) => {
@@ -69,7 +69,7 @@ const above = ["--set", "size=[400, 300]", "camera={from: [0, 8, 0.01], to: [0, 
   "objects={plate: {colour: '#808080'}, cube: {colour: '#ff0000', smooth: 0}}"];
 
 const tests = {
-  async "from above: the cube is red, where it shades the plate it is darker, beside the plate is the background"() {
+  async "a view from above: a red cube, its shadow on the plate, the background beside it"() {
     done("render", "out", "-o", "above.png", ...above, "background='#0000ff'");
     const { width, height, pixels } = await looked("above.png", [[0.5, 0.5], [0.585, 0.4], [0.3, 0.2], [0.03, 0.5]]);
     assert.deepEqual([width, height], [400, 300]);
@@ -80,37 +80,37 @@ const tests = {
     assert.ok(grey(shade) < grey(open) - 3, `the cube shades it: ${shade}, ${open}`);
     assert.deepEqual(beside, [0, 0, 255]);
   },
-  async "what is hidden is not there, and casts no shadow"() {
+  async "hidden objects are not drawn and cast no shadow"() {
     done("render", "out", "-o", "hidden.png", ...above, "objects.cube.hide=true");
     const { pixels: [middle, side] } = await looked("hidden.png", [[0.5, 0.5], [0.625, 0.6]]);
     assert.ok(Math.abs(grey(middle) - grey(side)) < 4, `${middle}, ${side}`);
   },
-  async "a sheet is as light on its back"() {
+  async "a sheet is equally bright on both sides"() {
     done("render", "sheets", "-o", "sheets.png", "--set", "size=[400, 300]", "camera={from: [0, 8, 0.01], to: [0, 0, 0], angle: 40 deg}", "time=false", "lights=12",
       "objects={'*': {colour: '#808080'}}");
     const { pixels: [one, other] } = await looked("sheets.png", [[0.25, 0.5], [0.75, 0.5]]);
     assert.ok(grey(one) > 90 && grey(other) > 90 && Math.abs(grey(one) - grey(other)) < 12, `${one}, ${other}`);
   },
-  async "a field colours by its range"() {
+  async "a field is coloured by its range"() {
     done("render", "out", "-o", "field.png", ...above, "field={name: displacement, range: [0, 0.1]}", "scale_bar=false");
     const { pixels: [cube, plate] } = await looked("field.png", [[0.5, 0.5], [0.3, 0.2]]);
     assert.ok(cube[0] > 120 && cube[1] > 120 && cube[2] < 100, `it fell by more: yellow: ${cube}`);
     assert.ok(plate[2] > plate[1] && plate[0] < 110, `it stood: violet: ${plate}`);
   },
-  async "a range with both signs is white at zero, red above it, also where it reaches farther to one side"() {
+  async "a range with both signs is white at zero and red above it, also if it is asymmetric"() {
     done("render", "out", "-o", "signed.png", ...above, "field={name: displacement, range: [-0.02, 0.1]}", "scale_bar=false");
     const { pixels: [cube, plate] } = await looked("signed.png", [[0.5, 0.5], [0.3, 0.2]]);
     assert.ok(cube[0] > 90 && cube[0] > 1.7 * cube[1] && cube[0] > 1.7 * cube[2], `it fell: red: ${cube}`);
     assert.ok(Math.max(...plate) - Math.min(...plate) < 25, `it stood: white: ${plate}`);
     done("render", "out", "-o", "told.png", ...above, "field={name: displacement, range: [-0.02, 0.1], map: viridis}", "scale_bar=false");
     const { pixels: [, told] } = await looked("told.png", [[0.5, 0.5], [0.3, 0.2]]);
-    assert.ok(told[2] > told[0] + 30, `what is told is done: ${told}`);
+    assert.ok(told[2] > told[0] + 30, `the given colour map is used: ${told}`);
   },
-  async "the same picture twice"() {
+  async "equal calls give equal pictures"() {
     done("render", "out", "-o", "again.png", ...above, "background='#0000ff'");
     assert.ok(readFileSync(join(folder, "above.png")).equals(readFileSync(join(folder, "again.png"))));
   },
-  async "side by side"() {
+  async "several runs are drawn side by side"() {
     done("render", "out", "out", "-o", "both.png", "--set", "size=[600, 200]", "camera={from: [0, 8, 0.01], to: [0, 0, 0], angle: 40 deg}", "lights=4", "labels=[one, other]",
       "objects={cube: {colour: '#ff0000'}}");
     const { pixels } = await looked("both.png", [[0.25, 0.5], [0.75, 0.5]]);
@@ -128,7 +128,7 @@ const tests = {
     }
     assert.match(done("render", "out", "-o", "slow.mp4", "--set", "size=[160, 120]", "lights=1", "speed=0.2", "from=0.1"), /frame 16 of 16/);
   },
-  async "what is refused"() {
+  async "invalid settings are refused"() {
     refused(/picture\.jpg: a picture ends in \.png, a film in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
     refused(/no run has an object 'cubo'; there are plate, cube/, "render", "out", "--set", "objects={cubo: {hide: true}}");
     refused(/has no 'stress'; its frames have displacement/, "render", "out", "--set", "field={name: stress}");

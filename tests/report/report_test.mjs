@@ -1,5 +1,5 @@
 // The reports of a run, several runs, an unfinished run, a comparison, a calibration and a batch, in a browser from the file system.
-//   node report_test.mjs TACK MODULES PAGE     MODULES: where playwright-core is; ends with 77, and says why, without what it takes
+//   node report_test.mjs TACK MODULES PAGE     MODULES: where playwright-core is; ends with code 77 and a message if a requirement is missing
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -26,7 +26,7 @@ const tests = {
     const warnings = await one.text(".warnings li");
     assert.equal(warnings.length, 2);
     assert.match(warnings[0], /'<\/script><b>bold<\/b>' is coarse, 'block' is not$/);
-    assert.match(warnings[1], /^step 3: rolled back \(and 11 more of the kind\)$/);
+    assert.match(warnings[1], /^step 3: rolled back \(and 11 more of this kind\)$/);
     const rows = await one.text(".expectations tbody tr");
     assert.equal(rows.length, 3);
     assert.match(rows[0], /stays above.*✓ pass\s+[\d.]+ mm\s+at least 50 mm/s, "numbers have their units");
@@ -34,7 +34,7 @@ const tests = {
     assert.match(rows[2], /work of the push.*✓ pass\s+\S+ m?N m\s+from −10 N m to 10 N m/s);
     assert.match((await one.text("#expectations .notice"))[0], /One expectation failed/);
     assert.match((await one.text("#provenance"))[0], /commit/);
-    assert.deepEqual(await one.text("nav a"), ["What it warned of", "What it must show", "Motion", "Probes", "Laws of adhesion", "Energies", "Contact", "What the steps cost", "Where it comes from"]);
+    assert.deepEqual(await one.text("nav a"), ["Warnings", "Expectations", "Motion", "Probes", "Laws of adhesion", "Energies", "Contact", "Cost of the steps", "Provenance"]);
     assert.equal(await one.page.locator("main b").count(), 0);
     assert.match(await one.page.locator("#licences").textContent(), /three .*MIT.*uplot .*MIT/s);
     assert.deepEqual(await one.text("#against figure h3"), ["push over height"], "the axes that the scene names in what it expects");
@@ -113,7 +113,7 @@ const tests = {
     await one.close();
   },
 
-  async "a field with both signs is white at zero, and objects that are spoken of are shown"(browser) {
+  async "a field with both signs is white at zero, and buttons with object names focus the objects"(browser) {
     const one = await Page.open(browser, join(folder, "run.html"));
     await one.ready();
     const { page } = one;
@@ -137,7 +137,7 @@ const tests = {
     await one.close();
   },
 
-  async "charts: zoom together, keys tell numbers"(browser) {
+  async "charts zoom together, and keys announce values"(browser) {
     const one = await Page.open(browser, join(folder, "run.html"));
     await one.ready();
     const { page } = one;
@@ -189,14 +189,14 @@ const tests = {
     await one.ready();
     assert.deepEqual(await one.text("h1 .badge"), ["unfinished"]);
     assert.match((await one.text(".notice")).join(" "), /frame_000020\.vtu/);
-    assert.match((await one.text(".expectations tbody tr"))[0], /stays above.*not known/s);
+    assert.match((await one.text(".expectations tbody tr"))[0], /stays above.*unknown/s);
     assert.equal(await one.page.locator(".frames").getAttribute("max"), "19");
     assert.ok((await one.picture(".screen")).colours > 20);
     await one.checkCharts(7);
     await one.close();
   },
 
-  async "several runs over each other"(browser) {
+  async "several runs are overlaid"(browser) {
     const one = await Page.open(browser, makeReport(tack, folder, ["soft", "stiff"], "runs.html"));
     await one.ready();
     const legend = (await one.text("#probes .legend")).join(" ");
@@ -226,13 +226,13 @@ const tests = {
     assert.match((await one.text("h1"))[0], /^fall compared/);
     await one.checkCharts(2);
     assert.deepEqual(await one.text("#precision .legend li span:nth-child(2)"), ["newton", "lbfgs", "ceres", "floor 1.5 × 10⁻⁸ m"]);
-    assert.match((await one.text("#precision .note"))[0], /1 of 8 have no point: their errors are below the floor/);
+    assert.match((await one.text("#precision .note"))[0], /1 of 8 have no point: their errors are below the noise floor/);
     assert.deepEqual(await one.text("#text h3"), ["All 3 tasks together"]);
     assert.deepEqual(await one.text("#text tbody tr:last-child > *"), ["a|b <i>", "2", ""]);
     assert.deepEqual(await one.text("#text strong, #text em"), ["Fastest", "best"]);
     await page.getByLabel("Problem").selectOption("</script><b>bold</b>");
     await page.getByLabel("Cost").selectOption("iterations");
-    assert.match((await one.text("#precision .note"))[0], /All errors are below the floor.*nothing is drawn/);
+    assert.match((await one.text("#precision .note"))[0], /All errors are below the noise floor.*nothing is drawn/);
     assert.match((await one.text("#precision h3"))[0], /^Iterations against error: <\/script>/);
     const rows = page.locator("#table tbody tr");
     assert.equal(await rows.count(), 18);
@@ -250,7 +250,7 @@ const tests = {
     await one.close();
   },
 
-  async "a calibration: numbers, warnings, curves, points"(browser) {
+  async "a calibration: parameters, warnings, curves, evaluations"(browser) {
     makeCalibration(folder);
     const one = await Page.open(browser, makeReport(tack, folder, ["calibration"], "calibration.html"));
     await one.ready();
@@ -259,10 +259,10 @@ const tests = {
     assert.match((await one.text(".warnings li"))[0], /^the data do not determine <\/script>.*only work/);
     const rows = await one.text("#numbers tbody tr");
     assert.match(rows[0], /5 kPa\s*not known\s*not known/);
-    assert.match(rows[0], /differences of runs: /);
-    assert.match(rows[1], /of the run itself/);
+    assert.match(rows[0], /finite differences: /);
+    assert.match(rows[1], /from the run/);
     assert.match(rows[1], /1 J\/m²\s*0\.98 J\/m² to 1\.02 J\/m²\s*1 %/);
-    assert.deepEqual(await one.text("#fits h3"), ["pull: force over way", "pull: what is left"]);
+    assert.deepEqual(await one.text("#fits h3"), ["pull: force over way", "pull: residuals"]);
     assert.deepEqual(await one.text("#fits figure:first-child .legend li span:nth-child(2)"), ["simulated", "measured"]);
     assert.match((await one.text("#combinations tbody"))[0], /not known/);
     await one.checkCharts(3);

@@ -1,5 +1,5 @@
-// `tack view` in a browser: a scene before it is run, runs under way that are held and stopped, results; and who is not let in.
-//   node view_test.mjs TACK MODULES PAGE     ends with 77, and says why, without what it takes
+// `tack view` in a browser: a scene before it is run, live runs that are paused and stopped, results, and refused access.
+//   node view_test.mjs TACK MODULES PAGE     ends with code 77 and a message if a requirement is missing
 import assert from "node:assert/strict";
 import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
@@ -18,7 +18,7 @@ const patience = 60000; // ms
 const env = { ...process.env, DISPLAY: "", WAYLAND_DISPLAY: "" };
 const running = new Set();
 
-// A block that falls on a sticky floor while a plate is turned above it, for as long as it is let.
+// A block that falls on a sticky floor while a plate rotates above it, for an unlimited time.
 const scene = (name, { duration = "0.1 s", height = 0.12, edge = "0.2" } = {}) => `name: ${name}
 about: a block below a plate that turns
 time: {step: 0.5 ms, duration: ${duration}}
@@ -47,7 +47,7 @@ const written = (name, options) => {
   return `${name}.yaml`;
 };
 
-// `tack view` that serves: its address, and what ends it.
+// Starts a serving `tack view`. Returns its address and a function that ends it.
 async function serve(...words) {
   const program = spawn(tack, ["view", ...words], { cwd: folder, env });
   running.add(program);
@@ -71,7 +71,7 @@ async function serve(...words) {
   return one;
 }
 
-// {status, body} of what is asked for by hand.
+// Sends a request. Returns {status, body}.
 const ask = (port, path, { method = "GET", headers = {} } = {}) => new Promise((done, fail) => {
   const asked = request({ host: "127.0.0.1", port, path, method, headers, agent: false }, (answer) => {
     let body = "";
@@ -104,19 +104,19 @@ const summaryOf = (name) => JSON.parse(readFileSync(join(folder, name, "summary.
 const rowsOf = (file) => readFileSync(join(folder, file), "utf8").trim().split("\n").slice(1);
 
 const tests = {
-  async "a scene before it is run: bodies, warnings that lead to them, selections, motions, how far contact reaches"(browser) {
+  async "a scene before it is run: bodies, warnings with links to them, selections, motions, contact range"(browser) {
     assert.equal(execFileSync(tack, ["view", written("still"), "-o", "still.html"], { cwd: folder, encoding: "utf8" }), "still.html\n");
     const one = await Page.open(browser, join(folder, "still.html"));
     await one.ready();
     const { page } = one;
     assert.deepEqual(await one.text("h1"), ["still not run yet"]);
-    assert.deepEqual(await one.text("nav a"), ["What is doubtful", "How it starts", "Its bodies", "What its run is to show", "The scene"]);
+    assert.deepEqual(await one.text("nav a"), ["Warnings", "Initial state", "Bodies", "Expectations", "Scene"]);
     const rows = await one.text("#bodies tbody tr");
     assert.equal(rows.length, 3);
     assert.match(rows[0], /floor\s+8\s+\d+ tets\s+all\s+1 × 0\.1 × 1\s+2 mm/);
     assert.match(rows[1], /block\s+27\s+\d+ tets\s+–\s+0\.2 × 0\.2 × 0\.2\s+2 mm\s+4 mm/);
     const checked = spawnSync(tack, ["check", "still.yaml"], { cwd: folder, encoding: "utf8" }).stdout.split("\n").filter((line) => line.startsWith("warning: ")).map((line) => line.slice("warning: ".length));
-    assert.ok(checked.length > 0 && checked.some((line) => line.includes("'block'")), `the scene is doubtful: ${checked}`);
+    assert.ok(checked.length > 0 && checked.some((line) => line.includes("'block'")), `the scene has warnings: ${checked}`);
     assert.deepEqual((await one.text(".warnings li")).sort(), checked.sort(), "what `tack check` warns of");
 
     const start = await one.picture(".screen");
@@ -148,11 +148,11 @@ const tests = {
     await one.close();
   },
 
-  async "a scene that starts with an intersection is shown, and why it cannot be run"(browser) {
+  async "a scene that starts with an intersection is shown with the error"(browser) {
     execFileSync(tack, ["view", written("crossed", { height: 0.05 }), "-o", "crossed.html"], { cwd: folder });
     const one = await Page.open(browser, join(folder, "crossed.html"));
     await one.ready();
-    assert.match((await one.text("#warnings .bad"))[0], /It cannot be run: .*crossed\.yaml:\d+:\d+: the start intersects/s);
+    assert.match((await one.text("#warnings .bad"))[0], /The scene cannot be run: .*crossed\.yaml:\d+:\d+: the start intersects/s);
     assert.ok((await one.picture(".screen")).colours > 20);
     assert.equal(await one.page.getByLabel("contact distance").isVisible(), false);
     await one.close();
@@ -161,7 +161,7 @@ const tests = {
     assert.match(wrong.stderr, /none\.yaml: cannot read this file/);
   },
 
-  async "only this machine is let in, by the address that was printed"() {
+  async "only this machine has access, by the printed address"() {
     const one = await serve(written("doors"));
     const { pathname } = new URL(one.address);
     assert.equal((await ask(one.port, pathname)).status, 200);
@@ -182,7 +182,7 @@ const tests = {
     assert.equal(await one.interrupt(), 0);
   },
 
-  async "a scene that is served is read again when the page is loaded again"(browser) {
+  async "a served scene is read again when the page is reloaded"(browser) {
     const one = await serve(written("edited"));
     const page = await Page.open(browser, one.address);
     await page.ready();
@@ -195,7 +195,7 @@ const tests = {
     assert.equal(await one.interrupt(), 0);
   },
 
-  async "a run under way: frames and curves come, it holds, goes on and stops with everything written"(browser) {
+  async "a live run: frames and curves arrive; it pauses, resumes and stops with all results written"(browser) {
     const one = await serve(written("endless", { duration: "1000 s" }), "--run", "-o", "endless", "--threads", "1");
     const shown = await Page.open(browser, one.address);
     const { page } = shown;
@@ -240,7 +240,7 @@ const tests = {
     assert.equal(rowsOf("endless/steps.csv").length, steps + 5);
   },
 
-  async "two runs at once, each at its own address; Ctrl-C ends both as it ends `tack run`"(browser) {
+  async "two runs at once have separate addresses; Ctrl-C ends both like `tack run`"(browser) {
     const scenes = ["left", "right"].map((name) => written(name, { duration: "1000 s" }));
     const both = await Promise.all(scenes.map((file, i) => serve(file, "--run", "-o", ["left", "right"][i], "--threads", "1")));
     assert.notEqual(both[0].port, both[1].port);
@@ -261,7 +261,7 @@ const tests = {
     for (const name of ["left", "right"]) assert.equal(summaryOf(name).status, "interrupted");
   },
 
-  async "results of a run that another program writes: new frames arrive, and how it ended"(browser) {
+  async "results that another program writes: new frames and the final status arrive"(browser) {
     const file = written("apart", { duration: "1.5 s" });
     const run = spawn(tack, ["run", file, "-q", "-o", "apart", "--threads", "1"], { cwd: folder, env });
     running.add(run);
@@ -283,7 +283,7 @@ const tests = {
     await shown.checkCharts(6);
     await shown.close();
 
-    // Another run takes its place.
+    // Another run replaces the served one.
     const again = await Page.open(browser, one.address);
     await until(again.page, "state", "done");
     await again.page.evaluate(() => (window.before = true));
@@ -296,7 +296,7 @@ const tests = {
     assert.equal(report, "apart.html\n");
   },
 
-  async "who is looked at has the bits of a run that nobody looks at"() {
+  async "a viewed run has the bits of a run without a viewer"() {
     const file = written("bits");
     execFileSync(tack, ["run", file, "-q", "-o", "alone", "--threads", "1"], { cwd: folder });
     const one = await serve(file, "--run", "-o", "watched", "--threads", "1");
