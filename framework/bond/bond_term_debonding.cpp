@@ -47,7 +47,8 @@ void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char
   frame_at(from);
   constexpr int blocks_at_once = 8;
   for_each(static_cast<int>(blocks_.size()), [&](int k) {
-    const auto [first, last] = blocks_[k];
+    // No structured binding: the lambda below would capture it, which Clang 14 does not support.
+    const int first = blocks_[k].first, last = blocks_[k].second;
     std::array<double, most_in_block> length_before, d{}, s{};  // at the end
     std::array<Path, most_in_block> paths;
     std::array<BondSample, most_in_block> ends{};
