@@ -162,7 +162,7 @@ BentSolids::BentSolids(const SceneConfig& scene, const World& world) : scene_(sc
 std::vector<std::string> BentSolids::notes() const {
   CopiedLines lines;
   for (const SlenderSolid& solid : solids_)
-    lines.tell(scene_.objects[solid.body], "bends",
+    lines.add(scene_.objects[solid.body], "bends",
                fmt::format("{}: where it bends, it will be too stiff, unless its `elements` are composite; {}", few_cells(solid, world_.bodies[solid.body].name), by_cells(world_.bodies[solid.body])));
   return lines.texts();
 }
@@ -175,7 +175,7 @@ std::vector<std::string> BentSolids::warnings() const {
   CopiedLines lines;
   for (const SlenderSolid& solid : solids_)
     if (solid.bending_fraction() > bends)
-      lines.tell(scene_.objects[solid.body], "bends",
+      lines.add(scene_.objects[solid.body], "bends",
                  fmt::format("{} and bends, in which it is too stiff: {}; use {} or more, `elements: composite`, or a shell",
                              few_cells(solid, world_.bodies[solid.body].name), by_cells(world_.bodies[solid.body]), enough_cells));
   return lines.texts();

@@ -172,7 +172,7 @@ std::vector<std::string> ContactApproach::warnings() const {
     const double approach = p.barrier + p.elastic;
     if (!(p.barrier > tolerated_softness * approach)) continue;
     const auto [object, other] = soft_[objects.first] ? objects : Objects(objects.second, objects.first);
-    lines.tell(scene_.objects[object], "approach",
+    lines.add(scene_.objects[object], "approach",
                fmt::format("where '{}' and '{}' were pressed together, the barrier took {:.2g} m of their approach of {:.2g} m ({:.0f}%): contact.distance "
                            "({:.3g} m) is not small against what their curved surfaces give way by, and they seem softer than they are; take {:.1g} m or "
                            "less, or raise contact.barrier.stiffness",

@@ -84,7 +84,7 @@ class FlushFaces {
       const PairLaw* law = slippery(a, b);
       if (!law || gap > law->range() + distance_ || !fills(a, axis, above) || !fills(b, axis, !above)) continue;
       const int pressed = is_pressed(b, axis) ? b : a, other = pressed == b ? a : b;
-      lines_.tell(scene_.objects[pressed], "flush",
+      lines_.add(scene_.objects[pressed], "flush",
                   fmt::format("'{}' and '{}' lie on each other with flat faces of equal extent and without friction: they slide off each other as their meshes lie; make one of "
                               "the faces larger by more than contact.distance ({:.4g} m), or give the pair friction", world_.bodies[pressed].name, world_.bodies[other].name, distance_));
     }

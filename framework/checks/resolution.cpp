@@ -263,7 +263,7 @@ class Warnings {
   // of its copies (fill.hpp).
   bool first_time(int object, const char* kind) { return told_.emplace(object, kind).second; }
 
-  void tell(int object, const char* kind, std::string line) { lines_.tell(scene_.objects[object], kind, std::move(line)); }
+  void tell(int object, const char* kind, std::string line) { lines_.add(scene_.objects[object], kind, std::move(line)); }
 
   const SceneConfig& scene_;
   World& world_;

@@ -37,7 +37,7 @@ LoadedExperiment bound_experiment(Value root) {
   bind(loaded.root, loaded.experiment, "the scene");
   const auto fills = [](const ObjectConfig& object) { return object.fill.has_value(); };
   if (std::none_of(loaded.experiment.objects.begin(), loaded.experiment.objects.end(), fills)) return loaded;
-  LoadedExperiment whole{filled(std::move(loaded.root), loaded.experiment), {}, {}, {}};
+  LoadedExperiment whole{expand_fills(std::move(loaded.root), loaded.experiment), {}, {}, {}};
   bind(whole.root, whole.experiment, "the scene");
   return whole;
 }

@@ -14,7 +14,7 @@ namespace tack {
 
 class CopiedLines {
  public:
-  void tell(const ObjectConfig& object, const char* kind, std::string line) {
+  void add(const ObjectConfig& object, const char* kind, std::string line) {
     const std::string group = copies_of(object);
     if (!group.empty()) {
       const auto [found, first] = line_of_.emplace(std::pair(group, kind), lines_.size());

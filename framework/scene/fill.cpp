@@ -46,9 +46,9 @@ class Random {
 };
 
 // Copies placed so far, in the cells of a grid.
-class Placed {
+class PlacedCopies {
  public:
-  Placed(const SphereTree& tree, double clearance) : tree_(tree), clearance_(clearance), cell_(2 * tree.radius() + clearance) {}
+  PlacedCopies(const SphereTree& tree, double clearance) : tree_(tree), clearance_(clearance), cell_(2 * tree.radius() + clearance) {}
 
   // Returns true if a copy at `pose` keeps its distance from all others.
   bool fits(const Pose& pose) const {
@@ -90,7 +90,7 @@ class Placed {
 // Places the copies of one fill. Poses are relative to the mesh's own placement.
 class Filler {
  public:
-  Filler(const FillConfig& fill, const Mesh& mesh) : fill_(fill), mesh_(mesh), tree_(mesh), placed_(tree_, fill.clearance), random_(fill.seed) {
+  Filler(const FillConfig& fill, const Mesh& mesh) : fill_(fill), mesh_(mesh), tree_(mesh), copies_(tree_, fill.clearance), random_(fill.seed) {
     if (mesh.vertices.empty()) throw InputError("fill: the shape has no vertices");
     // Grids of the region get cells a quarter of the copy's radius, or half of the clearance.
     fill.region->prepare(std::max(tree_.radius() / 4, fill.clearance / 2));
@@ -99,16 +99,16 @@ class Filler {
   }
 
   std::vector<Pose> poses() {
-    const int wanted = count();
-    constexpr int patience = 20000;  // consecutive failures
-    for (int misses = 0; static_cast<int>(placed_.poses().size()) < wanted;) {
-      const Pose pose = anywhere();
-      if (within(pose) && placed_.fits(pose)) placed_.add(pose), misses = 0;
-      else if (++misses == patience)
+    const int target_count = count();
+    constexpr int failure_count_max = 20000;  // consecutive failures
+    for (int failures = 0; static_cast<int>(copies_.poses().size()) < target_count;) {
+      const Pose pose = random_pose();
+      if (within(pose) && copies_.fits(pose)) copies_.add(pose), failures = 0;
+      else if (++failures == failure_count_max)
         throw InputError(fmt::format("fill: {} of {} copies found a place, then {} tries in a row none; ask for fewer, or for less clearance "
-                                     "({:.4g} m), or widen the region", placed_.poses().size(), wanted, patience, fill_.clearance));
+                                     "({:.4g} m), or widen the region", copies_.poses().size(), target_count, failure_count_max, fill_.clearance));
     }
-    return placed_.poses();
+    return copies_.poses();
   }
 
  private:
@@ -120,7 +120,7 @@ class Filler {
   }
 
   // Returns a pose with its centre at a random position in the box.
-  Pose anywhere() {
+  Pose random_pose() {
     Vec3 at;
     for (int k = 0; k < 3; ++k) at[k] = box_.min()[k] + box_.sizes()[k] * random_.number();
     Pose pose = Pose::Identity();
@@ -146,7 +146,7 @@ class Filler {
   const FillConfig& fill_;
   const Mesh& mesh_;
   SphereTree tree_;
-  Placed placed_;
+  PlacedCopies copies_;
   Random random_;
   Eigen::AlignedBox3d box_;
 };
@@ -155,12 +155,12 @@ Value vector_value(const Vec3& v) { return Value::sequence({Value::number(v.x())
 
 // Returns the placement of a copy: that of the object, followed by the pose.
 Value placement_value(const MeshPlacement& placement, const Pose& pose) {
-  const Mat3 before = placement.angle == 0 ? Mat3(Mat3::Identity()) : Mat3(Eigen::AngleAxisd(placement.angle, placement.axis.normalized()));
-  const Eigen::AngleAxisd turned(Mat3(pose.linear() * before));
+  const Mat3 rotation = placement.angle == 0 ? Mat3(Mat3::Identity()) : Mat3(Eigen::AngleAxisd(placement.angle, placement.axis.normalized()));
+  const Eigen::AngleAxisd new_rotation(Mat3(pose.linear() * rotation));
   Value value = Value::map();
   value.set("scale", vector_value(placement.scale));
-  value.set("axis", vector_value(turned.axis()));
-  value.set("angle", Value::number(turned.angle()));
+  value.set("axis", vector_value(new_rotation.axis()));
+  value.set("angle", Value::number(new_rotation.angle()));
   value.set("translate", vector_value(pose * placement.translate));
   return value;
 }
@@ -202,7 +202,7 @@ void add_copies(const Value& entry, const ObjectConfig& object, const std::vecto
 
 }  // namespace
 
-Value filled(Value root, const SceneConfig& scene) {
+Value expand_fills(Value root, const SceneConfig& scene) {
   Value* objects = root.find("objects");
   std::vector<Value> entries;
   for (size_t i = 0; i < scene.objects.size(); ++i) {

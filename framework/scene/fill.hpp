@@ -28,6 +28,6 @@ struct SceneConfig;
 
 // Returns the tree with copies. root: the tree that `scene` was bound from. Throws InputError, with
 // the entry's source location, if the copies do not fit.
-Value filled(Value root, const SceneConfig& scene);
+Value expand_fills(Value root, const SceneConfig& scene);
 
 }  // namespace tack

@@ -11,21 +11,21 @@
 
 namespace tack {
 
-void GrowingCsv::forget() {
+void GrowingCsv::reset() {
   end_ = file_ = device_ = 0;
   columns_.clear();
   starts_.clear();
 }
 
-void GrowingCsv::look() {
+void GrowingCsv::update() {
   struct stat now {};
   if (::stat(path_.c_str(), &now) != 0) {
     if (file_ != 0) ++generation_;
-    return forget();
+    return reset();
   }
   if (file_ != 0 && (now.st_ino != file_ || now.st_dev != device_ || static_cast<std::uint64_t>(now.st_size) < end_)) {
     ++generation_;
-    forget();
+    reset();
   }
   file_ = now.st_ino;
   device_ = now.st_dev;

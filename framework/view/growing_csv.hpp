@@ -13,7 +13,7 @@ class GrowingCsv {
   explicit GrowingCsv(std::filesystem::path path) : path_(std::move(path)) {}
 
   // Reads the rows added since the last call. A replaced or shorter file begins a new generation.
-  void look();
+  void update();
   int generation() const { return generation_; }
   const std::vector<std::string>& columns() const { return columns_; }  // empty: no table yet
   int rows() const { return static_cast<int>(starts_.size()); }         // complete rows
@@ -23,7 +23,7 @@ class GrowingCsv {
   std::vector<std::vector<double>> rows(int from, int most) const;
 
  private:
-  void forget();
+  void reset();
 
   std::filesystem::path path_;
   int generation_ = 0;

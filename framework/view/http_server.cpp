@@ -35,14 +35,14 @@ using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
 constexpr int threads = 2;  // two, so that a slow page does not delay a request to stop the run
-// For the next request of a connection, and for its first.
-constexpr std::chrono::seconds patience{30}, first_patience{5};
-// After a connection that the system refused.
+// Time limits of the next request of a connection, and of its first.
+constexpr std::chrono::seconds idle_timeout{30}, first_timeout{5};
+// Pause after a connection that the system refused.
 constexpr std::chrono::milliseconds accept_pause{200};
-constexpr std::size_t most_connections = 32;                     // open at a time
-constexpr std::size_t largest_header = 8192, largest_body = 1024;
+constexpr std::size_t connection_count_max = 32;  // open at a time
+constexpr std::size_t header_size_max = 8192, body_size_max = 1024;
 
-std::string fresh_token() {
+std::string random_token() {
   std::array<unsigned char, 16> bytes{};
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) throw InputError("the system has no random numbers to make an address of");
   std::string token;
@@ -54,8 +54,8 @@ std::string fresh_token() {
 // because a run in the process needs them for its files.
 std::size_t connection_limit() {
   rlimit descriptors{};
-  if (::getrlimit(RLIMIT_NOFILE, &descriptors) != 0 || descriptors.rlim_cur == RLIM_INFINITY) return most_connections;
-  return std::clamp<std::size_t>(descriptors.rlim_cur / 8, 2, most_connections);
+  if (::getrlimit(RLIMIT_NOFILE, &descriptors) != 0 || descriptors.rlim_cur == RLIM_INFINITY) return connection_count_max;
+  return std::clamp<std::size_t>(descriptors.rlim_cur / 8, 2, connection_count_max);
 }
 
 // Compares in constant time.
@@ -132,7 +132,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(Tcp::socket socket, const Site& site) : stream_(std::move(socket)), site_(site) {}
 
-  bool known() const { return known_; }  // it has sent the token
+  bool authenticated() const { return authenticated_; }  // true once it has sent the token
 
   // Callable by any thread.
   void drop() {
@@ -141,9 +141,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   void read() {
     parser_.emplace();
-    parser_->header_limit(largest_header);
-    parser_->body_limit(largest_body);
-    stream_.expires_after(known_ ? patience : first_patience);
+    parser_->header_limit(header_size_max);
+    parser_->body_limit(body_size_max);
+    stream_.expires_after(authenticated_ ? idle_timeout : first_timeout);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error) self->close();
       else self->write();
@@ -153,9 +153,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
  private:
   void write() {
     const Request request = parser_->release();
-    if (site_.has_token(std::string_view(request.target().data(), request.target().size()))) known_ = true;
+    if (site_.has_token(std::string_view(request.target().data(), request.target().size()))) authenticated_ = true;
     response_ = response_of(request, site_.answer(request));
-    stream_.expires_after(patience);
+    stream_.expires_after(idle_timeout);
     http::async_write(stream_, *response_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error || self->response_->need_eof()) self->close();
       else self->read();
@@ -168,7 +168,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   beast::tcp_stream stream_;
   const Site& site_;
-  std::atomic<bool> known_ = false;
+  std::atomic<bool> authenticated_ = false;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::optional<Response> response_;
@@ -178,7 +178,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
 class HttpServer::Listener {
  public:
-  explicit Listener(Handler handler) : site_{std::move(handler), fresh_token(), {}} {
+  explicit Listener(Handler handler) : site_{std::move(handler), random_token(), {}} {
     try {
       const Tcp::endpoint loopback(asio::ip::address_v4::loopback(), 0);
       acceptor_.open(loopback.protocol());
@@ -211,7 +211,7 @@ class HttpServer::Listener {
         });
         return;
       }
-      make_room();
+      drop_excess_connections();
       const auto connection = std::make_shared<Connection>(std::move(socket), site_);
       open_.push_back(connection);
       connection->read();
@@ -221,14 +221,14 @@ class HttpServer::Listener {
 
   // Drops connections to stay below the limit: the oldest, but first those that have not sent the
   // token.
-  void make_room() {
+  void drop_excess_connections() {
     std::erase_if(open_, [](const std::weak_ptr<Connection>& c) { return c.expired(); });
     while (open_.size() >= limit_) {
-      const auto stranger = std::find_if(open_.begin(), open_.end(), [](const std::weak_ptr<Connection>& c) {
+      const auto without_token = std::find_if(open_.begin(), open_.end(), [](const std::weak_ptr<Connection>& c) {
         const auto connection = c.lock();
-        return connection && !connection->known();
+        return connection && !connection->authenticated();
       });
-      const auto oldest = stranger != open_.end() ? stranger : open_.begin();
+      const auto oldest = without_token != open_.end() ? without_token : open_.begin();
       if (const auto connection = oldest->lock()) connection->drop();
       open_.erase(oldest);
     }

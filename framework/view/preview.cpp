@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int frames_of_motions = 61;
-constexpr size_t most_bodies = 300;  // bodies with a row of their own
+constexpr size_t body_count_max = 300;  // bodies with a row of their own
 
 struct Loaded {
   std::unique_ptr<BuiltExperiment> built;
@@ -64,7 +64,7 @@ FrameFile first_frame(const World& world) {
   return frame;
 }
 
-void place(FrameFile& frame, const VecX& x) {
+void set_positions(FrameFile& frame, const VecX& x) {
   for (size_t v = 0; v < frame.mesh.vertices.size(); ++v) frame.mesh.vertices[v] = x.segment<3>(3 * static_cast<Eigen::Index>(v));
 }
 
@@ -73,29 +73,29 @@ void place(FrameFile& frame, const VecX& x) {
 Json adhesion_of(const World& world, int body, double contact_distance) {
   if (!world.contact || world.adhesion.empty()) return Json();
   const PairTable& pairs = world.contact->pairs();
-  double reach = 0;
+  double range = 0;
   for (int other = 0; other < pairs.objects(); ++other) {
     const double offset = pairs.offset(body, other);
-    for (const PairRole* role : {&pairs.point(body, other), &pairs.point(other, body), &pairs.codimensional(body, other)}) reach = std::max(reach, role->range_max() - offset);
+    for (const PairRole* role : {&pairs.point(body, other), &pairs.point(other, body), &pairs.codimensional(body, other)}) range = std::max(range, role->range_max() - offset);
   }
-  return reach > contact_distance * (1 + 1e-9) ? Json(reach) : Json();
+  return range > contact_distance * (1 + 1e-9) ? Json(range) : Json();
 }
 
-std::string held_of(const World& world, const Body& body) {
-  int held = 0;
-  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) held += world.prescribed_motion.ever_fixed(v);
-  return held == 0 ? "–" : held == body.vertex_count ? (body.movable ? "all, for a while" : "all") : fmt::format("{} vertices", held);
+std::string prescribed_text(const World& world, const Body& body) {
+  int prescribed = 0;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) prescribed += world.prescribed_motion.ever_fixed(v);
+  return prescribed == 0 ? "–" : prescribed == body.vertex_count ? (body.movable ? "all, for a while" : "all") : fmt::format("{} vertices", prescribed);
 }
 
 Json bodies_of(const Experiment& e, const World& world) {
   Json list = Json::array();
-  for (size_t i = 0; i < std::min(most_bodies, world.bodies.size()); ++i) {
+  for (size_t i = 0; i < std::min(body_count_max, world.bodies.size()); ++i) {
     const Body& body = world.bodies[i];
     Eigen::AlignedBox3d box;
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) box.extend(Vec3(world.start.x.segment<3>(3 * v)));
     const Vec3 extent = body.vertex_count > 0 ? Vec3(box.sizes()) : Vec3(Vec3::Zero());
     list.push_back({{"name", body.name}, {"vertices", body.vertex_count}, {"tets", body.tets.size()}, {"triangles", body.sheet.size()}, {"edges", body.edges.size()},
-                    {"points", body.points.size()}, {"held", held_of(world, body)}, {"extent", {extent.x(), extent.y(), extent.z()}},
+                    {"points", body.points.size()}, {"held", prescribed_text(world, body)}, {"extent", {extent.x(), extent.y(), extent.z()}},
                     {"contact", e.contact ? Json(e.contact->contact_distance) : Json()},
                     {"adhesion", e.contact ? adhesion_of(world, static_cast<int>(i), e.contact->contact_distance) : Json()}});
   }
@@ -119,7 +119,7 @@ Json selections_data(const std::vector<ShownSelection>& selections, const std::v
 std::vector<std::string> notes_on(const Experiment& e, const World& world) {
   std::vector<std::string> notes = world.start_notes;
   for (const auto& lines : {BentSolids(e, world).notes(), check_laws(world).notes}) notes.insert(notes.end(), lines.begin(), lines.end());
-  if (world.bodies.size() > most_bodies) notes.push_back(fmt::format("of {} objects, the first {} are in the table", world.bodies.size(), most_bodies));
+  if (world.bodies.size() > body_count_max) notes.push_back(fmt::format("of {} objects, the first {} are in the table", world.bodies.size(), body_count_max));
   return notes;
 }
 
@@ -132,11 +132,11 @@ PageData preview_data(const PreviewSettings& s) {
   PageData page;
 
   FrameFile frame = first_frame(world);
-  place(frame, world.start.x);
+  set_positions(frame, world.start.x);
   FrameFollower follower(frame);
-  const ScriptedFrames motion = scripted_frames(world, e.time.duration, frames_of_motions);
+  const PrescribedFrames motion = prescribed_frames(world, e.time.duration, frames_of_motions);
   for (size_t i = 0; i < motion.times.size(); ++i) {
-    place(frame, motion.places[i]);
+    set_positions(frame, motion.positions[i]);
     follower.add(motion.times[i], frame);
   }
   follower.series().written = static_cast<int>(motion.times.size());

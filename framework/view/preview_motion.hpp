@@ -8,14 +8,14 @@
 
 namespace tack {
 
-struct ScriptedFrames {
-  std::vector<double> times;  // s
-  std::vector<VecX> places;   // 3n each [m]
-  std::string problem;        // reason why frames end early; empty: they do not
+struct PrescribedFrames {
+  std::vector<double> times;    // s
+  std::vector<VecX> positions;  // 3n each [m]
+  std::string problem;          // reason why frames end early; empty: they do not
 };
 
 // Returns `frames` frames evenly spread over the duration [s], or the start alone if nothing is
 // prescribed. Vertices that depend on prescribed ones move with them.
-ScriptedFrames scripted_frames(const World& world, double duration, int frames);
+PrescribedFrames prescribed_frames(const World& world, double duration, int frames);
 
 }  // namespace tack

@@ -12,7 +12,7 @@ namespace tack {
 namespace {
 
 // A `select` on its own, with the parameters that its numbers may use.
-struct Chosen {
+struct SelectConfig {
   std::unique_ptr<Selection> select;
   std::map<std::string, Quantity> parameters;
   void fields(Fields& f) {
@@ -21,9 +21,9 @@ struct Chosen {
   }
 };
 
-class Finder {
+class SelectionSearch {
  public:
-  Finder(const Value& root, const World& world) : root_(root), world_(world) {}
+  SelectionSearch(const Value& root, const World& world) : root_(root), world_(world) {}
 
   std::vector<ShownSelection> find() {
     for (const Body& body : world_.bodies)
@@ -34,9 +34,9 @@ class Finder {
       }
     for (const Value::Entry& entry : root_.entries) {
       if (entry.key == "objects") {
-        for (size_t i = 0; i < entry.value.items.size() && i < world_.bodies.size(); ++i) look(entry.value.items[i], world_.bodies[i].name + ":", static_cast<int>(i));
+        for (size_t i = 0; i < entry.value.items.size() && i < world_.bodies.size(); ++i) search(entry.value.items[i], world_.bodies[i].name + ":", static_cast<int>(i));
       } else if (entry.key != "selections") {
-        look(entry.value, entry.key, -1);
+        search(entry.value, entry.key, -1);
       }
     }
     return std::move(found_);
@@ -44,13 +44,13 @@ class Finder {
 
  private:
   // body: the body of a `select` without an object; -1: none.
-  void look(const Value& value, const std::string& where, int body) {
-    for (size_t i = 0; i < value.items.size(); ++i) look(value.items[i], fmt::format("{} {}", where, entry_name(value.items[i], i)), body);
+  void search(const Value& value, const std::string& where, int body) {
+    for (size_t i = 0; i < value.items.size(); ++i) search(value.items[i], fmt::format("{} {}", where, entry_name(value.items[i], i)), body);
     if (!value.is_map()) return;
     if (const Value* object = value.find("object"); object && object->is_scalar()) body = world_.body_index(object->text);
     for (const Value::Entry& entry : value.entries) {
       if (entry.key == "select" && body >= 0) choose(entry.value, where, world_.bodies[static_cast<size_t>(body)]);
-      else if (entry.key != "select" && entry.key != "selections") look(entry.value, where + " " + entry.key, body);
+      else if (entry.key != "select" && entry.key != "selections") search(entry.value, where + " " + entry.key, body);
     }
   }
 
@@ -65,10 +65,10 @@ class Finder {
     Value map = Value::map();
     map.set("select", select);
     if (const Value* parameters = root_.find("parameters")) map.set("parameters", *parameters);
-    Chosen chosen;
+    SelectConfig config;
     try {
-      bind(map, chosen, "a selection");
-      if (chosen.select) add(where, body, chosen.select->choose({body, world_.rest}));
+      bind(map, config, "a selection");
+      if (config.select) add(where, body, config.select->choose({body, world_.rest}));
     } catch (const InputError&) {
       // Scenes that cannot run report the error elsewhere.
     }
@@ -86,6 +86,6 @@ class Finder {
 
 }  // namespace
 
-std::vector<ShownSelection> shown_selections(const Value& root, const World& world) { return Finder(root, world).find(); }
+std::vector<ShownSelection> shown_selections(const Value& root, const World& world) { return SelectionSearch(root, world).find(); }
 
 }  // namespace tack

@@ -16,17 +16,17 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int most_rows = 2000, most_frames = 60;
-constexpr double most_seconds = 0.3;  // limit for the frames of one answer [s]
+constexpr int row_count_max = 2000, frame_count_max = 60;
+constexpr double answer_seconds_max = 0.3;  // limit for the frames of one answer [s]
 
 Json rows_since(const GrowingCsv& table, int known) {
   if (table.columns().empty() || known >= table.rows()) return Json();
-  return {{"columns", table.columns()}, {"next", table.rows()}, {"rows", table.rows(known, most_rows)}};
+  return {{"columns", table.columns()}, {"next", table.rows()}, {"rows", table.rows(known, row_count_max)}};
 }
 
 // Returns null if the file is missing or incomplete.
 template <class Read>
-Json part(const fs::path& path, const Read& read) {
+Json json_or_null(const fs::path& path, const Read& read) {
   if (!fs::exists(path)) return Json();
   try {
     return read(path);
@@ -41,28 +41,28 @@ Json part(const fs::path& path, const Read& read) {
 RunNews::RunNews(fs::path folder) : folder_(std::move(folder)), steps_(folder_ / "steps.csv"), probes_(folder_ / "probes.csv") {}
 
 int RunNews::generation() {
-  look();
+  update();
   return generation_;
 }
 
-void RunNews::look() {
-  steps_.look();
-  probes_.look();
-  look_at_frames();
+void RunNews::update() {
+  steps_.update();
+  probes_.update();
+  update_frame_list();
   if (generation_ == steps_.generation() + probes_.generation()) return;
   generation_ = steps_.generation() + probes_.generation();
   follower_.reset();
 }
 
-void RunNews::look_at_frames() {
+void RunNews::update_frame_list() {
   std::error_code none;
   const auto written = fs::last_write_time(folder_ / "run.pvd", none);
   const std::uintmax_t bytes = none ? 0 : fs::file_size(folder_ / "run.pvd", none);
   if (none) return list_.clear();
-  if (written == listed_ && bytes == list_bytes_) return;
+  if (written == list_time_ && bytes == list_bytes_) return;
   try {
     list_ = PvdFile::continued(folder_ / "run.pvd", std::numeric_limits<double>::infinity()).list();
-    listed_ = written;
+    list_time_ = written;
     list_bytes_ = bytes;
   } catch (const InputError&) {
     list_.clear();
@@ -70,16 +70,16 @@ void RunNews::look_at_frames() {
 }
 
 Json RunNews::since(const Known& known, bool running) {
-  look();
+  update();
   Json news = {{"generation", generation_}};
   if (Json rows = rows_since(steps_, known.steps); !rows.is_null()) news["steps"] = std::move(rows);
   if (Json rows = rows_since(probes_, known.probes); !rows.is_null()) news["probes"] = std::move(rows);
   if (Json frames = frames_since(known.frames); !frames.is_null()) news["frames"] = std::move(frames);
   if (running || known.end) return news;
-  Json summary = part(folder_ / "summary.json", [](const fs::path& path) { return Json::parse(read_file(path, largest_text)); });
+  Json summary = json_or_null(folder_ / "summary.json", [](const fs::path& path) { return Json::parse(read_file(path, largest_text)); });
   const std::string status = summary.is_object() ? summary.value("status", "") : "";
   news["end"] = {{"status", status.empty() ? "unfinished" : status}, {"summary", std::move(summary)},
-                 {"laws", part(folder_ / "laws.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); })}};
+                 {"laws", json_or_null(folder_ / "laws.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); })}};
   return news;
 }
 
@@ -94,7 +94,7 @@ Json RunNews::frames_since(int known) {
   }
   FrameSeries& series = follower_->series();
   const auto begun = std::chrono::steady_clock::now();
-  const std::vector<int> chosen = evenly(count - known, std::clamp(static_cast<int>(most_seconds / seconds_per_frame_), 1, most_frames));
+  const std::vector<int> chosen = evenly(count - known, std::clamp(static_cast<int>(answer_seconds_max / seconds_per_frame_), 1, frame_count_max));
   for (const int i : chosen) {
     const PvdFile::Frame& frame = list_[static_cast<size_t>(known + i)];
     try {

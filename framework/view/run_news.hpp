@@ -31,8 +31,8 @@ class RunNews {
   int generation();
 
  private:
-  void look();
-  void look_at_frames();
+  void update();
+  void update_frame_list();
   nlohmann::ordered_json frames_since(int known);
 
   std::filesystem::path folder_;
@@ -40,9 +40,9 @@ class RunNews {
   int generation_ = 0;  // of both tables
   std::optional<FrameFollower> follower_;
   std::vector<PvdFile::Frame> list_;
-  std::filesystem::file_time_type listed_{};  // time at which the list was written
-  std::uintmax_t list_bytes_ = 0;  // its length, because two lists may have one time stamp
-  double seconds_per_frame_ = 0.01;           // average time to read a frame
+  std::filesystem::file_time_type list_time_{};  // time stamp of the list file
+  std::uintmax_t list_bytes_ = 0;    // its size: two lists may have one time stamp
+  double seconds_per_frame_ = 0.01;  // average time to read a frame
 };
 
 }  // namespace tack

@@ -56,11 +56,11 @@ HttpAnswer RunView::page() {
 }
 
 HttpAnswer RunView::news(const HttpRequest& request) {
-  const bool goes_on = running();  // before reading the last results
+  const bool is_running = running();  // before reading the last results
   const RunNews::Known known{number(request, "steps"), number(request, "probes"), number(request, "frames"), number(request, "ended") > 0};
   const std::lock_guard lock(reading_);
-  Json news = news_.since(known, goes_on);
-  news["running"] = goes_on;
+  Json news = news_.since(known, is_running);
+  news["running"] = is_running;
   if (control_) news["progress"] = json_of(control_->progress());
   return json_answer(news);
 }

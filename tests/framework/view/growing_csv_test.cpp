@@ -19,18 +19,18 @@ TEST_CASE("a table that grows: complete rows as they come, half ones later") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "t.csv";
   GrowingCsv table(path);
-  table.look();
+  table.update();
   CHECK(table.columns().empty());
   append(path, "a,\"b, of\ntwo li");
-  table.look();
+  table.update();
   CHECK(table.columns().empty());
   append(path, "nes\"\n1,2\n3,");
-  table.look();
+  table.update();
   CHECK(table.columns() == std::vector<std::string>{"a", "b, of\ntwo lines"});
   CHECK(table.rows() == 1);
   CHECK(table.rows(0, 10) == std::vector<std::vector<double>>{{1, 2}});
   append(path, "4\n5,inf\n6\n");
-  table.look();
+  table.update();
   REQUIRE(table.rows() == 4);
   const auto ends = table.rows(1, 2);  // the first and the last of three
   REQUIRE(ends.size() == 2);
@@ -48,19 +48,19 @@ TEST_CASE("another file of that name is another table") {
   CsvFile first(path, {{"x"}, {}});
   GrowingCsv table(path);
   for (const double x : {1.0, 2.0, 3.0}) first.add(std::vector<double>{x});
-  table.look();
+  table.update();
   CHECK(table.rows() == 3);
   CsvFile second(path, {{"x"}, {{1}}});  // as when a run is gone on with from its first step
   second.add(std::vector<double>{7});
-  table.look();
+  table.update();
   CHECK(table.generation() == 1);
   CHECK(table.rows(0, 9) == std::vector<std::vector<double>>{{1}, {7}});
   write_file(path, "x\n");
-  table.look();
+  table.update();
   CHECK(table.generation() == 2);
   CHECK(table.rows() == 0);
   std::filesystem::remove(path);
-  table.look();
+  table.update();
   CHECK(table.generation() == 3);
   CHECK(table.columns().empty());
 }

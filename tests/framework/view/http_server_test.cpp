@@ -32,8 +32,8 @@ struct Asked {
     to.sin_family = AF_INET;
     to.sin_port = htons(static_cast<std::uint16_t>(port));
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    const timeval patience{0, 500000};
-    ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    const timeval idle_timeout{0, 500000};
+    ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &idle_timeout, sizeof idle_timeout);
     return ::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
   }
   // A socket; -1 if there is no connection.

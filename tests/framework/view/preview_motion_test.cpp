@@ -12,17 +12,17 @@ namespace {
 const std::string head = "time: {step: 0.01 s, duration: 1 s}\nobjects:\n";
 const std::string free_box = "  - {name: free, shape: {type: box, size: [1, 1, 1]}, place: {translate: [5, 0, 0]}, energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}]}\n";
 
-ScriptedFrames frames_of(const std::string& objects, int frames = 5) {
+PrescribedFrames frames_of(const std::string& objects, int frames = 5) {
   const TestScene scene(head + objects + free_box);
-  return scripted_frames(scene.built.world(), 1, frames);
+  return prescribed_frames(scene.built.world(), 1, frames);
 }
 
-Vec3 place(const ScriptedFrames& shown, size_t frame, int vertex) { return shown.places[frame].segment<3>(3 * vertex); }
+Vec3 place(const PrescribedFrames& shown, size_t frame, int vertex) { return shown.positions[frame].segment<3>(3 * vertex); }
 
 }  // namespace
 
 TEST_CASE("what turns is where its motion has it at each time, and what is free stays") {
-  const ScriptedFrames shown = frames_of("  - {name: plate, shape: {type: box, size: [2, 1, 1]}, motion: [{type: rotate, axis: [0, 1, 0], angular_velocity: 90 deg/s}]}\n");
+  const PrescribedFrames shown = frames_of("  - {name: plate, shape: {type: box, size: [2, 1, 1]}, motion: [{type: rotate, axis: [0, 1, 0], angular_velocity: 90 deg/s}]}\n");
   REQUIRE(shown.times == std::vector<double>{0, 0.25, 0.5, 0.75, 1});
   for (int v = 0; v < 8; ++v) {
     const Vec3 start = place(shown, 0, v);
@@ -36,7 +36,7 @@ TEST_CASE("what turns is where its motion has it at each time, and what is free 
 }
 
 TEST_CASE("a motion between frames is counted from where it seizes, and ends where it releases") {
-  const ScriptedFrames shown = frames_of("  - {name: plate, shape: {type: box, size: [2, 1, 1]}, energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}], "
+  const PrescribedFrames shown = frames_of("  - {name: plate, shape: {type: box, size: [2, 1, 1]}, energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}], "
                                          "motion: [{type: translate, velocity: [1, 0, 0], until: 0.3 s}, "
                                          "{type: translate, velocity: [0, 2, 0], from: 0.6 s, until: 0.9 s}]}\n");
   REQUIRE(shown.times.size() == 5);
@@ -48,8 +48,8 @@ TEST_CASE("a motion between frames is counted from where it seizes, and ends whe
 }
 
 TEST_CASE("nothing that moves is one frame, where it starts") {
-  const ScriptedFrames shown = frames_of("  - {name: floor, shape: {type: box, size: [2, 1, 1]}, motion: [fixed]}\n");
+  const PrescribedFrames shown = frames_of("  - {name: floor, shape: {type: box, size: [2, 1, 1]}, motion: [fixed]}\n");
   CHECK(shown.times == std::vector<double>{0});
-  CHECK(shown.places.size() == 1);
+  CHECK(shown.positions.size() == 1);
   CHECK(shown.problem.empty());
 }
