@@ -29,8 +29,8 @@ class Probe : public Component {
   virtual Unit unit() const = 0;
   /// Returns true if infinity is a valid value, such as the gap of objects out of range.
   virtual bool unbounded() const { return false; }
-  /// Returns true if the probe needs the account of dissipation, which costs time.
-  virtual bool asks_for_losses() const { return false; }
+  /// Returns true if the probe needs the energy balance of the steps, which costs time.
+  virtual bool needs_dissipation() const { return false; }
   /// Returns one value per column, at an accepted state.
   virtual std::vector<double> sample(const World& world, const State& state) = 0;
 

@@ -29,7 +29,7 @@ ProbeSet::ProbeSet(const std::vector<std::unique_ptr<const Probe>>& specified, c
     units_.resize(units_.size() + more.size(), probe.unit());
     unbounded_.resize(units_.size(), unbounded);
   }
-  told_.resize(units_.size(), 0);
+  reported_.resize(units_.size(), 0);
 }
 
 void ProbeSet::check(const std::vector<Expectation>& expectations, const Value& root) const {
@@ -56,12 +56,12 @@ std::vector<double> ProbeSet::sample(const World& world, const State& state) {
   }
   values.erase(values.begin());
   for (size_t i = 0; i < values.size(); ++i) {
-    if (std::isfinite(values[i]) || (std::isinf(values[i]) && unbounded_[i]) || std::exchange(told_[i], 1)) continue;
-    lost_.push_back(fmt::format("{} is {}", columns_[i], values[i]));
+    if (std::isfinite(values[i]) || (std::isinf(values[i]) && unbounded_[i]) || std::exchange(reported_[i], 1)) continue;
+    invalid_.push_back(fmt::format("{} is {}", columns_[i], values[i]));
   }
   return values;
 }
 
-std::vector<std::string> ProbeSet::take_lost() { return std::exchange(lost_, {}); }
+std::vector<std::string> ProbeSet::take_invalid() { return std::exchange(invalid_, {}); }
 
 }  // namespace tack

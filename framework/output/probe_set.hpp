@@ -24,15 +24,15 @@ class ProbeSet {
   std::vector<double> sample(const World& world, const State& state);
   // Returns, as "stress is nan", columns that became invalid since the last call: samples that are
   // not finite, except valid infinities. Each column is returned once.
-  std::vector<std::string> take_lost();
+  std::vector<std::string> take_invalid();
 
  private:
   std::vector<std::unique_ptr<Probe>> probes_;
   std::vector<std::string> columns_;
   std::vector<Unit> units_;      // per column
   std::vector<char> unbounded_;  // per column: infinity is a valid value
-  std::vector<char> told_;       // per column: reported as invalid
-  std::vector<std::string> lost_;
+  std::vector<char> reported_;       // per column: reported as invalid
+  std::vector<std::string> invalid_;
 };
 
 }  // namespace tack

@@ -32,7 +32,7 @@ class EnergyProbe : public Probe {
                                    suggestion(term_, names, "terms")));
   }
   Unit unit() const override { return units::energy; }
-  bool asks_for_losses() const override { return term_.starts_with("dissipated") || term_ == "work_loads"; }
+  bool needs_dissipation() const override { return term_.starts_with("dissipated") || term_ == "work_loads"; }
   std::vector<double> sample(const World& world, const State& state) override {
     if (term_ == "work_loads") return {state.energy.loads};
     if (term_ == "dissipated") return {state.energy.all_dissipated()};

@@ -10,7 +10,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/run/simulation.hpp"
 #include "framework/sensitivity/gradients.hpp"
-#include "framework/sensitivity/scene_number.hpp"
+#include "framework/sensitivity/scene_parameter.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -39,7 +39,7 @@ Curve curve_of(LoadedExperiment loaded, const std::string& column, std::vector<W
   ProbeSet probes = probes_of(simulation.built());
   const size_t at = column_of(probes, column);
   Gradients gradients(simulation.built());
-  if (!gradients.empty()) simulation.observe_solved([&](const SolvedStep& step) { gradients.solved(step); });
+  if (!gradients.empty()) simulation.observe_solved([&](const SolvedStep& step) { gradients.follow_solve(step); });
   Curve curve;
   const auto sample = [&] {
     const std::vector<double> values = probes.sample(simulation.world(), simulation.state());
@@ -55,11 +55,11 @@ Curve curve_of(LoadedExperiment loaded, const std::string& column, std::vector<W
   while (!simulation.finished()) {
     simulation.step();
     if (simulation.interrupted()) throw SimulationError("interrupted");
-    if (!gradients.empty()) gradients.kept(simulation.state());
+    if (!gradients.empty()) gradients.accept(simulation.state());
     sample();
   }
   curve.seconds = user_seconds() - began;
-  if (warnings) *warnings = gradients.doubts();
+  if (warnings) *warnings = gradients.warnings();
   return curve;
 }
 
@@ -102,7 +102,7 @@ void compare(const Curve& run, const Curve& less, const Curve& more, double tole
 GradientCheck check_gradient(const LoadedExperiment& loaded, const std::string& column, const std::string& key, double relative_step) {
   const BuiltExperiment built(bound_experiment(loaded.root));
   GradientCheck check{};
-  check.number = scene_number(built, key);
+  check.number = scene_parameter(built, key);
   check.step = check.number != 0 ? std::abs(check.number) * relative_step : relative_step;
   const Curve run = curve_of(with_gradient(built, key), column, &check.warnings);
   const Curve less = curve_of(scene_with(built, key, check.number - check.step), column);

@@ -70,7 +70,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
     if (settings_.control) settings_.control->iteration(iteration, residual);
   };
   StepObservers observers{tell, tell, {}};
-  if (gradients_) simulation_.observe_solved([this](const SolvedStep& step) { gradients_->solved(step); });
+  if (gradients_) simulation_.observe_solved([this](const SolvedStep& step) { gradients_->follow_solve(step); });
   if (profiler_)
     observers.steps = [this](const VecX& x, const VecX& p, double feasible) { profiler_->tried(x, p, feasible); };
   simulation_.observe(std::move(observers));
@@ -156,7 +156,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
     dump_.after(report.solve.iterations);
     recorder->step(simulation_.state(), report);
     warn_of_lost_probes();
-    if (gradients_) gradients_->kept(simulation_.state()), add_gradients(*recorder);
+    if (gradients_) gradients_->accept(simulation_.state()), add_gradients(*recorder);
     summary_.add(report);
     summary_.group_names = simulation_.stepper().energy_groups();
     if (report.step <= looks_at_first || report.step % look_interval == 0) {
@@ -233,7 +233,7 @@ void RecordedRun::add_gradients(const Recorder& recorder) {
 
 // Reports each lost probe once.
 void RecordedRun::warn_of_lost_probes() {
-  for (const std::string& what : monitors_->probes.take_lost())
+  for (const std::string& what : monitors_->probes.take_invalid())
     warn(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
                      simulation_.state().time));
 }
@@ -368,7 +368,7 @@ void RecordedRun::finish(const ProbeSeries* series) {
   }
   finish_dump();
   if (gradients_)
-    for (const Warning& warning : gradients_->doubts()) warn(warning);
+    for (const Warning& warning : gradients_->warnings()) warn(warning);
   for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator, summary_.group_names)) warn(warning);
   warn_of_resolution();
   add_up_phases();

@@ -9,12 +9,12 @@ namespace {
 constexpr double jump = 1e-3;       // relative; the scenes differ by 1e-6
 constexpr double rounding = 1e-12;  // relative
 
-bool whole(double a) { return a == std::floor(a); }
+bool is_integer(double a) { return a == std::floor(a); }
 
 // Returns true for a jump. Counts and choices are integers: any change is a jump.
 bool jumps(double a, double b, double scale) {
   if (a == b) return false;
-  return (whole(a) && whole(b)) || !(std::abs(a - b) <= jump * std::max({std::abs(a), std::abs(b), scale}));
+  return (is_integer(a) && is_integer(b)) || !(std::abs(a - b) <= jump * std::max({std::abs(a), std::abs(b), scale}));
 }
 
 // Returns the scale of each number of an entry. Entries of elements are of one kind (a tensor, a
@@ -70,7 +70,7 @@ int take_array(const HistoryArray& run, HistoryArray& other) {
 
 }  // namespace
 
-int take_jumps_from(const History& run, History& other) {
+int replace_jumps(const History& run, History& other) {
   int taken = 0;
   std::erase_if(other, [&](const auto& entry) {
     const bool unknown = run.find(entry.first) == run.end();

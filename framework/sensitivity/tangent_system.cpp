@@ -5,15 +5,15 @@ namespace {
 
 // Entries of a factor in double precision; above that, the default linear solver of the run is
 // used.
-constexpr double largest_factor = 1e8;
+constexpr double factor_entries_max = 1e8;
 // Shifts, as fractions of the diagonal. In a quasi-static step with unconstrained directions, H is
 // singular or slightly indefinite there, and r hardly has a component along them. The shifted H has
 // a factor, which preconditions conjugate gradients: these solve for the soft directions and leave
 // out the unconstrained ones.
 constexpr double shifts[] = {1e-9, 1e-7, 1e-5};
-constexpr int most_iterations = 30;
+constexpr int iterations_max = 30;
 // Tolerance of iterative solves: their error is corrected as that of an older Hessian.
-constexpr double solved_to = 1e-5;
+constexpr double solve_tolerance = 1e-5;
 
 Eigen::SparseMatrix<double> lower_triangle(const BlockMatrix& matrix) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -31,7 +31,7 @@ Eigen::SparseMatrix<double> lower_triangle(const BlockMatrix& matrix) {
 }  // namespace
 
 void TangentSystem::begin(const SolvedStep& step) {
-  fresh_ = false;
+  current_ = false;
   if (step.unknowns == unknowns_) return;
   unknowns_ = step.unknowns;
   inertia_ = step.integrator.predict(step.start, step.h).inertia;
@@ -50,8 +50,8 @@ bool TangentSystem::factorize(double shift) {
   if (!definite_) {
     definite_ = Registry<LinearSolver>::make("multifrontal");
     const auto cost = definite_->predict(shifted_, clock_);
-    if (cost && cost->entries > largest_factor) definite_ = Registry<LinearSolver>::make("auto");
-    definite_->set_tolerance(solved_to);
+    if (cost && cost->entries > factor_entries_max) definite_ = Registry<LinearSolver>::make("auto");
+    definite_->set_tolerance(solve_tolerance);
     definite_->expect_indefinite(true);
   }
   return definite_->factorize(shifted_, clock_);
@@ -60,13 +60,13 @@ bool TangentSystem::factorize(double shift) {
 void TangentSystem::refresh(StepPotential& potential) {
   matrix_ = potential.hessian({});
   ++factors_;
-  factored_ = fresh_ = true;
+  factored_ = current_ = true;
   positive_ = inertia_ && factorize(0);
   while (!positive_ && shift_ < std::size(shifts) && !(positive_ = factorize(shifts[shift_]))) ++shift_;
-  if (!positive_) take_as_it_is();
+  if (!positive_) factorize_indefinite();
 }
 
-void TangentSystem::take_as_it_is() {
+void TangentSystem::factorize_indefinite() {
   positive_ = false;
   ++indefinite_;
   ldlt_.compute(lower_triangle(matrix_));
@@ -78,18 +78,18 @@ void TangentSystem::take_as_it_is() {
 bool TangentSystem::correct(const VecX& r, VecX& d) {
   VecX product, z, p;
   product_.multiply(matrix_, d, product);
-  VecX left = r - product;
-  const double enough = solved_to * r.norm();
+  VecX residual = r - product;
+  const double enough = solve_tolerance * r.norm();
   double before = 0;
-  for (int i = 0; i < most_iterations && left.norm() > enough; ++i) {
-    definite_->solve(left, z, clock_);
-    const double now = left.dot(z);
+  for (int i = 0; i < iterations_max && residual.norm() > enough; ++i) {
+    definite_->solve(residual, z, clock_);
+    const double now = residual.dot(z);
     p = i == 0 ? z : VecX(z + now / before * p);
     product_.multiply(matrix_, p, product);
     const double curvature = p.dot(product);
     if (!(curvature > 0) || !(now > 0)) return false;
     d += now / curvature * p;
-    left -= now / curvature * product;
+    residual -= now / curvature * product;
     before = now;
   }
   return true;
@@ -98,7 +98,7 @@ bool TangentSystem::correct(const VecX& r, VecX& d) {
 void TangentSystem::solve(const VecX& r, VecX& d) {
   if (positive_) definite_->solve(r, d, clock_);
   // The iterative solver found negative curvature.
-  if (positive_ && !d.allFinite()) take_as_it_is();
+  if (positive_ && !d.allFinite()) factorize_indefinite();
   while (positive_ && is_shifted_ && !correct(r, d) && shift_ + 1 < std::size(shifts) && factorize(shifts[++shift_])) definite_->solve(r, d, clock_);
   if (positive_) return;
   if (ldlt_.info() == Eigen::Success) {

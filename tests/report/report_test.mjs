@@ -158,7 +158,7 @@ const tests = {
     await page.mouse.move(0, 0);
     await page.locator("h1").evaluate(() => document.activeElement.blur());
     await one.same("#probes .plot >> nth=1", before[1], "and back");
-    const area = page.getByLabel(/^Area in contact/);
+    const area = page.getByLabel(/^Contact area/);
     const without = await one.text("#laws figure h3");
     await area.fill("0.04");
     assert.match((await one.text("#laws .legend")).join(" "), /law × area/);

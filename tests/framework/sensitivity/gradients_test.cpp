@@ -1,4 +1,4 @@
-// Derivatives of probes against central differences of whole runs, and closed forms.
+// Sensitivities of probes, compared with central differences of whole runs and closed forms.
 #include "framework/sensitivity/gradients.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 LoadedExperiment scene(const std::string& text) { return parse_experiment("name: test\n" + text, "test.yaml"); }
 
-// The largest difference from the differences of whole runs, of the largest of those.
+// Returns the largest error against finite differences of runs, relative to the largest difference.
 double worst(const std::string& text, const std::string& probe, const std::string& key, double step = 1e-5) {
   const GradientCheck c = check_gradient(scene(text), probe, key, step);
   REQUIRE(c.times.size() > 3);
@@ -26,7 +26,7 @@ double worst(const std::string& text, const std::string& probe, const std::strin
   return c.error(c.worst);
 }
 
-// A block of 10 mm that hangs from its top and is drawn down at its bottom.
+// A block of 10 mm that hangs from its top and is pulled down at its bottom.
 const std::string drawn = R"(
 time: {step: 0.1 s, duration: 0.4 s, integrator: quasi_static}
 objects:
@@ -40,7 +40,7 @@ probes:
   - {name: middle, type: centre_of_mass, object: block, direction: [0, 1, 0]}
 )";
 
-// A soft block between a floor and a plate that comes down on it.
+// A soft block between a floor and a descending plate.
 const std::string pressed = R"(
 time: {step: 0.1 s, duration: 1 s, integrator: quasi_static}
 objects:
@@ -62,7 +62,7 @@ probes:
   - {name: force, type: reaction, object: plate, direction: [0, 1, 0]}
 )";
 
-// Two plates that adhere are drawn apart until they snap off: what a looser tolerance leaves open is a thousandth of the differences.
+// Two adhesive plates are pulled apart until they detach suddenly. A looser tolerance changes the differences by a thousandth.
 const std::string parted = R"(
 time: {step: 10 ms, duration: 0.36 s}
 objects:
@@ -104,7 +104,7 @@ probes:
   - {name: force, type: reaction, object: tape, select: {type: face, direction: [1, 0, 0]}, direction: [0, 1, 0]}
 )";
 
-// A block slides down a plane that falls by 30 degrees; what it weighs stands askew instead.
+// A block slides on a plane inclined by 30 degrees; gravity is inclined instead of the plane.
 std::string slid(const std::string& lagging) {
   return R"(
 time: {step: 10 ms, duration: 0.2 s}
@@ -123,7 +123,7 @@ probes:
 )";
 }
 
-// A block falls on a floor, and leaves it.
+// A block falls on a floor and rebounds.
 std::string bounced(const std::string& integrator) {
   return R"(
 time: {step: 2 ms, duration: 0.06 s, integrator: )" + integrator + R"(}
@@ -144,7 +144,7 @@ probes:
 
 }  // namespace
 
-TEST_CASE("a drawn block has the derivatives of Hooke's law", "[sensitivity]") {
+TEST_CASE("sensitivities of a stretched block agree with Hooke's law", "[sensitivity]") {
   const GradientCheck c = check_gradient(scene(drawn), "middle", "objects.block.energies.0.young", 1e-4);
   REQUIRE(c.times.size() == 5);
   CHECK(c.gradients.front() == 0);
@@ -154,8 +154,8 @@ TEST_CASE("a drawn block has the derivatives of Hooke's law", "[sensitivity]") {
   CHECK(c.number == 1e6);
 }
 
-// A parameter by either of its names, one that an expression adds to another, and one called as a unit is.
-TEST_CASE("parameters with units have the derivatives of what they stand for", "[sensitivity]") {
+// Parameters by either name, in a sum of an expression, and with the name of a unit.
+TEST_CASE("sensitivities to parameters with units agree with those to the keys that use them", "[sensitivity]") {
   std::string text = drawn;
   text.replace(text.find("young: 1 MPa"), 12, "young: stiff / 2 + s");
   text += "parameters: {stiff: 1 MPa, s: 0.5 MPa}\n";
@@ -169,15 +169,15 @@ TEST_CASE("parameters with units have the derivatives of what they stand for", "
   }
 }
 
-TEST_CASE("a block that is pressed has the derivatives of whole runs", "[sensitivity]") {
+TEST_CASE("sensitivities of a pressed block agree with differences of runs", "[sensitivity]") {
   for (const char* key : {"objects.block.energies.0.young", "contact.barrier.stiffness"}) CHECK(worst(pressed, "force", key, 1e-4) < 1e-4);
   // Derivatives by these numbers are less accurate: they change the force residuals of the runs.
   for (const char* key : {"objects.block.energies.0.poisson", "contact.distance", "objects.plate.motion.0.velocity.1"})
     CHECK(worst(pressed, "force", key, 1e-4) < 1e-3);
 }
 
-// It can glide and turn, and under the load it would rather turn; only its force has a derivative.
-TEST_CASE("a block that is pressed and that nothing holds sideways has the derivatives of whole runs", "[sensitivity]") {
+// The block can slide and rotate, and is unstable against rotation; only its force has a sensitivity.
+TEST_CASE("sensitivities of a pressed block without lateral support agree with differences of runs", "[sensitivity]") {
   std::string loose = pressed;
   const size_t from = loose.find("    motion:\n"), to = loose.find("  - name: plate");
   loose.erase(from, to - from);
@@ -188,24 +188,24 @@ TEST_CASE("a block that is pressed and that nothing holds sideways has the deriv
   CHECK(worst(loose, "force", "objects.block.energies.0.young", 1e-4) < 1e-4);
 }
 
-TEST_CASE("plates that snap off each other have the derivatives of whole runs", "[sensitivity]") {
+TEST_CASE("sensitivities of suddenly detaching plates agree with differences of runs", "[sensitivity]") {
   for (const char* key : {"contact.pairs.0.adhesion.peak_traction", "objects.lower.energies.0.young", "objects.lower.loads.0.value.1"})
     CHECK(worst(parted, "height", key, 1e-6) < 1e-4);
   CHECK(worst(parted, "force", "contact.pairs.0.adhesion.peak_traction", 1e-6) < 1e-4);
 }
 
-TEST_CASE("a tape that is peeled has the derivatives of whole runs", "[sensitivity]") {
+TEST_CASE("sensitivities of a peeled tape agree with differences of runs", "[sensitivity]") {
   for (const char* key : {"contact.pairs.0.adhesion.peak_traction", "objects.tape.energies.1.young"}) CHECK(worst(peeled, "force", key, 1e-6) < 1e-4);
 }
 
-TEST_CASE("friction that lags by a step, and that is iterated, has the derivatives of whole runs", "[sensitivity]") {
+TEST_CASE("sensitivities with lagged and iterated friction agree with differences of runs", "[sensitivity]") {
   for (const char* lagging : {"{iterations: 1}", "{iterations: 30, until: 1e-9}"}) {
     CHECK(worst(slid(lagging), "place", "contact.friction.mu", 1e-6) < 1e-4);
     CHECK(worst(slid(lagging), "lost", "contact.friction.mu", 1e-6) < 1e-3);
   }
 }
 
-TEST_CASE("impacts have the derivatives of whole runs, with every integrator", "[sensitivity]") {
+TEST_CASE("sensitivities of impacts agree with differences of runs, with every integrator", "[sensitivity]") {
   for (const char* integrator : {"implicit_euler", "newmark", "bdf2"}) {
     INFO(integrator);
     CHECK(worst(bounced(integrator), "height", "objects.block.energies.0.young", 1e-6) < 1e-3);
@@ -213,7 +213,7 @@ TEST_CASE("impacts have the derivatives of whole runs, with every integrator", "
   }
 }
 
-TEST_CASE("plastic flow has the derivatives of a closed form", "[sensitivity]") {
+TEST_CASE("sensitivities of plastic flow agree with a closed form", "[sensitivity]") {
   const GradientCheck c = check_gradient(scene(R"(
 time: {step: 0.1 s, duration: 1 s, integrator: quasi_static}
 objects:
@@ -234,16 +234,16 @@ probes:
   CHECK(c.gradients.back() == Approx(1e-4 / 1.01).epsilon(1e-4));
 }
 
-TEST_CASE("numbers that nothing can be differentiated by are refused", "[sensitivity]") {
+TEST_CASE("parameters without sensitivities are refused", "[sensitivity]") {
   const auto refused = [](const std::string& text, const std::string& key, const std::string& why, const std::string& more = "") {
     const std::string asked = text + "output: {gradients: [{key: " + key + more + "}]}\n";
     Simulation simulation(scene(asked));
     CHECK_THROWS_WITH(Gradients(simulation.built()), Contains(why));
   };
-  refused(drawn, "time.step", "is a key of the run");
+  refused(drawn, "time.step", "is a setting of the run");
   refused(drawn, "objects.block.energies.0.yuong", "is no key of the scene");
   refused(drawn, "objects.block.energies.0.poisson", "is zero");
-  refused(drawn, "objects.block.shape.type", "no number");
+  refused(drawn, "objects.block.shape.type", "not a number");
   refused(drawn, "objects.block.shape.cells.0", "whole");
   CHECK_THROWS_WITH(scene(drawn + "output: {gradients: [{key: a}, {key: a}]}\n"), Contains("two of them are called 'a'"));
   const Simulation asked(scene(drawn));
@@ -256,7 +256,7 @@ TEST_CASE("numbers that nothing can be differentiated by are refused", "[sensiti
   CHECK_NOTHROW(Gradients(simulation.built()));
 }
 
-TEST_CASE("a run with gradients has the bits of one without, also resumed", "[sensitivity]") {
+TEST_CASE("a run with gradients has the bits of a run without, also when resumed", "[sensitivity]") {
   const TemporaryFolder folder;
   const auto run = [&](const std::string& name, bool with, int steps, bool resume) {
     RunSettings settings;
@@ -282,8 +282,8 @@ TEST_CASE("a run with gradients has the bits of one without, also resumed", "[se
   CHECK(file_text(resumed / "gradients.csv") == file_text(with / "gradients.csv"));
 }
 
-// Scenes of every kind of state that a neighbour has, none of which but one asks what was dissipated.
-TEST_CASE("checkpoints end no run with gradients, and resumed runs have the same derivatives", "[sensitivity]") {
+// Scenes with every kind of state of a perturbed scene; only one of them has a probe of dissipation.
+TEST_CASE("runs with gradients and checkpoints continue, and resumed runs have equal sensitivities", "[sensitivity]") {
   const TemporaryFolder folder;
   struct Case {
     std::string name, text, key;

@@ -1,13 +1,13 @@
-// A neighbouring scene: a scene with a small difference in one number, stepped beside a run. Its
+// A perturbed scene: a scene with a small difference in one parameter, stepped beside a run. Its
 // steps are not solved, but corrected from those of the run by
 //     x' <- x' - H^-1 (g'(x') - g(x)),
 // where g and g' are the gradients of the two incremental potentials, and H is the Hessian at the
 // end x of the run's step. The residual that the solver leaves at x is in both gradients and
 // cancels.
 //
-// (x' - x) / (difference of the number) is the derivative of x, including that of all initial data
-// of the step: areas, friction, history variables, velocities. The rest of the step is done as in
-// any run.
+// (x' - x) / (difference of the parameter) is the derivative of x, including that of all initial
+// data of the step: areas, friction, history variables, velocities. The rest of the step is done as
+// in any run.
 #pragma once
 
 #include <memory>
@@ -18,13 +18,14 @@
 
 namespace tack {
 
-class Neighbour {
+class PerturbedScene {
  public:
-  // Builds the neighbour of a built experiment. Throws InputError, with the place, for a number
-  // that cannot be changed: it does not exist, or another value changes meshes or unknowns.
-  Neighbour(const BuiltExperiment& run, const GradientConfig& config);
+  // Builds the perturbed scene of a built experiment. Throws InputError, with the source location,
+  // for a parameter that cannot be changed: it does not exist, or another value changes meshes or
+  // unknowns.
+  PerturbedScene(const BuiltExperiment& run, const GradientConfig& config);
 
-  double difference() const { return difference_; }  // of the number [SI]
+  double difference() const { return difference_; }  // of the parameter [SI]
   // Returns the derivatives of the probes. of_run: probe values of the run at the same state.
   std::vector<double> derivatives(const std::vector<double>& of_run);
 
@@ -33,7 +34,7 @@ class Neighbour {
   // at the end of the step.
   void solve(const SolvedStep& step, const VecX& gradient, TangentSystem& system);
   // Accepts the step, which ended at `state`.
-  void keep(const State& state);
+  void accept(const State& state);
 
   // Stores, between steps, its state beside that of the run, under names of its own; start_from()
   // continues from it.
@@ -41,15 +42,15 @@ class Neighbour {
   void start_from(const State& run, const History& history);
 
   // Steps whose end was not found to the wanted accuracy.
-  int unsettled() const { return unsettled_; }
+  int unconverged() const { return unconverged_; }
   // History entries that were taken from the run.
   int jumps() const { return jumps_; }
   const std::string& name() const { return name_; }
 
  private:
   void begin();
-  void guess(Eigen::Index unknowns, bool loose);
-  bool settle(const Step& own, const SolveResult::LaggedSolve& run, TangentSystem& system);
+  void extrapolate(Eigen::Index unknowns, bool nearly_singular);
+  bool converge(const Step& own, const SolveResult::LaggedSolve& run, TangentSystem& system);
 
   std::string name_;
   double difference_ = 0;
@@ -57,15 +58,15 @@ class Neighbour {
   std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;
   std::optional<ProbeSet> probes_;
-  bool accounts_ = false;
+  bool needs_dissipation_ = false;
   // Displacement from the end of the run's step to the end of this one, in the unknowns: of the
   // present step and of the last three accepted ones.
-  VecX way_, last_, before_, older_;
+  VecX displacement_, last_, before_, older_;
   VecX end_;           // 3n: end of the present step
   double rate_ = 1;    // convergence rate of the corrections with the present Hessian
   double h_ = 0, h_last_ = 0;
   int unknowns_ = -1, unknowns_last_ = -1;
-  int unsettled_ = 0, jumps_ = 0;
+  int unconverged_ = 0, jumps_ = 0;
 };
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// Access to a number of a scene by its path, and scenes with another value of it.
+// Access to a scene parameter by its path, and scenes with another value of it.
 #pragma once
 
 #include <memory>
@@ -7,9 +7,9 @@
 
 namespace tack {
 
-// Returns the number in SI. Throws InputError for a path to no number of objects, contact, loads
-// and the like: probes have no derivatives by numbers of time, solver and output.
-double scene_number(const BuiltExperiment& run, const std::string& key);
+// Returns the parameter in SI. Throws InputError for a path that names no number, and for settings
+// of time, solver and output, to which probes have no sensitivities.
+double scene_parameter(const BuiltExperiment& run, const std::string& key);
 
 // Returns the experiment with `value` at the path and without gradients. Throws InputError if the
 // value is invalid.

@@ -1,4 +1,4 @@
-#include "framework/sensitivity/scene_number.hpp"
+#include "framework/sensitivity/scene_parameter.hpp"
 
 #include <fmt/format.h>
 
@@ -28,19 +28,19 @@ WrittenNumber number_at(const BuiltExperiment& run, const std::string& key) {
   const Value resolved = to_value(fields_of(run.experiment()));
   const Value* value = value_at(resolved, key);
   if (!value) refuse(key, "is no key of the scene; scene.yaml of its results has all of them");
-  if (value->is_null()) refuse(key, "has no value in the scene; give it one, or take the key that it follows from");
+  if (value->is_null()) refuse(key, "has no value in the scene; give it one, or use the key that determines it");
   const std::optional<WrittenNumber> number = value->is_scalar() ? written_number(value->text) : std::nullopt;
-  if (!number) refuse(key, fmt::format("is {} and no number", value->description()));
+  if (!number) refuse(key, fmt::format("is {}, not a number", value->description()));
   return *number;
 }
 
 }  // namespace
 
-double scene_number(const BuiltExperiment& run, const std::string& key) {
+double scene_parameter(const BuiltExperiment& run, const std::string& key) {
   constexpr std::array fixed = {"name", "about", "plugins", "time", "solver", "output", "expect", "start"};
   const std::string top = key.substr(0, key.find('.'));
   if (std::find(fixed.begin(), fixed.end(), top) != fixed.end())
-    refuse(key, "is a key of the run and not of what is simulated: probes are differentiated by numbers of objects and contact");
+    refuse(key, "is a setting of the run and not of the model: sensitivities exist to parameters of objects, contact and loads");
   return number_at(run, key).si;
 }
 
@@ -56,7 +56,7 @@ LoadedExperiment scene_with(const BuiltExperiment& run, const std::string& key, 
 
 std::unique_ptr<BuiltExperiment> built_with(const BuiltExperiment& run, const std::string& key, double value) {
   auto built = std::make_unique<BuiltExperiment>(scene_with(run, key, value));
-  if (!same_meshes(run.world(), built->world())) refuse(key, "changes meshes or unknowns, so that nothing can be compared");
+  if (!same_meshes(run.world(), built->world())) refuse(key, "changes meshes or unknowns, so that states cannot be compared");
   return built;
 }
 
