@@ -1,5 +1,5 @@
-// Notes of an operation on a mesh: a line each, without a newline. A warning begins with "warning:
-// ".
+// Notes of an operation on a mesh: a line each, without a newline. Those that begin with
+// "warning: " are warnings (mesh_warnings.hpp).
 #pragma once
 
 #include <string>

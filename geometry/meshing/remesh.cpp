@@ -13,6 +13,7 @@
 #include "geometry/meshing/defects.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/triangle_surface.hpp"
+#include "geometry/meshing/mesh_warnings.hpp"
 
 namespace tack {
 namespace {
@@ -74,11 +75,11 @@ Mesh remesh(const Mesh& mesh, const RemeshOptions& o, const std::string& name, N
                               made.mesh.number_of_faces(), made.creases));
   Mesh result = from_cgal(made.mesh);
   if (const double change = total_area(result) / total_area(surface) - 1; std::abs(change) > tolerated_change)
-    notes.push_back(fmt::format("warning: its area is {:.3g} % {} than before: edges of {:.3g} m are long for its shape; ask for shorter ones", 100 * std::abs(change),
+    notes.push_back(fmt::format("{}{:.3g} % {} than before: edges of {:.3g} m are long for its shape; ask for shorter ones", mesh_warning::changed_area, 100 * std::abs(change),
                                 change < 0 ? "smaller" : "larger", o.edge_length));
   if (crease_angle > o.crease_angle)
-    notes.push_back(fmt::format("warning: edges of less than {:.3g} degrees are not kept, as the surface folded between them; ask for "
-                                "shorter edges if they are meant, or raise crease_angle", crease_angle / degree));
+    notes.push_back(fmt::format("{}{:.3g} degrees are not kept, as the surface folded between them; ask for "
+                                "shorter edges if they are meant, or raise crease_angle", mesh_warning::lost_edges, crease_angle / degree));
   return result;
 }
 

@@ -20,6 +20,7 @@
 #include "geometry/meshing/cgal_mesh.hpp"
 #include "geometry/meshing/defects.hpp"
 #include "geometry/mesh/mesh_quality.hpp"
+#include "geometry/meshing/mesh_warnings.hpp"
 #include "geometry/meshing/surface_distance.hpp"
 #include "geometry/mesh/triangle_surface.hpp"
 
@@ -298,18 +299,18 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
                               "{:.2g} m", deviation.from_input.largest, deviation.from_input.rms, deviation.from_tets.largest,
                               deviation.from_tets.rms));
   if (crease_angle > o.crease_angle)
-    notes.push_back(fmt::format("warning: creases of less than {:.3g} degrees are not kept but rounded, within the deviation: they are too "
+    notes.push_back(fmt::format("{}{:.3g} degrees are not kept but rounded, within the deviation: they are too "
                                 "close to each other; if they are not meant, remesh with shorter edges or raise crease_angle",
-                                crease_angle * degrees));
+                                mesh_warning::rounded_creases, crease_angle * degrees));
   if (deviation.largest() > asked) {
     const SurfaceDistance& worst =
         deviation.from_input.largest > deviation.from_tets.largest ? deviation.from_input : deviation.from_tets;
-    notes.push_back(fmt::format("warning: that is more than the {:.3g} m asked for, at ({:.4g}, {:.4g}, {:.4g}); ask for shorter edges, "
-                                "or a smaller crease_angle", asked, worst.place[0], worst.place[1], worst.place[2]));
+    notes.push_back(fmt::format("{}{:.3g} m asked for, at ({:.4g}, {:.4g}, {:.4g}); ask for shorter edges, "
+                                "or a smaller crease_angle", mesh_warning::missed_deviation, asked, worst.place[0], worst.place[1], worst.place[2]));
   }
   if (const AngleHistogram& angles = best.angles; angles.smallest < o.dihedral_angle * degrees)
-    notes.push_back(fmt::format("warning: the dihedral angle {:.3g} degrees of tet {} at ({:.4g}, {:.4g}, {:.4g}) is below the {:.3g} asked "
-                                "for; ask for shorter edges, or remesh the surface first", angles.smallest, angles.worst, angles.place[0],
+    notes.push_back(fmt::format("{}{:.3g} degrees of tet {} at ({:.4g}, {:.4g}, {:.4g}) is below the {:.3g} asked "
+                                "for; ask for shorter edges, or remesh the surface first", mesh_warning::missed_angle, angles.smallest, angles.worst, angles.place[0],
                                 angles.place[1], angles.place[2], o.dihedral_angle * degrees));
   return std::move(best.tets);
 }
