@@ -89,6 +89,8 @@ std::vector<std::string> remarks_on(const Profile& profile);
 
 // Returns the profile as text for a terminal.
 std::string profile_tables(const Profile& profile);
+// Heading of the table of pairs, if there are any.
+inline constexpr const char* contact_heading = "contact, counts per step";
 
 // Writes the profile as a table with the columns table, row, quantity, value; values may be text.
 // Throws InputError if the file cannot be written.

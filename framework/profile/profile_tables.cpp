@@ -62,7 +62,7 @@ class Text {
   void pairs() {
     if (p_.pairs.empty()) return;
     const size_t width = width_of(p_.pairs, 16, name_of);
-    line("\ncontact, counts per step");
+    line("\n{}", contact_heading);
     line("{:<{}}{:>11}{:>9}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>9}{:>10}{:>10}{:>9}{:>7}", "pair", width, "candidates", "points",
          "samples", "guards", "edges", "friction", "broad s", "narrow s", "ccd s", "stencil s", "frict. s", "total s", "%");
     ContactSeconds sum = p_.uncharged;

@@ -24,8 +24,8 @@ void IterateCheck::at(const VecX& x) {
   ++iteration_;
   const std::string wrong = describe_infeasibility(world_, x);
   if (wrong.empty()) return;
-  throw SimulationError(fmt::format("step {}, iteration {} of {}: {} (found by solver.check_iterates)", step_,
-                                    iteration_, stage_, wrong));
+  throw SimulationError(fmt::format("step {}, iteration {} of {}: {} {}", step_, iteration_, stage_, wrong,
+                                    found_by_iterate_check));
 }
 
 std::string describe_infeasibility(const World& world, const VecX& x) {

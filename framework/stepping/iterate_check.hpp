@@ -11,6 +11,9 @@
 
 namespace tack {
 
+// End of the message about a state that is not feasible.
+inline constexpr const char* found_by_iterate_check = "(found by solver.check_iterates)";
+
 class IterateCheck {
  public:
   IterateCheck(const World& world, PhaseClock& clock) : world_(world), clock_(clock) {}

@@ -187,7 +187,7 @@ TEST_CASE("check says how large, heavy and fast objects are") {
   write_file(folder.path() / "scene.yaml", tiny_scene);
   const std::string out = run_tack(folder.path(), {"check", "scene.yaml"}).out;
   CHECK(contains(out, "object 'block': 0.2 x 0.2 x 0.2 m, 8 kg; 8 vertices"));
-  CHECK_FALSE(contains(out, "warning: object 'block' is"));
+  CHECK_FALSE(contains(out, "warning: "));
   const std::string large = run_tack(folder.path(), {"check", "scene.yaml", "--set", "objects.block.shape.size=[200, 200, 200]", "objects.block.place.translate=[0, 100.1, 0]"}).out;
   CHECK(contains(large, "warning: object 'block' is 200 m large, 2e+05 times the contact distance"));
 }

@@ -63,6 +63,7 @@ TEST_CASE("without a standard output, messages go into no file") {
     INFO(entry.path());
     CHECK_FALSE(contains(file_text(entry.path()), "step 4  t"));
   }
+  CHECK(contains(file_text(shell.results() / "log.txt"), "step 4  t"));
 }
 
 TEST_CASE("a time step whose square is no number is refused") {

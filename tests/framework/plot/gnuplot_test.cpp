@@ -88,7 +88,12 @@ TEST_CASE("a look sizes pictures for paper", "[plot]") {
   CHECK(contains(svg, "force [N]"));
   CHECK_FALSE(contains(svg, "of runs"));
   CHECK(contains(svg, "rgb( 17,  34,  51)"));
-  CHECK_FALSE(contains(svg, "rgb(  0, 114, 178)"));  // the usual first colour
+  const char* const usual_colour = "rgb(  0, 114, 178)";  // of the first curve
+  CHECK_FALSE(contains(svg, usual_colour));
+  CHECK(draw(plot, folder.path(), "usual") == "");
+  const std::string usual = file_text(folder.path() / "usual.svg");
+  CHECK(contains(usual, usual_colour));
+  CHECK(contains(usual, "of runs"));
   CHECK(contains(svg, "font-size=\"10.67\""));      // 8 points
   CHECK(file_text(folder.path() / "plot.pdf").starts_with("%PDF"));
   const std::string png = file_text(folder.path() / "plot.png");  // 600 dots an inch: width and height stand in bytes 16 to 23
