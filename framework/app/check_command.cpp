@@ -28,6 +28,10 @@ namespace {
 
 constexpr size_t shown_names_max = 8;  // of a group of bodies
 
+void print_warnings(const std::vector<Warning>& warnings) {
+  for (const Warning& warning : warnings) fmt::print("warning: {}\n", warning.text);
+}
+
 std::vector<std::string> first_of(const std::vector<std::string>& names) { return {names.begin(), names.begin() + static_cast<long>(std::min(names.size(), shown_names_max))}; }
 
 void print_contents(const World& world) {
@@ -86,7 +90,7 @@ int check_gradient_of(const CheckOptions& options) {
   const ThreadLimit threads(options.threads);
   const GradientCheck c = check_gradient(load_experiment(options.file, options.overrides), probe, key, options.gradient_step);
   fmt::print("d({})/d({}), and differences of runs with {:.6g} -+ {:.3g}, all in SI\n", probe, key, c.number, c.step);
-  for (const Warning& warning : c.warnings) fmt::print("warning: {}\n", warning.text);
+  print_warnings(c.warnings);
   if (c.times.empty()) {
     fmt::print("there is no time at which all of these runs have a number\n");
     return exit_expectation_failed;
@@ -113,18 +117,18 @@ int check_command(const CheckOptions& options) {
   print_contents(world);
   for (const std::string& line : world.start_notes) fmt::print("{}\n", line);
   for (const std::string& line : BentSolids(experiment, world).notes()) fmt::print("{}\n", line);
-  for (const std::string& line : element_warnings(experiment, world)) fmt::print("warning: {}\n", line);
-  for (const std::string& line : scale_warnings(experiment, world)) fmt::print("warning: {}\n", line);
-  for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
-  for (const std::string& line : round_friction_warnings(experiment, world)) fmt::print("warning: {}\n", line);
-  for (const std::string& line : flush_face_warnings(experiment, world)) fmt::print("warning: {}\n", line);
-  for (const std::string& line : tolerance_warnings(experiment, world)) fmt::print("warning: {}\n", line);
+  print_warnings(element_warnings(experiment, world));
+  print_warnings(scale_warnings(experiment, world));
+  print_warnings(resolution_warnings(experiment, world));
+  print_warnings(round_friction_warnings(experiment, world));
+  print_warnings(flush_face_warnings(experiment, world));
+  print_warnings(tolerance_warnings(experiment, world));
   const LawCheck laws = check_laws(world);
   for (const std::string& line : laws.notes) fmt::print("{}\n", line);
-  for (const std::string& line : laws.warnings) fmt::print("warning: {}\n", line);
+  print_warnings(laws.warnings);
   for (const std::string& line : laws.errors) fmt::print("{}  WRONG: see its formula\n", line);
   const EquilibriumCheck equilibrium = check_equilibrium(experiment, world, built.clock());
-  for (const std::string& line : equilibrium.warnings) fmt::print("warning: {}\n", line);
+  print_warnings(equilibrium.warnings);
   if (!equilibrium.error.empty()) fmt::print("no equilibrium in the first step: {}\n", equilibrium.error);
   const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.errors.empty() && equilibrium.error.empty();
   if (right) fmt::print("no intersection, no inverted tet: {} is OK\n", options.file);

@@ -12,15 +12,22 @@ namespace {
 
 std::string unit_text(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
-void warn_of_unreached_points(std::vector<std::string>& warnings, const PointEvaluation& best, const std::vector<MeasuredPoints>& measured) {
-  for (size_t i = 0; i < measured.size(); ++i)
-    if (best.beyond[i] > 0)
-      warnings.push_back(fmt::format("the best run does not reach {} of {} points of {} ({} over {}), and is compared there at its nearest sample; exclude the points with "
-                                     "from and to, or extend the run",
-                                     best.beyond[i], measured[i].curve.size(), measured[i].curve.path, measured[i].y, measured[i].x));
-}
-
 }  // namespace
+
+std::vector<Warning> warnings_about(const SearchResult& search, const std::vector<MeasuredPoints>& measured) {
+  std::vector<Warning> warnings;
+  if (!search.derivatives.problem.empty()) warnings.emplace_back(WarningKind::no_intervals, fmt::format("no confidence intervals: {}", search.derivatives.problem));
+  for (size_t i = 0; i < measured.size(); ++i)
+    if (const int missed = search.best.beyond[i]; missed > 0)
+      warnings.emplace_back(WarningKind::missed_points,
+                            fmt::format("the best run does not reach {} of {} points of {} ({} over {}), and is compared there at its nearest sample; exclude the points with "
+                                        "from and to, or extend the run",
+                                        missed, measured[i].curve.size(), measured[i].curve.path, measured[i].y, measured[i].x));
+  const auto failed = std::count_if(search.rows.begin(), search.rows.end(), [](const SearchRow& row) { return !row.evaluation.good; });
+  if (failed > 0)
+    warnings.emplace_back(WarningKind::failed_points, fmt::format("{} of {} evaluations failed; evaluations.csv has the reasons", failed, search.rows.size()));
+  return warnings;
+}
 
 Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& progress) {
   Calibration found{search_for(scenes.parameters(), config, evaluator, progress, scenes.noise_known()), {}, {}};
@@ -30,13 +37,8 @@ Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Ev
     for (const MeasuredPoints& m : scenes.measured()) series.push_back(m.curve.size());
     found.confidence = find_confidence(scenes.parameters(), s.best.values, s.derivatives.jacobian, s.best.residuals, scenes.noise_known(), series);
     found.warnings = found.confidence->warnings;
-  } else {
-    found.warnings.push_back(fmt::format("no confidence intervals: {}", s.derivatives.problem));
   }
-  warn_of_unreached_points(found.warnings, s.best, scenes.measured());
-  const auto failed = std::count_if(s.rows.begin(), s.rows.end(), [](const SearchRow& row) { return !row.evaluation.good; });
-  if (failed > 0)
-    found.warnings.push_back(fmt::format("{} of {} evaluations failed; evaluations.csv has the reasons", failed, s.rows.size()));
+  for (Warning& warning : warnings_about(s, scenes.measured())) found.warnings.push_back(std::move(warning));
   return found;
 }
 
@@ -74,7 +76,7 @@ std::string summary_text(const Calibration& found, const FittedScenes& scenes) {
                         counted(static_cast<long>(m.curve.size()), "point"), m.noise_known ? fmt::format(", {:.3g} times the noise", rms) : fmt::format(", {:.3g}% of the largest", 100 * rms));
   }
   text += sensitivities_text(found.search, scenes.parameters());
-  for (const std::string& warning : found.warnings) text += "warning: " + warning + "\n";
+  for (const Warning& warning : found.warnings) text += "warning: " + warning.text + "\n";
   return text;
 }
 

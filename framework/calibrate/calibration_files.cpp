@@ -90,7 +90,9 @@ std::string description(const CalibrationFolder& folder, const CalibrationRecord
   }
   json["experiments"] = Json::array();
   for (size_t k = 0; k < scenes.measured().size(); ++k) json["experiments"].push_back(experiment_json(folder, scenes.measured()[k], k, found, r.config, scenes));
-  json["warnings"] = found.warnings;
+  json["warnings"] = std::vector<std::string>(found.warnings.begin(), found.warnings.end());
+  json["warning_kinds"] = Json::array();
+  for (const Warning& warning : found.warnings) json["warning_kinds"].push_back(entry_of(warning.kind).key);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,7 +1,7 @@
 // The files of a calibration.
 //
 // calibration.json (missing and infinite numbers are null):
-// - name, about, file, status ("done"), wall_seconds, warnings [...]
+// - name, about, file, status ("done"), wall_seconds, warnings [...], warning_kinds [...]
 // - provenance {...}
 // - runs {started, points, failed, phases {phase: points}, with_derivatives}
 // - misfit, noise {known, of_residuals}

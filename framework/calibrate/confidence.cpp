@@ -57,7 +57,7 @@ void warn_of_undetermined(Confidence& c, const std::vector<FittedParameter>& par
   std::vector<std::string> known;
   for (const DeterminedCombination& one : c.combinations)
     if (one.sigma <= determined_sigma_max) known.push_back(fmt::format("{} (to {})", one.text, percent(one.sigma)));
-  c.warnings.push_back(fmt::format("the data do not determine {}; {}", listed(unknown),
+  c.warnings.emplace_back(WarningKind::undetermined_value, fmt::format("the data do not determine {}; {}", listed(unknown),
                                    known.empty() ? "no combination of the parameters is determined" : "only " + listed(known) + (known.size() > 1 ? " are determined" : " is determined")));
 }
 
@@ -65,7 +65,7 @@ void warn_of_bounds(Confidence& c, const std::vector<FittedParameter>& parameter
   for (size_t i = 0; i < parameters.size(); ++i)
     for (const auto& [bound, name] : {std::pair(parameters[i].low(), "from"), std::pair(parameters[i].high(), "to")})
       if (std::abs(parameters[i].u(values[i]) - bound) < 1e-3)
-        c.warnings.push_back(fmt::format("{} ended at its bound '{}', {:.6g}: the best value may lie beyond it", parameters[i].name, name, values[i]));
+        c.warnings.emplace_back(WarningKind::value_at_bound, fmt::format("{} ended at its bound '{}', {:.6g}: the best value may lie beyond it", parameters[i].name, name, values[i]));
 }
 
 // Correlation about zero, the mean of the residuals of a correct model: an offset counts as
@@ -90,13 +90,13 @@ void warn_of_misfit(Confidence& c, bool noise_known) {
                                               : "";
   if (noise_known && r.chi_squared > r.chi_squared_limit) {
     c.fits = false;
-    c.warnings.push_back(fmt::format("the RMS residual of the best fit is {:.2g} times the noise; noise alone exceeds {:.3g} in 1 of 100 fits{}: the model does not describe the "
+    c.warnings.emplace_back(WarningKind::model_misfit, fmt::format("the RMS residual of the best fit is {:.2g} times the noise; noise alone exceeds {:.3g} in 1 of 100 fits{}: the model does not describe the "
                                      "data, or the noise is larger than given. Intervals are widened by that factor, and do not include model errors", std::sqrt(r.chi_squared),
                                      std::sqrt(r.chi_squared_limit), correlation));
   }
   if (c.fits && r.correlation > 0) {
     c.fits = false;
-    c.warnings.push_back(fmt::format("the model does not describe the data, unless the noise itself is correlated{}; intervals do not include model errors", correlation));
+    c.warnings.emplace_back(WarningKind::model_misfit, fmt::format("the model does not describe the data, unless the noise itself is correlated{}; intervals do not include model errors", correlation));
   }
 }
 
@@ -138,7 +138,7 @@ Confidence find_confidence(const std::vector<FittedParameter>& parameters, const
   const double left = c.residuals.chi_squared * free * effective / (points * degrees);
   const double spread = std::sqrt((noise_known ? std::max(1.0, left) : left) * points / effective);
   if (!noise_known && free <= 0)
-    c.warnings.push_back(fmt::format("{:.0f} measured points are too few for confidence intervals of {} parameters: give their noise, or more points", points, n));
+    c.warnings.emplace_back(WarningKind::few_points, fmt::format("{:.0f} measured points are too few for confidence intervals of {} parameters: give their noise, or more points", points, n));
   warn_of_misfit(c, noise_known);
 
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(jacobian.transpose() * jacobian / (spread * spread));

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "framework/calibrate/fitted_parameter.hpp"
+#include "framework/core/warning.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -61,7 +62,7 @@ struct Confidence {
   std::vector<double> low, high;
   Eigen::MatrixXd correlation;              // of u; NaN where a sigma is infinite
   std::vector<DeterminedCombination> combinations;    // the best determined one first
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 
 // A parameter with a larger sigma counts as not determined.

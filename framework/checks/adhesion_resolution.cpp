@@ -84,17 +84,17 @@ void AdhesionResolution::examine(const VecX& x, double h) {
   });
 }
 
-std::vector<std::string> AdhesionResolution::warnings() const {
+std::vector<Warning> AdhesionResolution::warnings() const {
   CopiedLines lines;
   for (const LawImpulse& pulled : impulses_) {
     if (!(pulled.coarse > coarse_fraction_min * pulled.all)) continue;
     const std::string& name = world_.bodies[pulled.object].name;
-    lines.add(scene_.objects[pulled.object], "adhesion",
+    lines.add(scene_.objects[pulled.object], WarningKind::coarse_adhesion,
                fmt::format("where '{}' adhered to '{}', the gap changed by more than a quarter of the range from one end of an element to the other "
                            "({:.0f}% of what pulled did so there): its force depends on where vertices happen to be; elements of {:.2g} m would do",
                            name, world_.bodies[pulled.other].name, 100 * pulled.coarse / pulled.all, pulled.size / pulled.coarse));
   }
-  return lines.texts();
+  return lines.warnings();
 }
 
 }  // namespace tack

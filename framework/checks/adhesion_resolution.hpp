@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -26,7 +27,7 @@ class AdhesionResolution {
   void examine(const VecX& x, double h);
   // Returns a warning for each law that applied more than half of its impulse on too large
   // elements.
-  std::vector<std::string> warnings() const;
+  std::vector<Warning> warnings() const;
 
  private:
   struct LawImpulse {

@@ -162,23 +162,25 @@ BentSolids::BentSolids(const SceneConfig& scene, const World& world) : scene_(sc
 std::vector<std::string> BentSolids::notes() const {
   CopiedLines lines;
   for (const SlenderSolid& solid : solids_)
-    lines.add(scene_.objects[solid.body], "bends",
+    lines.add(scene_.objects[solid.body], WarningKind::bending_locking,
                fmt::format("{}: where it bends, it will be too stiff, unless its `elements` are composite; {}", few_cells(solid, world_.bodies[solid.body].name), by_cells(world_.bodies[solid.body])));
-  return lines.texts();
+  std::vector<std::string> texts;
+  for (const Warning& line : lines.warnings()) texts.push_back(line.text);
+  return texts;
 }
 
 void BentSolids::examine(const VecX& x) {
   for (SlenderSolid& solid : solids_) solid.examine(x);
 }
 
-std::vector<std::string> BentSolids::warnings() const {
+std::vector<Warning> BentSolids::warnings() const {
   CopiedLines lines;
   for (const SlenderSolid& solid : solids_)
     if (solid.bending_fraction() > bends)
-      lines.add(scene_.objects[solid.body], "bends",
+      lines.add(scene_.objects[solid.body], WarningKind::bending_locking,
                  fmt::format("{} and bends, in which it is too stiff: {}; use {} or more, `elements: composite`, or a shell",
                              few_cells(solid, world_.bodies[solid.body].name), by_cells(world_.bodies[solid.body]), enough_cells));
-  return lines.texts();
+  return lines.warnings();
 }
 
 }  // namespace tack

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -54,7 +55,7 @@ class BentSolids {
   void examine(const VecX& x);
   // Returns a warning for each body that was strained by bending. Called at the end, because
   // vibrating bodies bend as well.
-  std::vector<std::string> warnings() const;
+  std::vector<Warning> warnings() const;
 
  private:
   const SceneConfig& scene_;

@@ -99,7 +99,7 @@ void check_derivatives(const BondLaw& law, const std::vector<Pulled>& all, Of of
   double step = DifferenceStudy::first_step;
   for (int k = 0; k < DifferenceStudy::steps; ++k, step /= DifferenceStudy::ratio) errors.push_back(quotients(law, all, of, step) - derivatives);
   if (const DifferenceStudy study = study_differences(errors, scales, BondCheck::tolerance); study.wrong)
-    check.errors.push_back(fmt::format("{}: {}, off by {:.1e} of it", law.type(), what, study.error));
+    check.errors.emplace_back(WarningKind::law_derivatives, fmt::format("{}: {}, off by {:.1e} of it", law.type(), what, study.error));
 }
 
 // Dissipation by viscosity appears in the potential by half.
@@ -113,7 +113,7 @@ void check_energy(const BondLaw& law, const std::vector<Pulled>& all, LawCheck& 
     if (off > worst) worst = off, taken_there = taken, booked_there = change.dissipated;
   }
   if (worst <= BondCheck::rounding) return;
-  check.errors.push_back(fmt::format("{}: a step takes {:.4g} J/m^2 from its potential that are not stored afterwards, and {:.4g} J/m^2 are booked as dissipated: its memory "
+  check.errors.emplace_back(WarningKind::law_dissipation, fmt::format("{}: a step takes {:.4g} J/m^2 from its potential that are not stored afterwards, and {:.4g} J/m^2 are booked as dissipated: its memory "
                                     "after a step, and its loss, have to be those of the least that its energy is", law.type(), taken_there, booked_there));
 }
 
@@ -130,7 +130,7 @@ void check_statements(const BondLaw& law, LawCheck& check) {
   }
   const auto compare = [&](const char* what, const char* unit, double stated_value, double found) {
     if (std::abs(found - stated_value) <= BondCheck::misstatement * stated_value) return;
-    check.warnings.push_back(fmt::format("{}: states a {} of {:.4g} {}, and has {:.4g} when it is pulled slowly; reports and the default stiffness of barriers go by "
+    check.warnings.emplace_back(WarningKind::law_statement, fmt::format("{}: states a {} of {:.4g} {}, and has {:.4g} when it is pulled slowly; reports and the default stiffness of barriers go by "
                                          "what it states", law.type(), what, stated_value, unit, found));
   };
   compare("peak traction", "Pa", law.peak_traction(), peak);
@@ -146,7 +146,7 @@ LawCheck check_law(const BondLaw& law) {
   for (const Pulled& p : all) {
     const BondSample s = p.at(law, 0, 0);
     if (std::isfinite(s.value + s.by_d + s.by_s + s.by_dd + s.by_ds + s.by_ss)) continue;
-    check.errors.push_back(fmt::format("{}: its values or derivatives are not finite at an opening of {:.4g} m and a slip of {:.4g} m", law.type(), p.d, std::sqrt(p.s)));
+    check.errors.emplace_back(WarningKind::law_not_finite, fmt::format("{}: its values or derivatives are not finite at an opening of {:.4g} m and a slip of {:.4g} m", law.type(), p.d, std::sqrt(p.s)));
     return check;
   }
   check_derivatives(law, all, Of::values, "its tractions are not the derivatives of its energy", check);

@@ -166,20 +166,20 @@ void ContactApproach::examine(const VecX& x) {
   }
 }
 
-std::vector<std::string> ContactApproach::warnings() const {
+std::vector<Warning> ContactApproach::warnings() const {
   CopiedLines lines;
   for (const auto& [objects, p] : pressed_) {
     const double approach = p.barrier + p.elastic;
     if (!(p.barrier > tolerated_softness * approach)) continue;
     const auto [object, other] = soft_[objects.first] ? objects : Objects(objects.second, objects.first);
-    lines.add(scene_.objects[object], "approach",
+    lines.add(scene_.objects[object], WarningKind::soft_barrier,
                fmt::format("where '{}' and '{}' were pressed together, the barrier took {:.2g} m of their approach of {:.2g} m ({:.0f}%): contact.distance "
                            "({:.3g} m) is not small against what their curved surfaces give way by, and they seem softer than they are; take {:.1g} m or "
                            "less, or raise contact.barrier.stiffness",
                            world_.bodies[object].name, world_.bodies[other].name, p.barrier, approach, 100 * p.barrier / approach, p.distance,
                            safe * tolerated_softness * p.elastic * p.distance / p.barrier));
   }
-  return lines.texts();
+  return lines.warnings();
 }
 
 }  // namespace tack

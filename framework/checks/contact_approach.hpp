@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -47,7 +48,7 @@ class ContactApproach {
   // Examines the end of a step at x (3n), where contact must be.
   void examine(const VecX& x);
   // Returns a warning for each pair of objects, judged at the time of their largest force.
-  std::vector<std::string> warnings() const;
+  std::vector<Warning> warnings() const;
 
  private:
   using Objects = std::pair<int, int>;  // ascending

@@ -52,25 +52,25 @@ double turn_of(const Body& body, const VecX& rest) {
 
 }  // namespace
 
-std::vector<std::string> element_warnings(const SceneConfig& scene, const World& world) {
+std::vector<Warning> element_warnings(const SceneConfig& scene, const World& world) {
   CopiedLines lines;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     const ObjectConfig& object = scene.objects[i];
     if (const double poisson = poisson_of(object, body); poisson > largest_poisson * (1 + 1e-9))
-      lines.add(object, "poisson",
+      lines.add(object, WarningKind::volume_locking,
                  fmt::format("the linear tets of '{}' lock in volume with a Poisson's ratio of {:.4g}: it is too stiff wherever its strain is not "
                              "the same all over, when bent with 8 cells across by a factor of 1.7 at 0.49 and 6 at 0.499; take `elements: "
                              "composite` (or patches, which bend as they do at 0.3), or {:g} or less",
                              body.name, poisson, largest_poisson));
     if (!body.movable || body.edges.empty() || !twists(object)) continue;
     if (const double turn = turn_of(body, world.rest); turn > (1 + 1e-6) * 2 * std::numbers::pi / least_edges)
-      lines.add(object, "edges",
+      lines.add(object, WarningKind::coarse_rod,
                  fmt::format("the edges of '{}' turn by {:.3g} degrees from one to the next, {:.3g} for a full turn: a curve of so few is about {:.2g}% "
                              "off in its stiffness; take {} or more for a full turn",
                              body.name, turn * 180 / std::numbers::pi, 2 * std::numbers::pi / turn, 65 * turn * turn, least_edges));
   }
-  return lines.texts();
+  return lines.warnings();
 }
 
 }  // namespace tack

@@ -6,14 +6,15 @@
 //    1.005 times as stiff as a round one.
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "framework/core/warning.hpp"
 
 namespace tack {
 
 struct SceneConfig;
 struct World;
 
-std::vector<std::string> element_warnings(const SceneConfig& scene, const World& world);
+std::vector<Warning> element_warnings(const SceneConfig& scene, const World& world);
 
 }  // namespace tack

@@ -49,17 +49,17 @@ void FlowQuality::examine(const VecX& x, double time) {
   }
 }
 
-std::vector<std::string> FlowQuality::warnings() const {
-  std::vector<std::string> lines;
+std::vector<Warning> FlowQuality::warnings() const {
+  std::vector<Warning> warnings;
   for (const Flowing& f : all_) {
     if (f.lowest >= poor_quality) continue;
-    lines.push_back(fmt::format(
+    warnings.emplace_back(WarningKind::flattened_elements, fmt::format(
         "object '{}': plastic flow has made its elements flat or long: of tet {} at ({:.4g}, {:.4g}, {:.4g}) m, with a plastic strain of {:.2g}, the "
         "mean ratio is {:.2g} of what it was at rest (t = {:.4g} s), and below {:g} shapes and forces there are the mesh's more than the body's; finer cells there, "
         "shorter than what flow stretches them to, or go on from a mesh of the flowed shape (tack mesh remesh)",
         world_.bodies[f.body].name, f.tet, f.place.x(), f.place.y(), f.place.z(), f.plastic_strain, f.lowest, f.time, poor_quality));
   }
-  return lines;
+  return warnings;
 }
 
 }  // namespace tack

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
@@ -22,7 +23,7 @@ class FlowQuality {
   void examine(const VecX& x, double time);
   std::optional<double> lowest() const { return lowest_; }  // so far
   // Returns a line for each object whose lowest quality is too low.
-  std::vector<std::string> warnings() const;
+  std::vector<Warning> warnings() const;
 
  private:
   struct Flowing {

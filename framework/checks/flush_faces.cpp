@@ -25,7 +25,7 @@ class FlushFaces {
     for (const Body& body : world.bodies) boxes_.push_back(extent_of(body, world.start.x));
   }
 
-  std::vector<std::string> lines() {
+  std::vector<Warning> lines() {
     std::vector<int> order(boxes_.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](int a, int b) { return boxes_[a].min().x() < boxes_[b].min().x(); });
@@ -34,7 +34,7 @@ class FlushFaces {
     for (size_t i = 0; i < order.size(); ++i)
       for (size_t j = i + 1; j < order.size() && boxes_[order[j]].min().x() <= boxes_[order[i]].max().x() + range; ++j)
         examine(std::min(order[i], order[j]), std::max(order[i], order[j]));
-    return lines_.texts();
+    return lines_.warnings();
   }
 
  private:
@@ -84,7 +84,7 @@ class FlushFaces {
       const PairLaw* law = slippery(a, b);
       if (!law || gap > law->range() + distance_ || !fills(a, axis, above) || !fills(b, axis, !above)) continue;
       const int pressed = is_pressed(b, axis) ? b : a, other = pressed == b ? a : b;
-      lines_.add(scene_.objects[pressed], "flush",
+      lines_.add(scene_.objects[pressed], WarningKind::flush_faces,
                   fmt::format("'{}' and '{}' lie on each other with flat faces of equal extent and without friction: they slide off each other as their meshes lie; make one of "
                               "the faces larger by more than contact.distance ({:.4g} m), or give the pair friction", world_.bodies[pressed].name, world_.bodies[other].name, distance_));
     }
@@ -99,7 +99,7 @@ class FlushFaces {
 
 }  // namespace
 
-std::vector<std::string> flush_face_warnings(const SceneConfig& scene, const World& world) {
+std::vector<Warning> flush_face_warnings(const SceneConfig& scene, const World& world) {
   if (!world.contact || !scene.contact) return {};
   return FlushFaces(scene, world).lines();
 }

@@ -9,14 +9,15 @@
 // Faces across the axes are not examined.
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "framework/core/warning.hpp"
 
 namespace tack {
 
 struct SceneConfig;
 struct World;
 
-std::vector<std::string> flush_face_warnings(const SceneConfig& scene, const World& world);
+std::vector<Warning> flush_face_warnings(const SceneConfig& scene, const World& world);
 
 }  // namespace tack

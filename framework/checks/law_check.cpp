@@ -90,17 +90,17 @@ void check_end(const NormalLaw& law, const Sampled& sampled, LawCheck& check) {
   const LawSample end = law.at(law.range() * (1 - 1e-9));
   const double slope = std::abs(end.slope) / sampled.largest_slope(), value = std::abs(end.value) / sampled.largest_value();
   if (slope > largest_jump)
-    check.warnings.push_back(fmt::format("{}: its traction jumps from {:.4g} Pa to 0 at its range, {:.4g} m ({:.2g}% of the largest): steps beside it do not "
+    check.warnings.emplace_back(WarningKind::law_traction_jump, fmt::format("{}: its traction jumps from {:.4g} Pa to 0 at its range, {:.4g} m ({:.2g}% of the largest): steps beside it do not "
                                          "converge, and the jump does work; let it fall to 0, or state a longer range", law.name(), end.slope, law.range(), 100 * slope));
   if (value > largest_jump)
-    check.warnings.push_back(fmt::format("{}: its energy jumps from {:.4g} J/m^2 to 0 at its range, {:.4g} m ({:.2g}% of the largest): whoever comes or goes there "
+    check.warnings.emplace_back(WarningKind::law_energy_jump, fmt::format("{}: its energy jumps from {:.4g} J/m^2 to 0 at its range, {:.4g} m ({:.2g}% of the largest): whoever comes or goes there "
                                          "gains or loses that; subtract its value at the range, or state a longer range", law.name(), end.value, law.range(), 100 * value));
 }
 
 void check_statements(const NormalAdhesion& law, LawCheck& check) {
   const auto compare = [&](const char* what, const char* unit, double stated, double found) {
     if (std::abs(stated - found) <= largest_misstatement * std::max(std::abs(stated), std::abs(found))) return;
-    check.warnings.push_back(fmt::format("{}: states {} of {:.4g} {}, and has {:.4g}; reports and tangential adhesion go by what it states", law.name(), what, stated,
+    check.warnings.emplace_back(WarningKind::law_statement, fmt::format("{}: states {} of {:.4g} {}, and has {:.4g}; reports and tangential adhesion go by what it states", law.name(), what, stated,
                                          unit, found));
   };
   compare("a peak traction", "Pa", law.peak_traction(), largest_traction(law).traction);
@@ -117,7 +117,7 @@ void check_peak(const NormalAdhesion& law, const PairLaw& pair, LawCheck& check)
   if (at >= contact_distance) return;
   for (int i = 0; i < samples; ++i) felt = std::max(felt, pair.at(pair.offset() + law.range() * (i + 0.5) / samples).slope);
   if (felt >= least_felt * peak) return;
-  check.warnings.push_back(fmt::format("{}: its traction peaks at {:.4g} m, within the contact distance of {:.4g} m, where the barrier pushes: surfaces feel {:.4g} of "
+  check.warnings.emplace_back(WarningKind::law_peak_in_barrier, fmt::format("{}: its traction peaks at {:.4g} m, within the contact distance of {:.4g} m, where the barrier pushes: surfaces feel {:.4g} of "
                                        "{:.4g} Pa; move the peak out, or lower contact.distance", law.name(), at, contact_distance, felt, peak));
 }
 
@@ -127,8 +127,10 @@ void append(LawCheck& check, const LawCheck& more) {
   check.notes.insert(check.notes.end(), more.notes.begin(), more.notes.end());
 }
 
-void add(std::vector<std::string>& list, const std::vector<std::string>& more, const std::string& names) {
-  for (const std::string& line : more) list.push_back(fmt::format("law of {}: {}", names, line));
+std::string of_pair(const std::string& names, const std::string& line) { return fmt::format("law of {}: {}", names, line); }
+
+void add(std::vector<Warning>& list, const std::vector<Warning>& more, const std::string& names) {
+  for (const Warning& warning : more) list.emplace_back(warning.kind, of_pair(names, warning.text));
 }
 
 }  // namespace
@@ -137,19 +139,18 @@ LawCheck check_law(const NormalLaw& law) {
   LawCheck check;
   const Sampled sampled(law);
   if (!sampled.finite()) {
-    check.errors.push_back(fmt::format("{}: its values or derivatives are not finite everywhere within its range of {:.4g} m", law.name(), law.range()));
+    check.errors.emplace_back(WarningKind::law_not_finite, fmt::format("{}: its values or derivatives are not finite everywhere within its range of {:.4g} m", law.name(), law.range()));
     return check;
   }
   double at = 0;
   if (const auto study = sampled.study(false, at); study.wrong)
-    check.errors.push_back(fmt::format("{}: its traction is not the derivative of its energy, off by {:.1e} of it, most at {:.4g} m", law.name(), study.error, at));
+    check.errors.emplace_back(WarningKind::law_derivatives, fmt::format("{}: its traction is not the derivative of its energy, off by {:.1e} of it, most at {:.4g} m", law.name(), study.error, at));
   if (const auto study = sampled.study(true, at); study.wrong)
-    check.errors.push_back(fmt::format("{}: its curvature is not the derivative of its traction, off by {:.1e} of it, most at {:.4g} m", law.name(), study.error, at));
+    check.errors.emplace_back(WarningKind::law_derivatives, fmt::format("{}: its curvature is not the derivative of its traction, off by {:.1e} of it, most at {:.4g} m", law.name(), study.error, at));
   check_end(law, sampled, check);
   if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(&law)) {
     check_statements(*adhesion, check);
-    const std::vector<std::string> doubts = adhesion->doubts();
-    check.warnings.insert(check.warnings.end(), doubts.begin(), doubts.end());
+    for (const std::string& doubt : adhesion->doubts()) check.warnings.emplace_back(WarningKind::law_data, doubt);
     if (const std::string note = adhesion->note(); !note.empty()) check.notes.push_back(note);
   }
   return check;
@@ -174,12 +175,12 @@ LawCheck check_laws(const World& world) {
     if (const int rule = world.bonds ? world.bonds->table().between(a, b, pair.region_pair) : -1; rule >= 0) {
       const BondLaw& law = *world.bonds->table().rules()[rule].law;
       append(check, check_law(law));
-      for (const std::string& doubt : law.doubts()) check.warnings.push_back(doubt);
+      for (const std::string& doubt : law.doubts()) check.warnings.emplace_back(WarningKind::law_data, doubt);
       if (const std::string note = law.note(); !note.empty()) check.notes.push_back(note);
     }
     add(all.errors, check.errors, pair.names());
     add(all.warnings, check.warnings, pair.names());
-    add(all.notes, check.notes, pair.names());
+    for (const std::string& note : check.notes) all.notes.push_back(of_pair(pair.names(), note));
   }
   return all;
 }

@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "framework/contact/pair_law.hpp"
+#include "framework/core/warning.hpp"
 
 namespace tack {
 
 struct World;
 
 struct LawCheck {
-  std::vector<std::string> errors;    // derivatives that contradict the values
-  std::vector<std::string> notes;     // remarks of the laws themselves
-  std::vector<std::string> warnings;  // usable, but not as the law promises
+  std::vector<Warning> errors;     // derivatives that contradict the values
+  std::vector<std::string> notes;  // remarks of the laws themselves
+  std::vector<Warning> warnings;   // usable, but not as the law promises
 };
 
 // Checks one law over its whole range. The lines begin with its name.

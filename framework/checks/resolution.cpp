@@ -113,7 +113,7 @@ class Warnings {
   Warnings(const SceneConfig& scene, World& world)
       : scene_(scene), world_(world), measures_(measure(world.contact->surface(), world.bodies.size())) {}
 
-  std::vector<std::string> take() {
+  std::vector<Warning> take() {
     const ObjectClasses& classes = world_.contact->pairs().classes();
     for (const AdhesionSummary& adhesion : world_.adhesion)
       for (const auto& [a, b] : adhesion.kinds) {
@@ -127,7 +127,7 @@ class Warnings {
       }
     for (size_t i = 0; i < world_.bodies.size(); ++i) body(static_cast<int>(i));
     start();
-    return lines_.texts();
+    return lines_.warnings();
   }
 
  private:
@@ -141,20 +141,20 @@ class Warnings {
       const SurfaceMeasure& m = measures_[i];
       const std::string& name = world_.bodies[i].name;
       const double size = world_.bodies[i].surface_triangles.empty() ? m.size : element_size(world_.bodies[i], world_.rest);
-      if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, "zone"))
-        tell(i, "zone", fmt::format(
+      if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, WarningKind::process_zone))
+        tell(i, WarningKind::process_zone, fmt::format(
             "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
             "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, zone, name));
       const double length = std::pow(bending_stiffness(i) * 2 * adhesion.work_of_adhesion / std::pow(adhesion.peak_traction, 2), 0.25);
-      if (length > 0 && size > (1 + 1e-6) * length / 2 && first_time(i, "bent"))
-        tell(i, "bent", fmt::format(
+      if (length > 0 && size > (1 + 1e-6) * length / 2 && first_time(i, WarningKind::bending_length))
+        tell(i, WarningKind::bending_length, fmt::format(
             "elements of '{}' ({:.3g} m) are larger than a half of the length over which it bends where its adhesion '{}' - '{}' "
             "lets go ((2 B W / sigma^2)^(1/4) = {:.3g} m, B its bending stiffness per width): the force of peeling is not "
             "resolved; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, length, name));
-      if (m.gap_change > range / 4 && first_time(i, "curved"))
-        tell(i, "curved", fmt::format(
+      if (m.gap_change > range / 4 && first_time(i, WarningKind::coarse_curvature))
+        tell(i, WarningKind::coarse_curvature, fmt::format(
             "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
             "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",
             name, world_.bodies[a].name, world_.bodies[b].name, m.size, m.gap_change, range, name));
@@ -176,11 +176,11 @@ class Warnings {
     const std::string& name = world_.bodies[i].name;
     if (!world_.bodies[i].movable) return;
     if (m.size > 0 && distance > m.size)
-      tell(i, "distance", fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
+      tell(i, WarningKind::contact_distance, fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
                                    "to a half of them or less",
                                    distance, name, m.size));
     if (m.thickness > 0 && range > m.thickness)
-      tell(i, "thickness", fmt::format("the contact of '{}' with itself has a range ({:.3g} m) above its thickness "
+      tell(i, WarningKind::self_contact_range, fmt::format("the contact of '{}' with itself has a range ({:.3g} m) above its thickness "
                                    "({:.3g} m); lower the range, or name the pair with contact: false",
                                    name, range, m.thickness));
   }
@@ -200,7 +200,7 @@ class Warnings {
       Eigen::Index at = 0;
       const double largest = force.size() > 0 ? force.cwiseAbs().maxCoeff(&at) : 0;
       if (!(largest > 0)) continue;
-      tell(i, "start", fmt::format(
+      tell(i, WarningKind::self_contact_force, fmt::format(
           "'{}' starts with contact forces on itself (up to {:.3g} N, at its vertex {}): it will deform by itself; "
           "lower contact.distance or the range of its adhesion below the gaps between its parts",
           world_.bodies[i].name, largest, world_.index_in_body(static_cast<int>(at / 3))));
@@ -242,7 +242,7 @@ class Warnings {
                              pair.resultant.norm() / weight, name, pair.energy / weight);
         });
     }
-    for (const auto& [worst, kind] : {std::pair(&squeezed, "squeezed"), std::pair(&thrown, "thrown")})
+    for (const auto& [worst, kind] : {std::pair(&squeezed, WarningKind::squeezed_object), std::pair(&thrown, WarningKind::thrown_object)})
       if (worst->count > 0)
         tell(worst->lighter, kind, fmt::format("{}{}; leave more than contact.distance between them, or lower it", worst->line,
                                                worst->count > 1 ? fmt::format(" (and so {} more pairs)", worst->count - 1) : ""));
@@ -261,20 +261,20 @@ class Warnings {
 
   // One warning of a kind is enough for an object, however many others it adheres to, and for all
   // of its copies (fill.hpp).
-  bool first_time(int object, const char* kind) { return told_.emplace(object, kind).second; }
+  bool first_time(int object, WarningKind kind) { return told_.emplace(object, kind).second; }
 
-  void tell(int object, const char* kind, std::string line) { lines_.add(scene_.objects[object], kind, std::move(line)); }
+  void tell(int object, WarningKind kind, std::string line) { lines_.add(scene_.objects[object], kind, std::move(line)); }
 
   const SceneConfig& scene_;
   World& world_;
-  std::set<std::pair<int, std::string>> told_;
+  std::set<std::pair<int, WarningKind>> told_;
   std::vector<SurfaceMeasure> measures_;
   CopiedLines lines_;
 };
 
 }  // namespace
 
-std::vector<std::string> resolution_warnings(const SceneConfig& scene, World& world) {
+std::vector<Warning> resolution_warnings(const SceneConfig& scene, World& world) {
   if (!world.contact) return {};
   return Warnings(scene, world).take();
 }

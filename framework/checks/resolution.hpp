@@ -13,8 +13,9 @@
 //    the distance, or throws it off.
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "framework/core/warning.hpp"
 
 namespace tack {
 
@@ -22,6 +23,6 @@ struct SceneConfig;
 struct World;
 
 // The contact system is left at the start.
-std::vector<std::string> resolution_warnings(const SceneConfig& scene, World& world);
+std::vector<Warning> resolution_warnings(const SceneConfig& scene, World& world);
 
 }  // namespace tack

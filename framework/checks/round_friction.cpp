@@ -70,7 +70,7 @@ class RoundFriction {
  public:
   RoundFriction(const SceneConfig& scene, const World& world) : scene_(scene), world_(world), led_(led_vertices(world)) {}
 
-  std::vector<std::string> lines() {
+  std::vector<Warning> lines() {
     for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i) {
       const Body& body = world_.bodies[i];
       if (!body.movable || rolls(scene_.objects[i])) continue;
@@ -82,9 +82,9 @@ class RoundFriction {
         tell(i, "particle", static_cast<int>(std::count_if(body.points.begin(), body.points.end(), [&](int v) { return !led_[v]; })),
              body.points.size() > 1);
     }
-    std::vector<std::string> texts;
-    for (const Line& line : lines_) texts.push_back(text(line));
-    return texts;
+    std::vector<Warning> warnings;
+    for (const Line& line : lines_) warnings.emplace_back(WarningKind::sliding_round_bodies, text(line));
+    return warnings;
   }
 
  private:
@@ -141,7 +141,7 @@ class RoundFriction {
 
 }  // namespace
 
-std::vector<std::string> round_friction_warnings(const SceneConfig& scene, const World& world) {
+std::vector<Warning> round_friction_warnings(const SceneConfig& scene, const World& world) {
   if (!world.contact || !world.friction) return {};
   return RoundFriction(scene, world).lines();
 }

@@ -7,8 +7,9 @@
 // with every object that is in contact with it with mu > 0.
 #pragma once
 
-#include <string>
 #include <vector>
+
+#include "framework/core/warning.hpp"
 
 namespace tack {
 
@@ -16,6 +17,6 @@ struct SceneConfig;
 struct World;
 
 // One line for each kind (rods, particles), partner and coefficient, with the first object of it.
-std::vector<std::string> round_friction_warnings(const SceneConfig& scene, const World& world);
+std::vector<Warning> round_friction_warnings(const SceneConfig& scene, const World& world);
 
 }  // namespace tack

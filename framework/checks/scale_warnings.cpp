@@ -72,21 +72,21 @@ std::vector<BodyScale> body_scales(const SceneConfig& scene, const World& world)
   return scales;
 }
 
-std::vector<std::string> scale_warnings(const SceneConfig& scene, const World& world) {
+std::vector<Warning> scale_warnings(const SceneConfig& scene, const World& world) {
   CopiedLines lines;
   for (const BodyScale& scale : body_scales(scene, world)) {
     const Body& body = world.bodies[scale.body];
     const ObjectConfig& object = scene.objects[scale.body];
     if (scene.contact && scale.side >= smallest_doubted && scale.distance < least_distance_part) {
-      lines.add(object, "large", fmt::format("object '{}' is {:.4g} m large, {:.2g} times the contact distance ({:.4g} m): {}, or take a larger contact.distance", body.name,
+      lines.add(object, WarningKind::large_object, fmt::format("object '{}' is {:.4g} m large, {:.2g} times the contact distance ({:.4g} m): {}, or take a larger contact.distance", body.name,
                                               scale.side, 1 / scale.distance, scene.contact->contact_distance, remedy(body)));
     } else if (scale.sag > 1) {
       const double young = softest_young(object);
-      lines.add(object, "heavy", fmt::format("object '{}' is {:.4g} m high, and its weight presses on its base with {:.3g} Pa, more than Young's modulus ({:.3g} Pa): it "
+      lines.add(object, WarningKind::heavy_object, fmt::format("object '{}' is {:.4g} m high, and its weight presses on its base with {:.3g} Pa, more than Young's modulus ({:.3g} Pa): it "
                                               "cannot stand; {}", body.name, height(extent_of(body, world.start.x), world), scale.sag * young, young, remedy(body)));
     }
   }
-  return lines.texts();
+  return lines.warnings();
 }
 
 }  // namespace tack

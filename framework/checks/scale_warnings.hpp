@@ -28,6 +28,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/warning.hpp"
+
 namespace tack {
 
 struct SceneConfig;
@@ -47,6 +49,6 @@ struct BodyScale {
 
 std::vector<BodyScale> body_scales(const SceneConfig& scene, const World& world);
 
-std::vector<std::string> scale_warnings(const SceneConfig& scene, const World& world);
+std::vector<Warning> scale_warnings(const SceneConfig& scene, const World& world);
 
 }  // namespace tack

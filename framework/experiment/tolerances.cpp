@@ -71,21 +71,21 @@ std::unique_ptr<const Minimizer> solver_with_tolerances(const Experiment& experi
   return solver;
 }
 
-std::vector<std::string> tolerance_warnings(const Experiment& experiment, const World& world) {
-  std::vector<std::string> lines;
-  if (!experiment.contact || !has_inertia(experiment, world) || experiment.solver->stopping() != Stopping::velocity) return lines;
+std::vector<Warning> tolerance_warnings(const Experiment& experiment, const World& world) {
+  std::vector<Warning> warnings;
+  if (!experiment.contact || !has_inertia(experiment, world) || experiment.solver->stopping() != Stopping::velocity) return warnings;
   const double tolerance = experiment.solver->velocity_tolerance(), way = tolerance * experiment.time.step;
   const double distance = experiment.contact->contact_distance;
   if (way > of_distance * distance * (1 + 1e-9))
-    lines.push_back(fmt::format(
+    warnings.emplace_back(WarningKind::solver_tolerance, fmt::format(
         "solver.tolerance {:.4g} m/s lets a step of {:.4g} s end {:.4g} m off, and the contact distance is {:.4g} m; "
         "lower solver.tolerance to {:.4g} m/s or less", tolerance, experiment.time.step, way, distance,
         of_distance * distance / experiment.time.step));
   for (const auto& [key, speed] : sticking_speeds(*experiment.contact))
     if (speed < tolerance * (1 - 1e-9))
-      lines.push_back(fmt::format("{} {:.4g} m/s is below solver.tolerance {:.4g} m/s, so sticking is not resolved; "
+      warnings.emplace_back(WarningKind::sticking_speed, fmt::format("{} {:.4g} m/s is below solver.tolerance {:.4g} m/s, so sticking is not resolved; "
                                   "lower the tolerance below it, or raise it", key, speed, tolerance));
-  return lines;
+  return warnings;
 }
 
 }  // namespace tack

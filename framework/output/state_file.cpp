@@ -180,13 +180,16 @@ void read(const Json& json, const char* key, Field& field) {
 
 Json to_json(const std::vector<WarningCount>& warnings) {
   Json json = Json::array();
-  for (const WarningCount& w : warnings) json.push_back({w.first.text, w.first.kind, w.times});
+  for (const WarningCount& w : warnings) json.push_back({w.first.text, entry_of(w.first.kind).key, w.times, w.first.subject});
   return json;
 }
 
 std::vector<WarningCount> warnings_of(const Json& json) {
   std::vector<WarningCount> warnings;
-  for (const Json& w : json) warnings.push_back({{w.at(0).get<std::string>(), w.at(1).get<std::string>()}, w.at(2).get<int>()});
+  for (const Json& w : json) {
+    const WarningKind kind = warning_kind_of(w.at(1).get<std::string>()).value_or(WarningKind::unspecified);
+    warnings.push_back({{kind, w.at(0).get<std::string>(), w.size() > 3 ? w[3].get<std::string>() : ""}, w.at(2).get<int>()});
+  }
   return warnings;
 }
 

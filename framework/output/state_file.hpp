@@ -20,7 +20,8 @@
 //    step_size       of a problem [s]
 //    totals          {name: number}
 //    linear_solver   text
-//    warnings        [[text, kind, times]]: this and the two before of a checkpoint's run so far
+//    warnings        [[text, kind, times, subject]]: this and the two before of a checkpoint's run
+//                    so far
 //    flowed          {object: {vertices, tets, tags, surface, shapes, volumes}} of remeshed objects
 //                    (framework/body/flowed_mesh.hpp)
 //    remeshings      records of a checkpoint's run

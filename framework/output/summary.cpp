@@ -57,7 +57,7 @@ OrderedJson expect_json(const std::vector<ExpectationResult>& results) {
 
 OrderedJson warnings_json(const std::vector<WarningCount>& warnings) {
   OrderedJson list = OrderedJson::array();
-  for (const WarningCount& w : warnings) list.push_back({{"text", w.first.text}, {"times", w.times}});
+  for (const WarningCount& w : warnings) list.push_back({{"kind", entry_of(w.first.kind).key}, {"text", w.first.text}, {"times", w.times}});
   return list;
 }
 
@@ -154,12 +154,9 @@ std::string_view to_string(RunStatus status) {
 }
 
 bool RunSummary::add(const Warning& warning) {
-  const bool alone = warning.kind.empty();
-  const auto same = std::find_if(warnings.begin(), warnings.end(), [&](const WarningCount& w) {
-    return w.first.kind == warning.kind && (!alone || w.first.text == warning.text);
-  });
+  const auto same = std::find_if(warnings.begin(), warnings.end(), [&](const WarningCount& w) { return counted_together(w.first, warning); });
   if (same != warnings.end()) {
-    same->times += alone ? 0 : 1;
+    same->times += entry_of(warning.kind).recurs ? 1 : 0;
     return false;
   }
   warnings.push_back({warning});

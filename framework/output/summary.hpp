@@ -25,7 +25,8 @@
 //    meeting_groups     [[object]]
 //    remeshings         [{object, step, time [s], quality_before, quality_after, tets_before,
 //                       tets_after, lost [J]}], if objects may be remeshed
-//    warnings           [{text, times}]: the first of each kind, and their number
+//    warnings           [{kind, text, times}]: the first of those that are counted together
+//                       (warning.hpp), and their number
 //    expect             [{name, value, target, tolerance, at_least, at_most, pass, text}]
 #pragma once
 
@@ -99,8 +100,7 @@ struct RunSummary {
   std::vector<WarningCount> warnings;
   std::vector<ExpectationResult> expect;
 
-  // Adds a warning. Returns true if it is the first of its kind, or, without a kind, of its text;
-  // texts reported by the resumed run count.
+  // Adds a warning. Returns false if it was counted with an earlier one, also of the resumed run.
   bool add(const Warning& warning);
 
   // Adds an accepted step: all of its report except wall_seconds and phases, which also cover the

@@ -41,10 +41,10 @@ std::vector<NewElements> Remesher::exchange(const World& world, State& state, co
     const bool helps = now.after >= improvement_ratio * now.before;
     state.history[history_name] = {1, {helps ? now.after : now.before}, {}};
     if (!helps || now.after < config.quality)
-      warn({fmt::format("object '{}' at t = {:.6g} s: the worst of its tets, with a mean ratio of {:.2g}, {}: its surface stays as it is, and there a tet is no better "
+      warn({WarningKind::not_remeshed, fmt::format("object '{}' at t = {:.6g} s: the worst of its tets, with a mean ratio of {:.2g}, {}: its surface stays as it is, and there a tet is no better "
                         "than its face; use finer or more even cells where the surface flows most, or a lower remesh.quality", body.name, state.time, now.before,
                         helps ? fmt::format("can only be brought to {:.2g}", now.after) : "cannot be exchanged for better ones"),
-            "not remeshed"});
+            });
     if (helps) exchanged.push_back(std::move(now));
   }
   return exchanged;

@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "framework/experiment/experiment.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
 
 struct EquilibriumCheck {
-  std::string error;                  // the run cannot do its first step; empty: it may
-  std::vector<std::string> warnings;  // a line each
+  std::string error;              // the run cannot do its first step; empty: it may
+  std::vector<Warning> warnings;
 };
 
 // Returns neither an error nor warnings for a run with inertia. Leaves contact at the start.

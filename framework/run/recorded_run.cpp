@@ -110,7 +110,7 @@ void RecordedRun::report_start() {
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
                                 world().bodies.size(), world().rest.size() / 3, summary_.dofs, summary_.provenance.threads));
   for (const std::string& line : world().start_notes) progress_.message(line);
-  for (const std::string& line : scene_warnings(experiment_, world())) warn(line);
+  for (const Warning& warning : scene_warnings(experiment_, world())) warn(warning);
 }
 
 // Adds the warning to the summary as well.
@@ -234,8 +234,8 @@ void RecordedRun::add_gradients(const Recorder& recorder) {
 // Reports each lost probe once.
 void RecordedRun::warn_of_lost_probes() {
   for (const std::string& what : monitors_->probes.take_invalid())
-    warn(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
-                     simulation_.state().time));
+    warn({WarningKind::probe_not_finite, fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
+                     simulation_.state().time)});
 }
 
 void RecordedRun::update_lowest_quality() {
@@ -247,16 +247,16 @@ void RecordedRun::update_lowest_quality() {
 void RecordedRun::warn_of_resolution() {
   if (!monitors_) return;
   if (simulation_.started()) update_lowest_quality();
-  for (const std::string& line : monitors_->quality.warnings()) warn(line);
+  for (const Warning& warning : monitors_->quality.warnings()) warn(warning);
   warn_of_coarse_elements();
 }
 
 void RecordedRun::warn_of_coarse_elements() {
-  for (const std::string& line : monitors_->bent.warnings()) warn(line);
+  for (const Warning& warning : monitors_->bent.warnings()) warn(warning);
   if (monitors_->adhesion)
-    for (const std::string& line : monitors_->adhesion->warnings()) warn(line);
+    for (const Warning& warning : monitors_->adhesion->warnings()) warn(warning);
   if (monitors_->approach)
-    for (const std::string& line : monitors_->approach->warnings()) warn(line);
+    for (const Warning& warning : monitors_->approach->warnings()) warn(warning);
 }
 
 // Reports the linear solver after the first system and after each change.
@@ -277,7 +277,7 @@ void RecordedRun::prepare_dump() {
 void RecordedRun::finish_dump() {
   dump_.finish([this](const State& state, double h, int iterations) { store_problem(state, h, iterations); });
   for (const int step : dump_.missed())
-    warn(fmt::format("step {} was not reached: its problem is not stored", step));
+    warn({WarningKind::problem_not_stored, fmt::format("step {} was not reached: its problem is not stored", step)});
 }
 
 StateFile RecordedRun::state_file(StateFile::Kind kind, const State& state) const {

@@ -11,39 +11,40 @@
 #include "framework/checks/round_friction.hpp"
 #include "framework/checks/scale_warnings.hpp"
 #include "framework/experiment/tolerances.hpp"
+#include "geometry/meshing/mesh_warnings.hpp"
 
 namespace tack {
 namespace {
 
-std::vector<std::string> barrier_warnings(const World& world) {
-  std::vector<std::string> lines;
+std::vector<Warning> barrier_warnings(const World& world) {
+  std::vector<Warning> warnings;
   for (const AdhesionSummary& a : world.adhesion)
     if (a.loss() > AdhesionSummary::tolerated_loss)
-      lines.push_back(fmt::format(
+      warnings.emplace_back(WarningKind::adhesion_in_barrier, fmt::format(
           "adhesion {}: the barrier's stiffness takes {:.0f}% of the work of adhesion "
           "({:.4g} of {:.4g} J/m^2 remain); lower contact.barrier.stiffness",
           a.names(), 100 * a.loss(), a.effective, a.work_of_adhesion));
-  return lines;
+  return warnings;
 }
 
 // Returns warnings of meshing, once for copies (fill.hpp).
-std::vector<std::string> meshing_warnings(const World& world) {
-  constexpr std::string_view prefix = "warning: ";  // geometry/meshing/notes.hpp
-  std::vector<std::string> lines, printed;
+std::vector<Warning> meshing_warnings(const World& world) {
+  std::vector<Warning> warnings;
+  std::vector<std::string> printed;
   for (const Body& body : world.bodies)
     for (const std::string& note : body.notes) {
-      if (!note.starts_with(prefix) || std::find(printed.begin(), printed.end(), note) != printed.end()) continue;
+      if (!note.starts_with(mesh_warning::any) || std::find(printed.begin(), printed.end(), note) != printed.end()) continue;
       printed.push_back(note);
-      lines.push_back(fmt::format("object '{}': {}", body.name, note.substr(prefix.size())));
+      warnings.emplace_back(WarningKind::mesh_bound, fmt::format("object '{}': {}", body.name, note.substr(mesh_warning::any.size())));
     }
-  return lines;
+  return warnings;
 }
 
 }  // namespace
 
-std::vector<std::string> scene_warnings(const Experiment& experiment, World& world) {
+std::vector<Warning> scene_warnings(const Experiment& experiment, World& world) {
   const LawCheck laws = check_laws(world);
-  std::vector<std::string> all;
+  std::vector<Warning> all;
   for (const auto& lines : {laws.errors, laws.warnings, meshing_warnings(world), barrier_warnings(world), element_warnings(experiment, world),
                             scale_warnings(experiment, world), resolution_warnings(experiment, world), round_friction_warnings(experiment, world), flush_face_warnings(experiment, world),
                             tolerance_warnings(experiment, world)})

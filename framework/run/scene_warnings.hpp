@@ -2,15 +2,15 @@
 // tolerances.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "framework/experiment/experiment.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
 
 // Returns the warnings. Leaves the contact system at the start configuration.
-std::vector<std::string> scene_warnings(const Experiment& experiment, World& world);
+std::vector<Warning> scene_warnings(const Experiment& experiment, World& world);
 
 }  // namespace tack

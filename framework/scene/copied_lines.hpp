@@ -1,4 +1,4 @@
-// Report lines about objects, of which the copies of one object (fill.hpp) share one line per kind.
+// Warnings about objects, of which the copies of one object (fill.hpp) share one per kind.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,13 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "framework/scene/scene_config.hpp"
 
 namespace tack {
 
 class CopiedLines {
  public:
-  void add(const ObjectConfig& object, const char* kind, std::string line) {
+  void add(const ObjectConfig& object, WarningKind kind, std::string line) {
     const std::string group = copies_of(object);
     if (!group.empty()) {
       const auto [found, first] = line_of_.emplace(std::pair(group, kind), lines_.size());
@@ -23,16 +24,17 @@ class CopiedLines {
         return;
       }
     }
-    lines_.push_back({std::move(line), group});
+    lines_.push_back({kind, std::move(line), group});
   }
 
-  std::vector<std::string> texts() const {
-    std::vector<std::string> texts;
+  std::vector<Warning> warnings() const {
+    std::vector<Warning> warnings;
     for (const Line& line : lines_)
-      texts.push_back(line.more == 0 ? line.text
-                                     : fmt::format("{} (and so it is for {} more copies of '{}')",
-                                                   line.text, line.more, line.group));
-    return texts;
+      warnings.emplace_back(
+          line.kind, line.more == 0 ? line.text
+                                    : fmt::format("{} (and so it is for {} more copies of '{}')",
+                                                  line.text, line.more, line.group));
+    return warnings;
   }
 
  private:
@@ -44,11 +46,12 @@ class CopiedLines {
   }
 
   struct Line {
+    WarningKind kind;
     std::string text, group;
     int more = 0;  // further copies that the line holds for
   };
 
-  std::map<std::pair<std::string, std::string>, size_t> line_of_;  // by group and kind
+  std::map<std::pair<std::string, WarningKind>, size_t> line_of_;  // by group and kind
   std::vector<Line> lines_;
 };
 

@@ -86,14 +86,14 @@ std::vector<Warning> Gradients::warnings() const {
   std::vector<Warning> warnings;
   for (const auto& n : perturbed_scenes_) {
     if (n->unconverged() > 0)
-      warnings.push_back(fmt::format("gradients.csv: in {} of {} steps the sensitivities to '{}' did not converge to 1e-6: the end of the "
+      warnings.emplace_back(WarningKind::gradient_not_converged, fmt::format("gradients.csv: in {} of {} steps the sensitivities to '{}' did not converge to 1e-6: the end of the "
                                    "step is strongly nonlinear in it, as at a snap-through; a smaller time.step may help", n->unconverged(), steps_, n->name()));
     if (n->jumps() > 0)
-      warnings.push_back(fmt::format("gradients.csv: a small change of '{}' causes {} other discrete events (bonds formed or broken, sides switched), which "
+      warnings.emplace_back(WarningKind::gradient_jump, fmt::format("gradients.csv: a small change of '{}' causes {} other discrete events (bonds formed or broken, sides switched), which "
                                    "have no derivative and are omitted", n->name(), n->jumps()));
   }
   if (system_.indefinite() > 0)
-    warnings.push_back(fmt::format("gradients.csv: {} of {} Hessians were not positive definite: steps ended in an unstable equilibrium, or were not solved "
+    warnings.emplace_back(WarningKind::indefinite_hessian, fmt::format("gradients.csv: {} of {} Hessians were not positive definite: steps ended in an unstable equilibrium, or were not solved "
                                  "accurately enough (solver.tolerance)", system_.indefinite(), system_.factors()));
   return warnings;
 }

@@ -103,8 +103,8 @@ void check_free_bodies(const World& world, const ForceGroups& groups, const VecX
   }
 }
 
-std::vector<std::string> turning_bodies(const World& world, const ForceGroups& groups, const VecX& x, const VecX& gradient) {
-  std::vector<std::string> lines;
+std::vector<Warning> turning_bodies(const World& world, const ForceGroups& groups, const VecX& x, const VecX& gradient) {
+  std::vector<Warning> warnings;
   for (const auto& [first, group] : free_groups(world, groups, gradient)) {
     if (!group.held.isZero(0) || group.force.norm() > tolerated_force(groups, first, group)) continue;
     Vec3 centre = Vec3::Zero(), torque = Vec3::Zero();
@@ -116,10 +116,10 @@ std::vector<std::string> turning_bodies(const World& world, const ForceGroups& g
       torque -= arm.cross(gradient.segment<3>(3 * b));
     }
     if (torque.norm() <= size * tolerated_force(groups, first, group)) continue;
-    lines.push_back(fmt::format("nothing keeps {} from turning under the torque {} N m that acts on it: without inertia there is an equilibrium only where "
+    warnings.emplace_back(WarningKind::free_rotation, fmt::format("nothing keeps {} from turning under the torque {} N m that acts on it: without inertia there is an equilibrium only where "
                                 "that vanishes as it turns; {}", names_of(world, group), text_of(torque), FreeBody::remedy));
   }
-  return lines;
+  return warnings;
 }
 
 }  // namespace tack

@@ -10,9 +10,9 @@
 #pragma once
 
 #include <stdexcept>
-#include <string>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "framework/stepping/force_groups.hpp"
 
 namespace tack {
@@ -32,7 +32,7 @@ void check_free_bodies(const World& world, const ForceGroups& groups, const VecX
 
 // Returns a line for each group that nothing holds and that a torque turns, though the forces on it
 // balance. Arguments as above.
-std::vector<std::string> turning_bodies(const World& world, const ForceGroups& groups,
+std::vector<Warning> turning_bodies(const World& world, const ForceGroups& groups,
                                         const VecX& x, const VecX& gradient);
 
 }  // namespace tack

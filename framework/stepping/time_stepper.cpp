@@ -301,8 +301,8 @@ void TimeStepper::reject(double h, const Validation& validation) {
   for (int parts = 4; parts <= validation.substeps && state_.h_next > smallest_size() * (1 + 1e-9); parts *= 2) state_.h_next /= 2;
   ++cutbacks_;
   if (control_) control_->refined(state_, h, false);
-  warn_({fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)", state_.step + 1,
-                     state_.time, validation.fault, state_.h_next, std::lround(whole_step() / state_.h_next)), "halved step"});
+  warn_({WarningKind::step_cutback, fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)", state_.step + 1,
+                     state_.time, validation.fault, state_.h_next, std::lround(whole_step() / state_.h_next))});
 }
 
 // Returns whether an attempt of size h is repeated with a smaller step because of its error.
@@ -350,9 +350,9 @@ StepReport TimeStepper::advance() {
     }
     if (accept(result, h, r)) {
       warn_of(result, r);
-      if (!validation.warning.empty()) warn_({fmt::format("step {} at t = {:.6g} s: {}", state_.step, state_.time, validation.warning), "stepper"});
+      if (!validation.warning.empty()) warn_({WarningKind::stepper_fault, fmt::format("step {} at t = {:.6g} s: {}", state_.step, state_.time, validation.warning)});
       if (tolerated)
-        warn_({fmt::format("step {} at t = {:.6g} s: {}; {}", state_.step, state_.time, validation.fault, validation.remedy), "tolerated step"});
+        warn_({WarningKind::tolerated_step, fmt::format("step {} at t = {:.6g} s: {}; {}", state_.step, state_.time, validation.fault, validation.remedy)});
       break;
     }
   }

@@ -123,6 +123,8 @@ std::vector<std::string> notes_on(const Experiment& e, const World& world) {
   return notes;
 }
 
+std::vector<std::string> texts_of(const std::vector<Warning>& warnings) { return {warnings.begin(), warnings.end()}; }
+
 }  // namespace
 
 PageData preview_data(const PreviewSettings& s) {
@@ -145,7 +147,7 @@ PageData preview_data(const PreviewSettings& s) {
   if (!motion.problem.empty()) notes.push_back(fmt::format("the motions are shown until t = {:g} s: {}", motion.times.back(), motion.problem));
   const Json selections = selections_data(shown_selections(loaded.built->root(), world), follower.kept(), frame.mesh.vertices.size(), page);
   page.document = {{"format", 1}, {"kind", "preview"}, {"title", e.name}, {"made", {{"version", s.version}, {"commit", s.commit}}}};
-  page.document["preview"] = {{"error", loaded.error.empty() ? Json() : Json(loaded.error)}, {"warnings", scene_warnings(e, world)}, {"notes", notes},
+  page.document["preview"] = {{"error", loaded.error.empty() ? Json() : Json(loaded.error)}, {"warnings", texts_of(scene_warnings(e, world))}, {"notes", notes},
                               {"duration", e.time.duration}, {"bodies", bodies_of(e, world)}};
   page.document["runs"] = Json::array();
   page.document["runs"].push_back({{"label", e.name.empty() ? fs::path(s.file).stem().string() : e.name}, {"status", "preview"}, {"notes", Json::array()}, {"summary", nullptr},

@@ -59,7 +59,7 @@ Running::Running(LoadedExperiment loaded, int threads) : arena_(threads > 0 ? th
     if (any_remeshed(loaded.experiment))
       throw InputError("objects that are meshed anew as they flow (remesh) have vertices that come and go, and arrays in Python are of lasting ones; take `remesh` away "
                        "(set={\"objects.NAME.remesh\": None}), or use `tack run`");
-    simulation_ = std::make_unique<Simulation>(std::move(loaded), [this](const Warning& w) { warnings_.push_back(w.text); });
+    simulation_ = std::make_unique<Simulation>(std::move(loaded), [this](const Warning& w) { warnings_.push_back(w); });
     probes_.emplace(probes_of(simulation_->built()));
     simulation_->start();
     settle();
@@ -238,7 +238,7 @@ std::shared_ptr<Problem> Running::problem() {
 }
 
 // Returns the warnings since the last call. Warnings of a step in progress are reported after it.
-std::vector<std::string> Running::take_warnings() {
+std::vector<Warning> Running::take_warnings() {
   if (busy_) return {};
   return std::exchange(warnings_, {});
 }
@@ -292,7 +292,11 @@ void bind_running(py::module_& module) {
       .def("probe_columns", &Running::probe_columns)
       .def("probe_values", &Running::probe_values)
       .def("problem", &Running::problem)
-      .def("take_warnings", &Running::take_warnings);
+      .def("take_warnings", [](Running& r) {
+        py::list all;
+        for (const Warning& w : r.take_warnings()) all.append(py::make_tuple(w.text, std::string(entry_of(w.kind).key)));
+        return all;
+      }, "Pairs of text and kind.");
 }
 
 }  // namespace tack::python

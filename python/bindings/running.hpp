@@ -64,7 +64,7 @@ class Running {
   std::shared_ptr<Problem> problem();
 
   // Returns the warnings since the last call.
-  std::vector<std::string> take_warnings();
+  std::vector<Warning> take_warnings();
 
  private:
   // Locks the simulation for one call; the constructor throws std::runtime_error if another call
@@ -94,7 +94,7 @@ class Running {
     int step = 0;
     bool finished = false;
   } shown_;  // of the last step, as x_ and v_
-  std::vector<std::string> warnings_;
+  std::vector<Warning> warnings_;
   std::atomic<bool> busy_ = false;
 
   // Parts of problem().

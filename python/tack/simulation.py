@@ -15,7 +15,14 @@ from .scene import opened, overrides_of
 
 
 class Warned(UserWarning):
-    """A warning: the simulation goes on, but its results may be worth less than they seem."""
+    """A warning: the simulation goes on, but its results may be worth less than they seem.
+
+    `kind` is one of those of docs/results.md.
+    """
+
+    def __init__(self, text: str, kind: str = ""):
+        super().__init__(text)
+        self.kind = kind
 
 
 class Object:
@@ -254,8 +261,8 @@ class Simulation:
             return shown(frame.parent, self.name)
 
     def _warn(self):
-        for text in self._running.take_warnings():
-            warnings.warn(text, Warned, stacklevel=3)
+        for text, kind in self._running.take_warnings():
+            warnings.warn(Warned(text, kind), stacklevel=3)
 
     def __repr__(self):
         return f"<simulation '{self.name}' at {self.time:g} s of {self.duration:g} s, {len(self.x)} vertices>"

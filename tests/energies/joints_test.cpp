@@ -9,6 +9,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 using Catch::Contains;
@@ -170,6 +171,14 @@ TEST_CASE("a slider on a body that turns keeps to its line within its stiffness"
   CHECK(far < 0.1);
   CHECK(far > 0.09);
   CHECK(most < 1e-4 * 0.2);
+}
+
+TEST_CASE("a slider that is too soft for its load is warned of with its name", "[joints]") {
+  TestRun run(scene(bar(0, ", spin: [0, 0, 10], velocity: [0, 1, 0]") + bar(1, ", spin: [0, 0, 10], velocity: [0, 3, 0]"),
+                    hinge + "}, {type: slider, name: s, object: bar_1, to: bar_0, at: [0.2, 0, 0], axis: [1, 0, 0], stiffness: 1 N/m}", "", "step: 2 ms, duration: 1"));
+  for (int i = 0; i < 20; ++i) run.step();
+  CHECK_THAT(first_text(run.warnings, WarningKind::joint_play), Catch::Contains("'s'"));
+  for (const Warning& warning : run.warnings) CHECK(warning.subject == "s");
 }
 
 TEST_CASE("a joint of two objects that are held for a while waits for them", "[joints]") {

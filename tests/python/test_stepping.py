@@ -1,9 +1,11 @@
 """Simulations that step: against closed forms, the program, callbacks and threads."""
+import contextlib
 import re
 import tempfile
 import threading
 import time
 import unittest
+import warnings
 
 import numpy as np
 
@@ -53,6 +55,15 @@ class Stepping(unittest.TestCase):
                 sim.step()
             ends.append(sim.x.copy())
         np.testing.assert_array_equal(*ends)
+
+    def test_a_warning_has_a_kind(self):
+        sim = tack.Simulation(blocks, set={**small, "solver.max_iterations": 1, "time.max_halvings": 2})
+        with warnings.catch_warnings(record=True) as given:
+            warnings.simplefilter("always", tack.Warned)
+            with contextlib.suppress(tack.SimulationError):
+                for _ in range(20):
+                    sim.step()
+        self.assertIn("step_cutback", {w.message.kind for w in given})
 
     def test_a_callback_ends_a_run(self):
         sim = tack.Simulation(falling)

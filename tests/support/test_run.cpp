@@ -8,7 +8,7 @@ namespace tack {
 
 TestRun::TestRun(const std::string& yaml)
     : simulation(parse_experiment("name: test\n" + yaml, "test.yaml"),
-                 [this](const std::string& line) { warnings.push_back(line); }),
+                 [this](const Warning& warning) { warnings.push_back(warning); }),
       stepper((simulation.start(), simulation.stepper())) {
   for (const auto& probe : config.probes) probes.emplace_back(instance_of(*probe))->prepare(*world);
 }

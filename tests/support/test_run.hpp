@@ -16,7 +16,7 @@ struct TestRun {
   std::vector<double> sample(size_t probe);
   bool intersects() const;
 
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   Simulation simulation;
   const Experiment& config = simulation.experiment();
   World* const world = &simulation.world();

@@ -8,6 +8,7 @@
 #include "framework/calibrate/confidence.hpp"
 #include "geometry/errors.hpp"
 #include "tests/framework/calibrate/pulled_patch.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 
@@ -197,7 +198,7 @@ TEST_CASE("a search respects bounds and its limit of evaluations, and fits a sin
   const SearchResult found = search_for(low, {}, bounded, silent);
   for (const SearchRow& row : found.rows) CHECK(row.evaluation.values[0] <= low[0].to);
   const Confidence c = find_confidence(low, found.best.values, found.derivatives.jacobian, found.best.residuals, true);
-  CHECK_THAT(c.warnings.back(), Catch::Contains("strength ended at its bound 'to'"));
+  CHECK_THAT(first_text(c.warnings, WarningKind::value_at_bound), Catch::Contains("strength ended at its bound 'to'"));
 
   SearchConfig few;
   few.evaluations = 30;

@@ -10,6 +10,7 @@
 #include "framework/world/world.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 
@@ -43,7 +44,7 @@ double exact(double degrees, double gap = 0.7 * distance) {
 
 struct Adhered {
   VecX forces;  // on all vertices, at the start [N]
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
 };
 Adhered adhered(const std::string& yaml) {
   TestScene scene(yaml);
@@ -66,10 +67,9 @@ double pull(const Adhered& adhered, double degrees) {
 TEST_CASE("adhesion on elements across which the gap changes by much of its range is warned of", "[contact]") {
   const Adhered coarse = adhered(tilted(10, 26));  // just smaller than twice the range
   CHECK(std::abs(pull(coarse, 10) - 1) > 0.1);
-  REQUIRE(coarse.warnings.size() == 1);
-  CHECK(contains(coarse.warnings[0], "where 'upper' adhered to 'lower', the gap changed by more than a quarter of the range"));
-  INFO(coarse.warnings[0]);
-  CHECK(contains(coarse.warnings[0], "elements of 0.0002"));  // no more than a quarter of the range over sin(10 degrees), 0.29 mm
+  CHECK(contains(only_text(coarse.warnings, WarningKind::coarse_adhesion), "where 'upper' adhered to 'lower', the gap changed by more than a quarter of the range"));
+  INFO(coarse.warnings[0].text);
+  CHECK(contains(coarse.warnings[0].text, "elements of 0.0002"));  // no more than a quarter of the range over sin(10 degrees), 0.29 mm
 }
 
 TEST_CASE("adhesion on elements of the recommended size is right and gives no warning, nor on elements above twice the range", "[contact]") {

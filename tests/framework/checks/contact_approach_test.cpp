@@ -10,6 +10,7 @@
 #include "framework/world/world.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/test_run.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 
@@ -52,7 +53,7 @@ std::string ball_on_block(double distance, int cells = 12, const std::string& ba
       cells, cells / 2, 0.05 + distance, -0.004 - distance, distance, barrier);
 }
 
-std::vector<std::string> after(const std::string& yaml, int steps) {
+std::vector<Warning> after(const std::string& yaml, int steps) {
   TestRun run(yaml);
   ContactApproach approach(run.config, *run.world);
   for (int i = 0; i < steps; ++i) {
@@ -106,14 +107,13 @@ TEST_CASE("contact approach: flat, tilted, folded or too small zones count as fl
 
 TEST_CASE("contact approach: a ball pressed into a block with a large contact distance is warned of, with the recommended one not") {
   const double coarse = 2e-3;
-  const auto warnings = after(ball_on_block(coarse), 2);
-  REQUIRE(warnings.size() == 1);
-  INFO(warnings[0]);
-  CHECK(contains(warnings[0], "where 'block' and 'ball' were pressed together, the barrier took "));
-  CHECK(contains(warnings[0], "contact.distance (0.002 m) is not small"));
+  const std::string line = only_text(after(ball_on_block(coarse), 2), WarningKind::soft_barrier);
+  INFO(line);
+  CHECK(contains(line, "where 'block' and 'ball' were pressed together, the barrier took "));
+  CHECK(contains(line, "contact.distance (0.002 m) is not small"));
   // Since they began to press each other it went down by the distance and 4 mm.
-  CHECK(number_after(warnings[0], "of their approach of ") == Approx(coarse + 4e-3).epsilon(0.3));
-  const double cure = number_after(warnings[0], "take ");
+  CHECK(number_after(line, "of their approach of ") == Approx(coarse + 4e-3).epsilon(0.3));
+  const double cure = number_after(line, "take ");
   CHECK(cure < coarse / 2);
   CHECK(after(ball_on_block(cure, 16), 2).empty());
 }
@@ -142,7 +142,7 @@ TEST_CASE("contact approach: quasi-static runs tell, those that move do not") {
     const ProgramResult result = run_tack(folder.path(), {"run", "ball.yaml", "-q", "-o", integrator, "--threads", "1", "--set",
                                                           "time.integrator=" + integrator, "--set", "objects.block.energies.0.density=1000"});
     CHECK(result.exit_code == 0);
-    return contains(file_text(folder.path() / integrator / "summary.json"), "were pressed together");
+    return warned(warnings_in(folder.path() / integrator / "summary.json"), WarningKind::soft_barrier);
   };
   CHECK(warnings("quasi_static"));
   CHECK_FALSE(warnings("implicit_euler"));

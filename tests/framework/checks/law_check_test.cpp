@@ -3,11 +3,13 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tiny_scene.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 using Catch::Contains;
@@ -72,29 +74,29 @@ TEST_CASE("a smooth law with correct statements gives no warnings", "[law_check]
 TEST_CASE("a traction or an energy that jumps at the range is warned of", "[law_check]") {
   const LawCheck cut = check_law(Exponential(3));
   CHECK(cut.errors.empty());
-  REQUIRE(cut.warnings.size() >= 2);
-  CHECK_THAT(cut.warnings[0], Contains("traction jumps from 406 Pa to 0 at its range, 0.003 m (41% of the largest)"));  // 3 exp(-2)
-  CHECK_THAT(cut.warnings[1], Contains("energy jumps from -0.5413 J/m^2 to 0 at its range"));                           // e s p 4 exp(-3)
+  CHECK_THAT(first_text(cut.warnings, WarningKind::law_traction_jump), Contains("traction jumps from 406 Pa to 0 at its range, 0.003 m (41% of the largest)"));  // 3 exp(-2)
+  CHECK_THAT(first_text(cut.warnings, WarningKind::law_energy_jump), Contains("energy jumps from -0.5413 J/m^2 to 0 at its range"));                           // e s p 4 exp(-3)
   const LawCheck shifted = check_law(Exponential(3, true));
-  REQUIRE(shifted.warnings.size() == 1);
-  CHECK_THAT(shifted.warnings[0], Contains("traction jumps"));
+  CHECK_THAT(only_text(shifted.warnings, WarningKind::law_traction_jump), Contains("0.003 m"));
 }
 
 TEST_CASE("derivatives of a law that disagree are wrong", "[law_check]") {
   CHECK(check_law(Skewed(1, 1)).errors.empty());
   const LawCheck slope = check_law(Skewed(1.01, 1.01));
-  REQUIRE(slope.errors.size() == 1);
-  CHECK_THAT(slope.errors[0], Contains("its traction is not the derivative of its energy"));
+  CHECK_THAT(only_text(slope.errors, WarningKind::law_derivatives), Contains("its traction is not the derivative of its energy"));
   const LawCheck curvature = check_law(Skewed(1, 0.9));
-  REQUIRE(curvature.errors.size() == 1);
-  CHECK_THAT(curvature.errors[0], Contains("its curvature is not the derivative of its traction"));
+  CHECK_THAT(only_text(curvature.errors, WarningKind::law_derivatives), Contains("its curvature is not the derivative of its traction"));
+}
+
+TEST_CASE("a law with values that are not finite is an error", "[law_check]") {
+  CHECK_THAT(only_text(check_law(Skewed(1, std::numeric_limits<double>::infinity())).errors, WarningKind::law_not_finite), Contains("within its range of 0.03 m"));
 }
 
 TEST_CASE("a law with a wrong stated peak or work is warned of", "[law_check]") {
   const LawCheck check = check_law(Boastful());
   REQUIRE(check.warnings.size() == 2);
-  CHECK_THAT(check.warnings[0], Contains("states a peak traction of 2000 Pa, and has"));
-  CHECK_THAT(check.warnings[1], Contains("states a work of adhesion of 3.262 J/m^2, and has 2.718"));
+  CHECK_THAT(first_text(check.warnings, WarningKind::law_statement), Contains("states a peak traction of 2000 Pa, and has"));
+  CHECK_THAT(check.warnings[1].text, Contains("states a work of adhesion of 3.262 J/m^2, and has 2.718"));
 }
 
 TEST_CASE("a peak within the contact distance is warned of, a peak beyond is not", "[law_check]") {
@@ -108,8 +110,7 @@ TEST_CASE("a peak within the contact distance is warned of, a peak beyond is not
   };
   const LawCheck within = check(3 * peak);
   CHECK(within.errors.empty());
-  REQUIRE(within.warnings.size() == 1);
-  CHECK_THAT(within.warnings[0], Contains("its traction peaks at 0.001 m, within the contact distance of 0.003 m"));
+  CHECK_THAT(only_text(within.warnings, WarningKind::law_peak_in_barrier), Contains("its traction peaks at 0.001 m, within the contact distance of 0.003 m"));
   const LawCheck beyond = check(0.9 * peak);
   CHECK(beyond.errors.empty());
   CHECK(beyond.warnings.empty());

@@ -12,6 +12,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 namespace fs = std::filesystem;
@@ -143,6 +144,12 @@ TEST_CASE("what is no such file is refused with the reason", "[state_file]") {
   };
   write();
   CHECK(error_of(StateFile::Kind::checkpoint) == "");
+  json["warnings"] = {{"step 1: halved", "halved step", 3}};  // of a version with other kinds
+  write();
+  const std::vector<WarningCount> warnings = read_state_file(path, StateFile::Kind::checkpoint).warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK(only_text({warnings[0].first}, WarningKind::unspecified) == "step 1: halved");
+  CHECK(warnings[0].times == 3);
   json["state"].erase("x");
   write();
   CHECK(contains(error_of(StateFile::Kind::checkpoint), "is damaged"));

@@ -6,6 +6,7 @@
 #include "geometry/errors.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/silence.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 
@@ -139,14 +140,19 @@ TEST_CASE("a summary counts the steps in") {
 
 TEST_CASE("a summary has the first warning of each kind, and how many there were") {
   RunSummary s;
-  CHECK(s.add(Warning("coarse")));
-  CHECK(s.add(Warning("step 3: rolled back", "halved step")));
-  CHECK_FALSE(s.add(Warning("step 4: rolled back", "halved step")));
-  CHECK(s.add(Warning("thin")));
-  CHECK_FALSE(s.add(Warning("coarse")));  // told again by a run that goes on
-  CHECK(written(s)["warnings"] == nlohmann::json::array({{{"text", "coarse"}, {"times", 1}},
-                                                         {{"text", "step 3: rolled back"}, {"times", 2}},
-                                                         {{"text", "thin"}, {"times", 1}}}));
+  CHECK(s.add({WarningKind::coarse_adhesion, "coarse"}));
+  CHECK(s.add({WarningKind::step_cutback, "step 3: rolled back"}));
+  CHECK_FALSE(s.add({WarningKind::step_cutback, "step 4: rolled back"}));
+  CHECK(s.add({WarningKind::coarse_adhesion, "thin"}));
+  CHECK_FALSE(s.add({WarningKind::coarse_adhesion, "coarse"}));  // told again by a run that goes on
+  CHECK(s.add({WarningKind::joint_play, "step 5: a by 1 mm", "a"}));
+  CHECK(s.add({WarningKind::joint_play, "step 5: b by 2 mm", "b"}));
+  CHECK_FALSE(s.add({WarningKind::joint_play, "step 6: b by 3 mm", "b"}));
+  CHECK(written(s)["warnings"] == nlohmann::json::array({{{"kind", "coarse_adhesion"}, {"text", "coarse"}, {"times", 1}},
+                                                         {{"kind", "step_cutback"}, {"text", "step 3: rolled back"}, {"times", 2}},
+                                                         {{"kind", "coarse_adhesion"}, {"text", "thin"}, {"times", 1}},
+                                                         {{"kind", "joint_play"}, {"text", "step 5: a by 1 mm"}, {"times", 1}},
+                                                         {{"kind", "joint_play"}, {"text", "step 5: b by 2 mm"}, {"times", 2}}}));
 }
 
 TEST_CASE("every status has its words") {

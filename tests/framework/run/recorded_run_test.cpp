@@ -8,6 +8,7 @@
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 
@@ -54,6 +55,7 @@ TEST_CASE("warnings of a run are in its summary, also after a resume", "[run]") 
   for (size_t at = 0; (at = printed.find("warning: ", at)) != printed.npos; ++at) ++lines;
   for (const auto& w : whole) {
     CHECK(contains(printed, "warning: " + w["text"].get<std::string>()));
+    CHECK(warning_kind_of(w["kind"].get<std::string>()));
     counted += w["times"].get<int>();
   }
   CHECK(counted == lines);
@@ -61,7 +63,7 @@ TEST_CASE("warnings of a run are in its summary, also after a resume", "[run]") 
   CHECK(counted > static_cast<int>(whole.size()));  // more than one step was halved
   CHECK(contains(printed, std::to_string(whole.size()) + " warning"));
   // At its end, of the impact.
-  CHECK(contains(whole.back()["text"].get<std::string>(), "energy: time integration lost"));
+  CHECK(whole.back()["kind"] == entry_of(WarningKind::energy_integration).key);
   CHECK(energy["causes"]["integrator"]["lost"].get<double>() > 0.03 * energy["at_play"].get<double>());
   RunSettings part;
   part.steps = summary["steps"].get<int>() - 2;  // past the first checkpoint, however many steps the impact was cut into

@@ -8,6 +8,7 @@
 #include "framework/run/gradient_check.hpp"
 #include "framework/run/recorded_run.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 using Catch::Matchers::Contains;
@@ -143,6 +144,46 @@ probes:
 }
 
 }  // namespace
+
+TEST_CASE("derivatives that cannot be found are warned of", "[sensitivity]") {
+  const auto warnings = [](const std::string& text, const std::string& gradient) {
+    const TemporaryFolder folder;
+    RunSettings settings;
+    settings.output = (folder.path() / "results").string();
+    std::ostringstream printed;
+    RecordedRun run(scene(text + "output: {frames: false, gradients: [" + gradient + "]}\n"), settings, Provenance(), printed, {});
+    std::vector<Warning> given;
+    for (const WarningCount& w : run.execute().warnings) given.push_back(w.first);
+    return given;
+  };
+  // With the change the plate would pass through the block.
+  CHECK_THAT(first_text(warnings(pressed, "{key: objects.plate.motion.0.velocity.1, step: -0.1}"), WarningKind::gradient_not_converged), Contains("'objects.plate.motion.0.velocity.1'"));
+  CHECK_FALSE(warned(warnings(drawn, "{key: objects.block.energies.0.young}"), WarningKind::gradient_not_converged));
+  // A spring breaks one step earlier with the change.
+  const std::string torn = R"(
+time: {step: 0.1 s, duration: 0.5 s}
+objects:
+  - {name: wall, shape: {type: box, size: [0.1, 0.1, 0.1]}, motion: [fixed]}
+  - {name: hook, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [1, 0, 0]}, motion: [{type: translate, velocity: [1, 0, 0]}]}
+  - {name: ball, shape: {type: points}, place: {translate: [0, 1, 0]}, particle: {radius: 1 cm}, energies: [{type: particle, mass: 1}]}
+interactions: [{type: spring, name: wire, from: {object: wall, select: {type: indices, vertices: [0]}}, to: {object: hook, select: {type: indices, vertices: [0]}}, stiffness: 10 N/m, breaking_force: 2.0000001}]
+probes: [{name: height, type: centre_of_mass, object: ball, direction: [0, 1, 0]}]
+)";
+  CHECK_THAT(first_text(warnings(torn, "{key: interactions.wire.stiffness}"), WarningKind::gradient_jump), Contains("'interactions.wire.stiffness'"));
+  // Two springs press on a ball that could leave their line.
+  const std::string unstable = R"(
+time: {step: 0.1 s, duration: 0.3 s, integrator: quasi_static}
+objects:
+  - {name: left, shape: {type: points}, place: {translate: [-1, 0, 0]}, particle: {radius: 1 cm}, energies: [{type: particle, mass: 1}], motion: [fixed]}
+  - {name: right, shape: {type: points}, place: {translate: [1, 0, 0]}, particle: {radius: 1 cm}, energies: [{type: particle, mass: 1}], motion: [fixed]}
+  - {name: ball, shape: {type: points}, particle: {radius: 1 cm}, energies: [{type: particle, mass: 1}]}
+interactions:
+  - {type: spring, name: one, from: {object: left}, to: {object: ball}, stiffness: 10 N/m, length: 2 m}
+  - {type: spring, name: two, from: {object: right}, to: {object: ball}, stiffness: 10 N/m, length: 2 m}
+probes: [{name: height, type: centre_of_mass, object: ball, direction: [0, 1, 0]}]
+)";
+  first_text(warnings(unstable, "{key: interactions.one.stiffness}"), WarningKind::indefinite_hessian);
+}
 
 TEST_CASE("sensitivities of a stretched block agree with Hooke's law", "[sensitivity]") {
   const GradientCheck c = check_gradient(scene(drawn), "middle", "objects.block.energies.0.young", 1e-4);

@@ -6,6 +6,7 @@
 #include "framework/checks/derivative_check.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 using Catch::Contains;
@@ -59,6 +60,15 @@ struct RigidBody {
 };
 
 }  // namespace
+
+TEST_CASE("an affine body that is strained is warned of once", "[affine]") {
+  TestRun run("time: {step: 1 ms, duration: 1}\nobjects:\n"
+              "  - {name: box, shape: {type: box, size: [0.1, 0.1, 0.1]}, body: {type: affine, density: 1000, stiffness: 10 kPa},\n"
+              "     loads: [{type: traction, value: [100, 0, 0], select: {type: face, direction: [1, 0, 0]}},\n"
+              "       {type: traction, value: [-100, 0, 0], select: {type: face, direction: [-1, 0, 0]}}]}\n");
+  for (int i = 0; i < 30; ++i) run.step();
+  CHECK_THAT(only_text(run.warnings, WarningKind::affine_strain), Contains("body.stiffness"));
+}
 
 TEST_CASE("an affine body has twelve unknowns, and derivatives in them", "[affine]") {
   TestScene scene("time: {step: 1 ms, duration: 1}\ngravity: [0, -9.81, 0]\nobjects:\n"

@@ -11,6 +11,7 @@
 #include "tests/support/rms_difference.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 using Catch::Contains;
@@ -351,7 +352,7 @@ TEST_CASE("a spring, a tie and damping act on rods and particles", "[rod][partic
   for (int i = 0; i < 200; ++i) run.step();
   CHECK(run.sample(0)[0] > 0);
   CHECK((run.at(10) - run.at(11)).norm() == Approx(0.2 + 0.2 / 10).epsilon(0.05));
-  CHECK(run.warnings == std::vector<std::string>{});
+  CHECK(run.warnings == std::vector<Warning>{});
 }
 
 TEST_CASE("what rods and particles lack is told with its place", "[rod][particle]") {

@@ -7,6 +7,7 @@
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/scene.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 
@@ -14,7 +15,7 @@ namespace {
 
 struct Taken {
   std::vector<StepReport> steps;
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   State end;
   int repeats = 0;
   double largest() const {
@@ -31,7 +32,7 @@ Taken run(const std::string& yaml, const Prepare& prepare) {
   prepare(*scene.world);
   Taken taken;
   TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock,
-                      [&](const std::string& line) { taken.warnings.push_back(line); });
+                      [&](const Warning& w) { taken.warnings.push_back(w); });
   while (!stepper.finished()) {
     taken.steps.push_back(stepper.advance());
     taken.repeats += taken.steps.back().repeats;
@@ -250,8 +251,7 @@ TEST_CASE("the smallest step is kept whatever its error, and that is told", "[st
   const Taken taken = run(time_of("implicit_euler", 1e-2, 0.1, "error: 1e-7, smallest: 2e-3") + thrown);
   CHECK(taken.smallest() == Approx(2e-3));
   CHECK(*taken.steps.back().error > 1e-7);
-  REQUIRE(!taken.warnings.empty());
-  CHECK_THAT(taken.warnings.front(), Catch::Contains("time.adaptive.smallest"));
+  CHECK_THAT(first_text(taken.warnings, WarningKind::step_error), Catch::Contains("time.adaptive.smallest"));
 }
 
 TEST_CASE("what a failed solve of an adaptive step does, halves do", "[stepping]") {

@@ -6,6 +6,7 @@
 #include "framework/stepping/time_stepper.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 
@@ -23,9 +24,9 @@ template <class Prepare>
 State run(const std::string& yaml, int n, const Prepare& prepare) {
   TestScene scene(yaml);
   prepare(*scene.world);
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock,
-                      [&](const std::string& line) { warnings.push_back(line); });
+                      [&](const Warning& w) { warnings.push_back(w); });
   for (int i = 0; i < n; ++i) stepper.advance();
   CHECK(warnings.empty());
   return stepper.state();

@@ -4,6 +4,7 @@
 
 #include "geometry/errors.hpp"
 #include "tests/support/test_run.hpp"
+#include "tests/support/warnings.hpp"
 
 using namespace tack;
 
@@ -48,7 +49,7 @@ TEST_CASE("time.wall_limit ends a run within a solve, and says what blocked it",
   CHECK(watch.seconds() < 2 * TACK_PATIENCE);
   CHECK(run.state().step == 0);
   CHECK((run.state().x == run.world->start.x));
-  for (const std::string& warning : run.warnings) FAIL_CHECK(warning);  // not halved
+  CHECK(run.warnings == std::vector<Warning>{});  // not halved
   CHECK_THROWS_AS(run.step(), SimulationError);  // from the start, too
 }
 
@@ -64,9 +65,9 @@ TEST_CASE("solver.time_limit makes a solve a failed one", "[limits]") {
   CHECK_THROWS_WITH(run.step(), Catch::Contains("failed with h = 0.0025 s (out of wall time (solver.time_limit: 0.1 s)"));
   CHECK(watch.seconds() < 3 * TACK_PATIENCE);
   REQUIRE(run.warnings.size() == 2);
-  CHECK_THAT(run.warnings[0], Catch::Contains("solver.time_limit: 0.1 s") && Catch::Contains("the last step was cut to ") &&
+  CHECK_THAT(first_text(run.warnings, WarningKind::step_cutback), Catch::Contains("solver.time_limit: 0.1 s") && Catch::Contains("the last step was cut to ") &&
                                   Catch::Contains("h halved to 0.005 s (1/2 of the step)"));
-  CHECK_THAT(run.warnings[1], Catch::Contains("h halved to 0.0025 s (1/4 of the step)"));
+  CHECK_THAT(run.warnings[1].text, Catch::Contains("h halved to 0.0025 s (1/4 of the step)"));
 }
 
 TEST_CASE("limits that are not reached change no bit", "[limits]") {

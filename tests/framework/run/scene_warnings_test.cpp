@@ -1,0 +1,46 @@
+#include "framework/run/scene_warnings.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/scene.hpp"
+#include "tests/support/tiny_scene.hpp"
+#include "tests/support/warnings.hpp"
+
+using namespace tack;
+using Catch::Contains;
+
+namespace {
+
+std::vector<Warning> warnings(const std::string& yaml) {
+  TestScene scene(yaml);
+  return scene_warnings(scene.config, *scene.world);
+}
+
+}  // namespace
+
+TEST_CASE("a barrier that takes much of the work of adhesion is warned of", "[checks]") {
+  const std::string tiny = tiny_scene.substr(tiny_scene.find("time:"));
+  CHECK_FALSE(warned(warnings(tiny), WarningKind::adhesion_in_barrier));
+  std::string stiff = tiny;
+  stiff.insert(stiff.find("  pairs:"), "  barrier: {stiffness: 1 GPa}\n");
+  CHECK_THAT(first_text(warnings(stiff), WarningKind::adhesion_in_barrier), Contains("'block' - 'floor'") && Contains("contact.barrier.stiffness"));
+}
+
+TEST_CASE("a bound that a mesh operation missed is warned of once for all copies", "[checks][meshing]") {
+  const auto ball = [](const char* edge_length) {
+    return std::string("objects:\n  - {name: ball, shape: {type: processed, of: {type: sphere, radius: 1, cells: 16, surface: true}, steps: [{type: remesh, edge_length: ") + edge_length +
+           "}]}, motion: [fixed]}\n";
+  };
+  CHECK_THAT(only_text(warnings(ball("1.2")), WarningKind::mesh_bound), Contains("object 'ball': its area is"));
+  CHECK_FALSE(warned(warnings(ball("0.2")), WarningKind::mesh_bound));
+}
+
+TEST_CASE("an object that starts with contact forces on itself is warned of", "[checks]") {
+  const auto parts = [](const char* height) {
+    return std::string("objects:\n  - {name: jaws, shape: {type: parts, parts: [{shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}},\n"
+                       "     {shape: {type: box, size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, place: {translate: [0, ") + height +
+           ", 0]}}]}, energies: [{type: neo_hookean, young: 1 MPa}]}\ncontact: {distance: 1 mm}\n";
+  };
+  CHECK_THAT(first_text(warnings(parts("0.1005")), WarningKind::self_contact_force), Contains("'jaws'"));
+  CHECK_FALSE(warned(warnings(parts("0.102")), WarningKind::self_contact_force));
+}
