@@ -32,7 +32,8 @@ std::vector<Warning> meshing_warnings(const World& world) {
   std::vector<Warning> warnings;
   std::vector<std::string> printed;
   for (const Body& body : world.bodies)
-    for (const std::string& note : body.notes) {
+    for (std::string note : body.notes) {
+      note.erase(0, note.find_first_not_of(' '));  // notes of the steps of a processed shape are indented
       if (!note.starts_with(mesh_warning::any) || std::find(printed.begin(), printed.end(), note) != printed.end()) continue;
       printed.push_back(note);
       warnings.emplace_back(WarningKind::mesh_bound, fmt::format("object '{}': {}", body.name, note.substr(mesh_warning::any.size())));
