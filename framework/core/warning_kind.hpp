@@ -22,8 +22,8 @@
   entry(mesh_bound, false, "a mesh operation missed a bound that the scene asks for")              \
   entry(volume_locking, false, "linear tets lock in volume at their Poisson's ratio")              \
   entry(coarse_rod, false, "a curved rod has few edges for a full turn")                           \
-  entry(large_object, false, "an object is huge for the contact distance: a wrong unit?")          \
-  entry(heavy_object, false, "the weight of an object exceeds its stiffness: a wrong unit?")       \
+  entry(large_object, false, "an object is very large for the contact distance")                   \
+  entry(heavy_object, false, "the weight of an object exceeds its stiffness")                      \
   entry(process_zone, false, "elements are larger than the process zone of their adhesion")        \
   entry(bending_length, false, "elements do not resolve the bending where a sheet peels")          \
   entry(coarse_curvature, false, "a curved surface is coarse for the range of its adhesion")       \
@@ -44,7 +44,7 @@
   entry(step_error, true, "the error of a step exceeds time.adaptive.error at the smallest size")  \
   entry(energy_growth, true, "energy grew during the run without a cause")                         \
   entry(affine_strain, true, "an affine body is strained too much")                                \
-  entry(joint_play, true, "a joint gives way; each joint is a kind of its own")                    \
+  entry(joint_play, true, "a joint gives way (counted per joint)")                                 \
   entry(no_bonds, false, "no bonds were made between two objects")                                 \
   entry(friction_impulse, true, "friction acted with another impulse than the normal force")       \
   entry(lagged_friction, true, "lag iterations of friction did not converge")                      \

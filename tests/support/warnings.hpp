@@ -14,19 +14,21 @@
 namespace tack {
 
 inline bool warned(const std::vector<Warning>& warnings, WarningKind kind) {
-  return std::any_of(warnings.begin(), warnings.end(), [&](const Warning& w) { return w.kind == kind; });
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](const Warning& w) { return w.kind == kind; });
 }
 
 // Returns the text of the first warning of a kind; fails the test if there is none.
 // tests/structure/warning_kinds_test.cpp looks for a call of it, or of only_text(), for each kind.
 inline std::string first_text(const std::vector<Warning>& warnings, WarningKind kind) {
-  INFO("expected a warning: " << entry_of(kind).key << "; given: " << Catch::Detail::stringify(warnings));
-  const auto found = std::find_if(warnings.begin(), warnings.end(), [&](const Warning& w) { return w.kind == kind; });
+  INFO("expected: " << entry_of(kind).key << "; given: " << Catch::Detail::stringify(warnings));
+  const auto found = std::find_if(warnings.begin(), warnings.end(),
+                                  [&](const Warning& w) { return w.kind == kind; });
   REQUIRE(found != warnings.end());
   return found->text;
 }
 
-// Returns the text of a warning that is the only one of all; fails the test unless it is of that kind.
+// Returns the text of the only warning; fails the test unless it is of that kind.
 inline std::string only_text(const std::vector<Warning>& warnings, WarningKind kind) {
   const std::string text = first_text(warnings, kind);
   INFO(Catch::Detail::stringify(warnings));
