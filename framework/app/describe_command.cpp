@@ -7,7 +7,7 @@
 #include "framework/compare/compare_config.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/experiment/experiment.hpp"
-#include "framework/plot/plot_look.hpp"
+#include "framework/plot/figure_style.hpp"
 #include "geometry/io/replace_file.hpp"
 
 namespace tack {
@@ -49,7 +49,7 @@ int describe_command(const ListOptions& o) {
   if (!o.calibrate_schema.empty())
     replace_file(o.calibrate_schema, json_schema(prototype<CalibrateConfig>(), "tack calibration") + "\n");
   if (!o.plot_schema.empty())
-    replace_file(o.plot_schema, json_schema(prototype<PlotLook>(), "tack plot style") + "\n");
+    replace_file(o.plot_schema, json_schema(prototype<FigureStyle>(), "tack plot style") + "\n");
   return exit_done;
 }
 

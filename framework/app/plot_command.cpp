@@ -53,7 +53,7 @@ Plot chosen(Plot plot, const PlotOptions& options) {
 
 class Pictures {
  public:
-  explicit Pictures(fs::path folder, PlotLook look = {}) : folder_(std::move(folder)), look_(std::move(look)) {
+  explicit Pictures(fs::path folder, FigureStyle style = {}) : folder_(std::move(folder)), look_(std::move(style)) {
     std::error_code failed;
     fs::create_directories(folder_, failed);
     if (failed) throw InputError(fmt::format("{}: cannot be made ({}); choose another folder with -o", folder_.string(), failed.message()));
@@ -73,14 +73,14 @@ class Pictures {
       for (const auto& [name, plot] : run_curves(runs)) draw(plot, name);
     if (const auto bars = phase_bars(runs)) {
       draw(*bars, "phases");
-      draw(shares_of(*bars), "phase_shares");
+      draw(percentages_of(*bars), "phase_shares");
     }
   }
   int exit_code() const { return failed_ ? exit_expectation_failed : exit_done; }
 
  private:
   fs::path folder_;
-  PlotLook look_;
+  FigureStyle look_;
   bool failed_ = false;
 };
 
@@ -97,11 +97,11 @@ std::vector<std::string> results_in(const CsvTexts& table) {
   return found;
 }
 
-PlotLook look_of(const PlotOptions& options) {
+FigureStyle look_of(const PlotOptions& options) {
   const Value root = with_overrides(options.style.empty() ? Value::map() : parse_file(options.style), options.overrides);
-  PlotLook look;
-  bind(root, look, "the style");
-  return look;
+  FigureStyle style;
+  bind(root, style, "the style");
+  return style;
 }
 
 int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::path& output) {

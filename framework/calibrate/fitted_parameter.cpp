@@ -77,19 +77,11 @@ std::vector<FittedParameter> fitted_parameters(const CalibrateConfig& config) {
     n.to = fit.to->si;
     n.log = fit.scale == FitScale::log || (fit.scale == FitScale::automatic && n.from > 0);
     n.start = fit.start ? fit.start->si : n.value(0.5 * (n.low() + n.high()));
-<<<<<<< HEAD:framework/calibrate/fitted_parameter.cpp
     for (const FittedParameter& other : parameters)
       if (other.name == n.name) throw InputError(fmt::format("fit: two parameters are named '{}'; rename one of them with `as`", n.name));
     if (is_reserved_column(n.name) || n.name == "misfit" || n.name == "number" || n.name == "phase" || n.name.starts_with("misfit:"))
       throw InputError(fmt::format("fit: tables already have a column '{}'; rename this parameter with `as`", n.name));
     parameters.push_back(std::move(n));
-=======
-    for (const FittedNumber& other : numbers)
-      if (other.name == n.name) throw InputError(fmt::format("fit: two numbers are called '{}'; name one of them otherwise with `as`", n.name));
-    if (is_reserved_column(n.name) || n.name == "misfit" || n.name == "number" || n.name == "phase" || n.name.starts_with("misfit:"))
-      throw InputError(fmt::format("fit: tables have a column '{}' already; name this number otherwise with `as`", n.name));
-    numbers.push_back(std::move(n));
->>>>>>> d39dc952 (Rename the last use of a reserved column):framework/calibrate/fitted_number.cpp
   }
   return parameters;
 }

@@ -86,7 +86,7 @@ std::vector<double> MeasuredPoints::simulated(const ProbeSeries& run, int& beyon
   std::vector<double> found;
   beyond = 0;
   for (const auto& [passage, passed] : counted_passages(curve.x, xs)) {
-    found.push_back(passage.of(ys));
+    found.push_back(passage.value_of(ys));
     beyond += passed ? 0 : 1;
   }
   if (beyond == static_cast<int>(found.size()))
@@ -100,9 +100,9 @@ std::vector<double> MeasuredPoints::derivatives(const ProbeSeries& run, const st
   const std::vector<double> xs = column_of(run, x), ys = column_of(run, y);
   std::vector<double> found;
   for (const auto& [at, passed] : counted_passages(curve.x, xs)) {
-    double change = at.of(dy);
+    double change = at.value_of(dy);
     if (passed && at.sample + 1 < xs.size() && xs[at.sample + 1] != xs[at.sample])
-      change -= (ys[at.sample + 1] - ys[at.sample]) / (xs[at.sample + 1] - xs[at.sample]) * at.of(dx);
+      change -= (ys[at.sample + 1] - ys[at.sample]) / (xs[at.sample + 1] - xs[at.sample]) * at.value_of(dx);
     found.push_back(std::sqrt(weight) * change / scale);
   }
   return found;

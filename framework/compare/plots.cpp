@@ -131,7 +131,7 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   for (const Curve& c : plot.curves)
     for (const auto& [error, seconds] : c.points) least = std::min(least, error);
   for (LevelLine& floor : floors(rows, by_step)) {
-    if (floor.at > least / far_from_points) plot.uprights.push_back(std::move(floor));
+    if (floor.at > least / far_from_points) plot.verticals.push_back(std::move(floor));
     else plot.notes.push_back(fmt::format("the noise floor is {:.1g}, further left", floor.at));
   }
   return plot;

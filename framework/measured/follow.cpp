@@ -8,36 +8,36 @@ namespace tack {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double slack = 1e-9;  // of the run's range: accumulated steps end slightly off
+constexpr double slack = 1e-9;  // of the run's range: sums of steps have rounding errors
 
-class Run {
+class RunAbscissa {
  public:
-  explicit Run(std::span<const double> x) : x_(x) {
+  explicit RunAbscissa(std::span<const double> x) : x_(x) {
     if (x.empty()) return;
     const auto [low, high] = std::minmax_element(x.begin(), x.end());
     low_ = *low;
     high_ = *high;
   }
 
-  bool turns_back() const {
+  bool reverses_direction() const {
     return !std::is_sorted(x_.begin(), x_.end()) && !std::is_sorted(x_.rbegin(), x_.rend());
   }
 
   // Returns the first passage of `wanted` from `place` on, and moves `place` there. direction:
   // upwards (1), downwards (-1), either (0).
-  std::optional<Passage> pass(double wanted, int direction, Passage& place) const {
+  std::optional<Passage> pass(double target, int direction, Passage& position) const {
     if (x_.empty()) return std::nullopt;
-    const double reach = slack * (high_ - low_);
-    if (wanted < low_ - reach || wanted > high_ + reach) return std::nullopt;
-    wanted = std::clamp(wanted, low_, high_);
+    const double tolerance = slack * (high_ - low_);
+    if (target < low_ - tolerance || target > high_ + tolerance) return std::nullopt;
+    target = std::clamp(target, low_, high_);
     if (x_.size() == 1) return Passage{};
-    for (size_t i = place.sample; i + 1 < x_.size(); ++i) {
+    for (size_t i = position.sample; i + 1 < x_.size(); ++i) {
       const double before = x_[i], after = x_[i + 1];
-      const bool upward = before <= wanted && wanted <= after, downward = before >= wanted && wanted >= after;
+      const bool upward = before <= target && target <= after, downward = before >= target && target >= after;
       if (!(direction > 0 ? upward : direction < 0 ? downward : upward || downward)) continue;
-      const double part = after == before ? 0 : (wanted - before) / (after - before);
-      if (i == place.sample && part < place.part) continue;
-      return place = {i, part};
+      const double fraction = after == before ? 0 : (target - before) / (after - before);
+      if (i == position.sample && fraction < position.fraction) continue;
+      return position = {i, fraction};
     }
     return std::nullopt;
   }
@@ -60,14 +60,14 @@ int direction_at(std::span<const double> points, size_t i) {
 }  // namespace
 
 std::vector<std::optional<Passage>> passages(std::span<const double> points, std::span<const double> x) {
-  const Run run(x);
-  const bool by_time = run.turns_back();
+  const RunAbscissa run(x);
+  const bool reverses = run.reverses_direction();
   std::vector<std::optional<Passage>> found;
   found.reserve(points.size());
-  Passage place;
+  Passage position;
   for (size_t i = 0; i < points.size(); ++i) {
     Passage start;
-    found.push_back(by_time ? run.pass(points[i], direction_at(points, i), place) : run.pass(points[i], 0, start));
+    found.push_back(reverses ? run.pass(points[i], direction_at(points, i), position) : run.pass(points[i], 0, start));
   }
   return found;
 }
@@ -75,7 +75,7 @@ std::vector<std::optional<Passage>> passages(std::span<const double> points, std
 std::vector<double> follow(std::span<const double> points, std::span<const double> x, std::span<const double> y) {
   std::vector<double> found;
   found.reserve(points.size());
-  for (const std::optional<Passage>& passage : passages(points, x)) found.push_back(passage ? passage->of(y) : nan);
+  for (const std::optional<Passage>& passage : passages(points, x)) found.push_back(passage ? passage->value_of(y) : nan);
   return found;
 }
 

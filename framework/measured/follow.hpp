@@ -14,12 +14,13 @@
 
 namespace tack {
 
-// A position on the run's path, between the samples `sample` and `sample` + 1.
+// A position on the path of a run, between the samples `sample` and `sample` + 1.
 struct Passage {
   size_t sample = 0;
-  double part = 0;  // fraction of the segment
-  double of(std::span<const double> numbers) const {
-    return part == 0 ? numbers[sample] : (1 - part) * numbers[sample] + part * numbers[sample + 1];
+  double fraction = 0;  // of the segment
+  // Interpolates a column of the run.
+  double value_of(std::span<const double> numbers) const {
+    return fraction == 0 ? numbers[sample] : (1 - fraction) * numbers[sample] + fraction * numbers[sample + 1];
   }
 };
 

@@ -6,7 +6,7 @@
 
 namespace tack {
 
-std::string MeasuredCurve::place(size_t point) const { return fmt::format("{}:{}", path, lines.at(point)); }
+std::string MeasuredCurve::location(size_t point) const { return fmt::format("{}:{}", path, lines.at(point)); }
 
 MeasuredCurve read_curve(const std::string& path, const QuantityColumn& x, const QuantityColumn& y) {
   QuantityTable table = read_quantities(path, {x, y});
@@ -14,15 +14,15 @@ MeasuredCurve read_curve(const std::string& path, const QuantityColumn& x, const
   return {path, std::move(table.columns[0]), std::move(table.columns[1]), std::move(table.lines)};
 }
 
-MeasuredCurve part_of(const MeasuredCurve& curve, double from, double to) {
-  MeasuredCurve part{curve.path, {}, {}, {}};
+MeasuredCurve points_within(const MeasuredCurve& curve, double from, double to) {
+  MeasuredCurve selected{curve.path, {}, {}, {}};
   for (size_t i = 0; i < curve.size(); ++i) {
     if (curve.x[i] < from || curve.x[i] > to) continue;
-    part.x.push_back(curve.x[i]);
-    part.y.push_back(curve.y[i]);
-    part.lines.push_back(curve.lines[i]);
+    selected.x.push_back(curve.x[i]);
+    selected.y.push_back(curve.y[i]);
+    selected.lines.push_back(curve.lines[i]);
   }
-  return part;
+  return selected;
 }
 
 }  // namespace tack

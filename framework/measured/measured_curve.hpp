@@ -15,7 +15,7 @@ struct MeasuredCurve {
   std::vector<int> lines;    // line of the file for each point
 
   size_t size() const { return x.size(); }
-  std::string place(size_t point) const;  // "load.csv:7"
+  std::string location(size_t point) const;  // source location: "load.csv:7"
 };
 
 // Reads a curve. Throws InputError with file and line as read_quantities does, also for a file
@@ -23,6 +23,6 @@ struct MeasuredCurve {
 MeasuredCurve read_curve(const std::string& path, const QuantityColumn& x, const QuantityColumn& y);
 
 // Returns the points with from <= x <= to.
-MeasuredCurve part_of(const MeasuredCurve& curve, double from, double to);
+MeasuredCurve points_within(const MeasuredCurve& curve, double from, double to);
 
 }  // namespace tack

@@ -26,8 +26,8 @@ MeasuredCurve MeasuredData::read(const std::string& x, const Unit& x_unit, const
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const QuantityColumn x_wanted{x_column.empty() ? x : x_column, x_unit, "x_column"}, y_wanted{y_column.empty() ? y : y_column, y_unit, "y_column"};
   const MeasuredCurve all = read_curve(file, x_wanted, y_wanted);
-  MeasuredCurve part = part_of(all, from ? from->si : -infinity, to ? to->si : infinity);
-  if (part.size() > 0) return part;
+  MeasuredCurve selected = points_within(all, from ? from->si : -infinity, to ? to->si : infinity);
+  if (selected.size() > 0) return selected;
   const auto [low, high] = std::minmax_element(all.x.begin(), all.x.end());
   throw InputError(fmt::format("{}: no point lies between from and to; its {} goes from {:.6g} to {:.6g}", file, x_wanted.name, *low, *high));
 }

@@ -114,9 +114,9 @@ std::string not_covered(const Followed& f, const Samples& samples, const Statist
   const auto missed = std::count_if(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); });
   const size_t first = static_cast<size_t>(std::find_if(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); }) - f.run.begin());
   const bool beyond = f.curve.x[first] < *low || f.curve.x[first] > *high;
-  return fmt::format("{} of {} measured points are not passed, the first at {} ({} = {:.6g}): {} goes from {:.6g} to {:.6g}{}", missed, f.run.size(), f.curve.place(first),
+  return fmt::format("the run does not pass {} of {} measured points, the first at {} ({} = {:.6g}): {} goes from {:.6g} to {:.6g}{}", missed, f.run.size(), f.curve.location(first),
                      query.along, f.curve.x[first], query.along, *low, *high,
-                     beyond ? "; simulate more, or let from and to leave them out" : ", and turns back; the data have to be in the order in which they were measured");
+                     beyond ? "; simulate more, or exclude them with from and to" : ", and reverses; the data must be in the order in which they were measured");
 }
 
 Followed followed_by(const StatisticQuery& query, const Samples& samples) {
@@ -130,7 +130,7 @@ StatisticValue deviation(const StatisticQuery& query, const Samples& samples) {
   if (std::any_of(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); })) return no_value(not_covered(f, samples, query));
   const Deviation d = deviation_of(f.curve, f.run, query.follows->scale);
   if (!std::isfinite(d.worst))
-    return no_value(fmt::format("the measured {} at {} is 0, and no deviation is a part of it; say `relative_to: peak`", query.probe, f.curve.place(d.worst_at)));
+    return no_value(fmt::format("the measured {} at {} is 0, and so that a relative deviation is undefined; use `relative_to: peak`", query.probe, f.curve.location(d.worst_at)));
   const double value = query.statistic == Statistic::deviation ? d.mean : query.statistic == Statistic::rms_deviation ? d.rms : d.worst;
   return {value, "", fmt::format("{} points, on average {:+.2f}%, worst {:.2f}% at {} = {:.6g}", d.compared, 100 * d.bias, 100 * d.worst, query.along, f.curve.x[d.worst_at])};
 }

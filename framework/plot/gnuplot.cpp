@@ -20,16 +20,16 @@ constexpr std::array<const char*, 14> colours = {"#0072B2", "#D55E00", "#009E73"
                                                 "#882255", "#999933", "#332288", "#117733", "#AA4499", "#661100", "#888888"};
 constexpr std::array<const char*, 4> dashes = {"1", "(8,4)", "(2,3)", "(9,3,2,3)"};
 constexpr std::array<int, 6> marks = {7, 5, 9, 11, 13, 6};
-constexpr size_t most_labels = 12;       // at the ends of curves
+constexpr size_t label_count_max = 12;       // at the ends of curves
 constexpr double label_distance = 0.05;  // of the picture's height
 // Least end of a curve with a label, of the picture's width.
-constexpr double near_right = 0.85;
-constexpr size_t longest_label = 34;     // characters
+constexpr double label_end_min = 0.85;
+constexpr size_t label_length_max = 34;     // characters
 // Largest ratio of the range of a logarithmic axis, margins included, without decades as ticks.
-constexpr double most_without_decades = 80;
-constexpr size_t most_beside = 16;                                            // names of a legend
+constexpr double ratio_without_decades_max = 80;
+constexpr size_t legend_beside_max = 16;                                            // names of a legend
 // Characters: beside the picture, and in rows below it.
-constexpr size_t longest_beside = 34, longest_of_two = 46, longest_of_three = 16;
+constexpr size_t beside_length_max = 34, two_column_length_max = 46, three_column_length_max = 16;
 // Pixels, 96 per inch.
 constexpr double plain_width = 720, wide_width = 900, plain_height = 480, plain_font = 13;
 // Heights of a line of text, and of ticks and label, for plain_font.
@@ -70,7 +70,7 @@ Plot scaled(Plot plot) {
   const auto of = [](const std::vector<double>& sizes, const std::string& unit, bool log) {
     if (unit.empty() || sizes.empty()) return AxisUnit{};
     const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
-    return axis_unit(log && *most > most_without_decades * *least ? 1 : *most, unit);
+    return axis_unit(log && *most > ratio_without_decades_max * *least ? 1 : *most, unit);
   };
   const AxisUnit along = of(xs, plot.x_unit, plot.log_x), up = of(ys, plot.y_unit, plot.log_y);
   plot.x_label = axis_label(plot.x_label, along.text);
@@ -80,7 +80,7 @@ Plot scaled(Plot plot) {
     for (auto& [low, high] : c.spread) low *= up.factor, high *= up.factor;
   }
   for (LevelLine& l : plot.levels) l.at *= up.factor;
-  for (LevelLine& l : plot.uprights) l.at *= along.factor;
+  for (LevelLine& l : plot.verticals) l.at *= along.factor;
   return plot;
 }
 
@@ -95,13 +95,13 @@ std::string data_block(const Plot& plot, const Curve& curve, size_t i) {
   return out + "END\n";
 }
 
-std::string colour_of(size_t i, const PlotLook& look) {
-  return look.colours.empty() ? colours[i % colours.size()] : look.colours[i % look.colours.size()];
+std::string colour_of(size_t i, const FigureStyle& style) {
+  return style.colours.empty() ? colours[i % colours.size()] : style.colours[i % style.colours.size()];
 }
 
 // Line widths are in points; gnuplot draws a width of 1 with 0.75 points in SVG.
-std::string style_of(size_t i, const PlotLook& look) {
-  return fmt::format("lc rgb '{}' dt {} lw {}", colour_of(i, look), dashes[i % dashes.size()], look.line_width ? *look.line_width / 0.75 : 2);
+std::string style_of(size_t i, const FigureStyle& style) {
+  return fmt::format("lc rgb '{}' dt {} lw {}", colour_of(i, style), dashes[i % dashes.size()], style.line_width ? *style.line_width / 0.75 : 2);
 }
 
 // Layout of a picture, in pixels.
@@ -113,24 +113,24 @@ struct Sheet {
 
 // Returns the size of a picture. Without a size in `look`: wide if its names need it, and higher by
 // `below`, the space under the plot.
-Sheet sheet_of(const PlotLook& look, bool wide, double below) {
+Sheet sheet_of(const FigureStyle& style, bool wide, double below) {
   const double pixels = dots_per_inch / 0.0254;
-  Sheet sheet{wide ? wide_width : plain_width, plain_height + below, look.font_size ? *look.font_size * dots_per_inch / points_per_inch : plain_font};
-  if (look.width) sheet.width = *look.width * pixels, sheet.height = sheet.width * 2 / 3;
-  if (look.height) sheet.height = *look.height * pixels;
+  Sheet sheet{wide ? wide_width : plain_width, plain_height + below, style.font_size ? *style.font_size * dots_per_inch / points_per_inch : plain_font};
+  if (style.width) sheet.width = *style.width * pixels, sheet.height = sheet.width * 2 / 3;
+  if (style.height) sheet.height = *style.height * pixels;
   return sheet;
 }
 
-std::string terminals(const std::string& name, const std::string& command, const Sheet& sheet, const PlotLook& look) {
-  const double finer = look.sized() ? dots_of_papers / dots_per_inch : 2;
+std::string terminals(const std::string& name, const std::string& command, const Sheet& sheet, const FigureStyle& style) {
+  const double scale = style.sized() ? dots_of_papers / dots_per_inch : 2;
   std::string out = fmt::format("set terminal svg size {2:.0f},{3:.0f} font '{4},{5:.4g}' dynamic background rgb 'white'\nset output '{0}.svg'\n{1}\n"
                                 "set terminal pngcairo size {6:.0f},{7:.0f} font '{4},{8:.4g}' linewidth {9:.4g} pointscale {9:.4g}\nset output '{0}.png'\n{1}\n",
-                                name, command, sheet.width, sheet.height, look.font, sheet.font, finer * sheet.width, finer * sheet.height,
-                                finer * sheet.font * (look.sized() ? points_per_inch / dots_per_inch : 1), finer);
+                                name, command, sheet.width, sheet.height, style.font, sheet.font, scale * sheet.width, scale * sheet.height,
+                                scale * sheet.font * (style.sized() ? points_per_inch / dots_per_inch : 1), scale);
   // Without fontscale, text has 2/3 of the requested size; lines of width 1 are 0.5 points.
-  if (look.pdf)
+  if (style.pdf)
     out += fmt::format("set terminal pdfcairo size {2:.4g}in,{3:.4g}in font '{4},{5:.4g}' fontscale 0.75 linewidth 1.5\nset output '{0}.pdf'\n{1}\n", name, command,
-                       sheet.width / dots_per_inch, sheet.height / dots_per_inch, look.font, sheet.font * points_per_inch / dots_per_inch);
+                       sheet.width / dots_per_inch, sheet.height / dots_per_inch, style.font, sheet.font * points_per_inch / dots_per_inch);
   return out + "unset output\n";
 }
 
@@ -155,42 +155,42 @@ std::string axis(const char* name, const AxisRange& range, double most = 0) {
 }
 
 std::string shortened(const std::string& text) {
-  return text.size() <= longest_label ? text : text.substr(0, longest_label - 3) + "...";
+  return text.size() <= label_length_max ? text : text.substr(0, label_length_max - 3) + "...";
 }
 
-struct Scene {
+struct PlotData {
   std::vector<Curve> curves;
   AxisRange x, y;
 };
 
 // Returns heights of the names at the right ends of the curves; nothing if they do not fit.
-std::optional<std::vector<double>> label_heights(const Scene& s, const Plot& plot) {
-  if (s.curves.size() > most_labels) return std::nullopt;
+std::optional<std::vector<double>> label_heights(const PlotData& s, const Plot& plot) {
+  if (s.curves.size() > label_count_max) return std::nullopt;
   std::vector<double> wanted;
   for (const Curve& c : s.curves) {
     std::pair<double, double> last{-std::numeric_limits<double>::infinity(), 0};
     for (const auto& p : c.points)
       if (drawable(plot, p) && p.first >= last.first) last = p;
-    if (s.x.place(last.first) < near_right) return std::nullopt;
-    wanted.push_back(s.y.place(last.second));
+    if (s.x.position(last.first) < label_end_min) return std::nullopt;
+    wanted.push_back(s.y.position(last.second));
   }
-  return spread_out(wanted, label_distance);
+  return separate_labels(wanted, label_distance);
 }
 
 // Applies the title and the y label of a look to a picture.
 template <class Picture>
-Picture looked(Picture picture, const PlotLook& look) {
-  if (!look.title.empty()) picture.title = look.title;
-  if (look.untitled) picture.title.clear();
-  if (!look.y_label.empty()) picture.y_label = look.y_label;
+Picture styled(Picture picture, const FigureStyle& style) {
+  if (!style.title.empty()) picture.title = style.title;
+  if (style.untitled) picture.title.clear();
+  if (!style.y_label.empty()) picture.y_label = style.y_label;
   return picture;
 }
 
-std::string script_of(const Plot& given, const std::string& name, const PlotLook& look) {
-  Plot unscaled = looked(given, look);
-  if (!look.x_label.empty()) unscaled.x_label = look.x_label;
+std::string script_of(const Plot& given, const std::string& name, const FigureStyle& style) {
+  Plot unscaled = styled(given, style);
+  if (!style.x_label.empty()) unscaled.x_label = style.x_label;
   const Plot plot = scaled(unscaled);
-  Scene s;
+  PlotData s;
   for (const Curve& c : merged_curves(plot.curves))
     if (drawable(plot, c)) s.curves.push_back(c);  // gnuplot stops at a curve without points
   std::vector<double> xs, ys;
@@ -200,36 +200,36 @@ std::string script_of(const Plot& given, const std::string& name, const PlotLook
     for (const auto& [low, high] : c.spread) ys.push_back(low), ys.push_back(high);
   }
   for (const LevelLine& l : plot.levels) ys.push_back(l.at);
-  for (const LevelLine& l : plot.uprights) xs.push_back(l.at);
+  for (const LevelLine& l : plot.verticals) xs.push_back(l.at);
   s.x = range_of(xs, plot.log_x).value();
   s.y = range_of(ys, plot.log_y).value();
   std::string out = "set encoding utf8\n";
   for (size_t i = 0; i < s.curves.size(); ++i) out += data_block(plot, s.curves[i], i);
   out += fmt::format("set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
                      "set border 3 lc rgb '#606060'\nset tics nomirror out\n{}",
-                     in_quotes(plot.title), in_quotes(plot.x_label), in_quotes(plot.y_label), look.grid ? "set grid lc rgb '#e0e0e0' lw 1\n" : "");
-  const Sheet plain = sheet_of(look, false, 0);
-  out += axis("x", s.x, look.sized() ? plain.width / (6 * plain.font) : 0) + axis("y", s.y, look.sized() ? plain.height / (4 * plain.font) : 0);
+                     in_quotes(plot.title), in_quotes(plot.x_label), in_quotes(plot.y_label), style.grid ? "set grid lc rgb '#e0e0e0' lw 1\n" : "");
+  const Sheet plain = sheet_of(style, false, 0);
+  out += axis("x", s.x, style.sized() ? plain.width / (6 * plain.font) : 0) + axis("y", s.y, style.sized() ? plain.height / (4 * plain.font) : 0);
   const auto labels = label_heights(s, plot);
   size_t longest = 0;
   double below = 0;
   for (const Curve& c : s.curves) longest = std::max(longest, shortened(c.title).size());
-  if (!look.legend) {
+  if (!style.legend) {
     out += "unset key\n";
   } else if (labels && s.curves.size() > 1) {
     out += fmt::format("unset key\nset rmargin {}\n", longest + 3);
     for (size_t i = 0; i < s.curves.size(); ++i)
       out += fmt::format("set label {} at graph 1.015, graph {:.4f} left noenhanced tc rgb '{}'\n", in_quotes(shortened(s.curves[i].title)),
-                         (*labels)[i], colour_of(i, look));
+                         (*labels)[i], colour_of(i, style));
   } else {
-    size_t whole = 0;
-    for (const Curve& c : s.curves) whole = std::max(whole, c.title.size());
-    const bool beside = s.curves.size() <= most_beside && whole <= longest_beside;
+    size_t longest_title = 0;
+    for (const Curve& c : s.curves) longest_title = std::max(longest_title, c.title.size());
+    const bool beside = s.curves.size() <= legend_beside_max && longest_title <= beside_length_max;
     out += s.curves.size() < 2 ? "unset key\n" : beside ? "set key outside right noenhanced samplen 3\n" : "";
     if (!beside && s.curves.size() > 1) {  // between the axis and the notes
-      const size_t in_a_row = whole > longest_of_two ? 1 : whole > longest_of_three ? 2 : 3, rows = (s.curves.size() + in_a_row - 1) / in_a_row;
+      const size_t in_a_row = longest_title > two_column_length_max ? 1 : longest_title > three_column_length_max ? 2 : 3, rows = (s.curves.size() + in_a_row - 1) / in_a_row;
       const double names = 10 + static_cast<double>(rows + plot.notes.size()) * plain.row();
-      if (!look.height) below = names;
+      if (!style.height) below = names;
       out += fmt::format("set key at screen 0.02, screen {:.4f} left top Left reverse noenhanced samplen 3 maxrows {}\nset bmargin at screen {:.4f}\n",
                          names / (plain.height + below), rows, (names + plain.axis()) / (plain.height + below));
     }
@@ -237,7 +237,7 @@ std::string script_of(const Plot& given, const std::string& name, const PlotLook
   for (const LevelLine& l : plot.levels)
     out += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#808080' dt (4,4) lw 1.5\n"
                        "set label {1} at graph 0.01, first {0} offset 0,0.5 noenhanced tc rgb '#606060'\n", l.at, in_quotes(l.title));
-  for (const LevelLine& l : plot.uprights)
+  for (const LevelLine& l : plot.verticals)
     out += fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead lc rgb '#808080' dt (4,4) lw 1.5\n"
                        "set label {1} at first {0}, graph 0.02 left rotate by 90 offset 0.7,0 noenhanced tc rgb '#606060'\n", l.at, in_quotes(l.title));
   if (!plot.notes.empty()) {
@@ -253,16 +253,16 @@ std::string script_of(const Plot& given, const std::string& name, const PlotLook
     const std::string mark = scattered || plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
     // Marks of size zero would make SVG that some renderers cannot read: these are just invisible.
     if (!s.curves[i].spread.empty())
-      commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colour_of(i, look)));
-    commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i, look), mark, in_quotes(s.curves[i].title)));
+      commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colour_of(i, style)));
+    commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i, style), mark, in_quotes(s.curves[i].title)));
   }
-  Sheet sheet = sheet_of(look, !labels || longest > 16, below);
-  if (look.width && !look.height) sheet.height += below;
-  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), sheet, look);
+  Sheet sheet = sheet_of(style, !labels || longest > 16, below);
+  if (style.width && !style.height) sheet.height += below;
+  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), sheet, style);
 }
 
-std::string script_of(const StackedBars& given, const std::string& name, const PlotLook& look) {
-  const StackedBars bars = looked(given, look);
+std::string script_of(const StackedBars& given, const std::string& name, const FigureStyle& style) {
+  const StackedBars bars = styled(given, style);
   std::string out = "set encoding utf8\n$bars << END\n";
   double highest = 0;
   for (const std::vector<double>& parts : bars.heights) highest = std::max(highest, std::accumulate(parts.begin(), parts.end(), 0.0));
@@ -287,7 +287,7 @@ std::string script_of(const StackedBars& given, const std::string& name, const P
     commands.push_back(fmt::format("{} using {}{} title {} {} lc rgb '{}'", "$bars", k + 2, k ? "" : ":xtic(1)",
                                    in_quotes(bars.parts[k]), fill, colours[k % colours.size()]));
   }
-  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), sheet_of(look, true, 0), look);
+  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), sheet_of(style, true, 0), style);
 }
 
 }  // namespace
@@ -301,23 +301,23 @@ std::string draw_script(const fs::path& folder, const std::string& name) {
     return "";
   }
   if (code < 0 || code == 127)
-    return fmt::format("{}: no pictures, gnuplot is not there; install it (Debian: gnuplot-nox) and run "
+    return fmt::format("{}: no pictures, as gnuplot is missing; install it (Debian: gnuplot-nox) and run "
                        "`gnuplot {}` in {}",
                        name, script, folder.string());
   return fmt::format("{}: gnuplot failed; see {}", name, messages.string());
 }
 
-std::string draw(const Plot& plot, const fs::path& folder, const std::string& name, const PlotLook& look) {
+std::string draw(const Plot& plot, const fs::path& folder, const std::string& name, const FigureStyle& style) {
   const auto& curves = plot.curves;
   if (std::none_of(curves.begin(), curves.end(), [&](const Curve& c) { return drawable(plot, c); }))
     return fmt::format("{}: nothing to draw", name);
-  replace_file(folder / (name + ".gp"), script_of(plot, name, look));
+  replace_file(folder / (name + ".gp"), script_of(plot, name, style));
   return draw_script(folder, name);
 }
 
-std::string draw(const StackedBars& bars, const fs::path& folder, const std::string& name, const PlotLook& look) {
+std::string draw(const StackedBars& bars, const fs::path& folder, const std::string& name, const FigureStyle& style) {
   if (bars.names.empty() || bars.parts.empty()) return fmt::format("{}: nothing to draw", name);
-  replace_file(folder / (name + ".gp"), script_of(bars, name, look));
+  replace_file(folder / (name + ".gp"), script_of(bars, name, style));
   return draw_script(folder, name);
 }
 

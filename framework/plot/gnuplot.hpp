@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "framework/plot/plot.hpp"
-#include "framework/plot/plot_look.hpp"
+#include "framework/plot/figure_style.hpp"
 
 namespace tack {
 
@@ -17,9 +17,9 @@ namespace tack {
 // Returns "" or the reason why there are no pictures. Throws InputError if the script cannot be
 // written.
 std::string draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name,
-                 const PlotLook& look = {});
+                 const FigureStyle& style = {});
 std::string draw(const StackedBars& bars, const std::filesystem::path& folder,
-                 const std::string& name, const PlotLook& look = {});
+                 const std::string& name, const FigureStyle& style = {});
 
 // Runs an existing script. Returns "" or an error message.
 std::string draw_script(const std::filesystem::path& folder, const std::string& name);

@@ -37,7 +37,7 @@ std::vector<Curve> merged_curves(const std::vector<Curve>& curves) {
   return merged;
 }
 
-double AxisRange::place(double value) const {
+double AxisRange::position(double value) const {
   const auto scale = [this](double v) { return log ? std::log(v) : v; };
   return (scale(value) - scale(low)) / (scale(high) - scale(low));
 }
@@ -79,7 +79,7 @@ std::vector<double> log_ticks(const AxisRange& range) {
   return ticks;
 }
 
-std::optional<std::vector<double>> spread_out(const std::vector<double>& wanted, double apart) {
+std::optional<std::vector<double>> separate_labels(const std::vector<double>& wanted, double apart) {
   const size_t n = wanted.size();
   if (n > 0 && static_cast<double>(n - 1) * apart > 1) return std::nullopt;
   std::vector<size_t> order(n);

@@ -18,7 +18,7 @@ struct Curve {
   bool scattered = false;
 };
 
-// A labelled line across the plot: horizontal in `levels`, vertical in `uprights`.
+// A labelled line across the plot: horizontal in `levels`, vertical in `verticals`.
 struct LevelLine {
   double at = 0;
   std::string title;
@@ -33,7 +33,7 @@ struct Plot {
   enum class Style { points, lines, steps } style = Style::points;
   std::vector<Curve> curves;
   std::vector<LevelLine> levels;
-  std::vector<LevelLine> uprights = {};
+  std::vector<LevelLine> verticals = {};
   std::vector<std::string> notes;  // below the plot: omitted data and the reason
 };
 
@@ -57,11 +57,11 @@ Plot within(Plot plot, double low, double high);
 // Merges curves with equal points into one with both titles; otherwise one would hide the other.
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves);
 
-// Range of an axis. place(): position of a value, 0 at the lower end and 1 at the upper.
+// Range of an axis. position(): position of a value, 0 at the lower end and 1 at the upper.
 struct AxisRange {
   double low = 0, high = 1;
   bool log = false;
-  double place(double value) const;
+  double position(double value) const;
 };
 
 // Returns the range of the data with a margin of a twentieth, not rounded to decades. Numbers
@@ -76,6 +76,6 @@ std::vector<double> log_ticks(const AxisRange& range);
 
 // Returns heights in [0, 1] for labels, close to `wanted` and at least `apart` from each other;
 // nothing if they do not fit.
-std::optional<std::vector<double>> spread_out(const std::vector<double>& wanted, double apart);
+std::optional<std::vector<double>> separate_labels(const std::vector<double>& wanted, double apart);
 
 }  // namespace tack

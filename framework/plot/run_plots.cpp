@@ -96,8 +96,8 @@ std::optional<Plot> law_curves(const CsvTexts& laws) {
 
 PlottedRun plotted_run(const fs::path& folder, const std::string& name) {
   if (!fs::exists(folder / "steps.csv"))
-    throw InputError(fmt::format("{}: holds no results of a run (no steps.csv); give a folder that `tack run`, `tack batch` or "
-                                 "`tack compare` made", folder.string()));
+    throw InputError(fmt::format("{}: has no results of a run (no steps.csv); give a folder of `tack run`, `tack batch` or "
+                                 "`tack compare`", folder.string()));
   PlottedRun run{name, read_csv(folder / "steps.csv"), {}, {}, {}, {}};
   if (fs::exists(folder / "probes.csv")) run.probes = read_csv(folder / "probes.csv");
   if (fs::exists(folder / "laws.csv")) run.laws = read_csv_texts(folder / "laws.csv");
@@ -182,9 +182,9 @@ std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs) {
   return bars;
 }
 
-StackedBars shares_of(StackedBars bars) {
-  bars.title = "where the time goes";
-  bars.y_label = "share of the wall time [%]";
+StackedBars percentages_of(StackedBars bars) {
+  bars.title = "wall time by phase";
+  bars.y_label = "fraction of the wall time [%]";
   bars.y_unit = "";
   bars.top = 100;
   for (std::vector<double>& parts : bars.heights) {

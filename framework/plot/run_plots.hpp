@@ -39,6 +39,6 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs);
 Plot probe_curves(const std::vector<PlottedRun>& runs, const std::string& x, const std::string& y);
 
 std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs);
-StackedBars shares_of(StackedBars bars);  // each bar in percent of itself
+StackedBars percentages_of(StackedBars bars);  // each bar in percent of itself
 
 }  // namespace tack

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int usual_frames = 200;
-constexpr double most_numbers = 16e6;  // limit per page: some 15 MB
+constexpr int frame_count_default = 200;
+constexpr double page_numbers_max = 16e6;  // limit per page: some 15 MB
 
 using Face = std::array<int, 3>;
 
@@ -80,7 +80,7 @@ std::vector<std::vector<int>> outer_vertices(const FrameFile& frame, const Surfa
 
 }  // namespace
 
-FrameFollower::FrameFollower(const FrameFile& first) {
+FrameSeriesBuilder::FrameSeriesBuilder(const FrameFile& first) {
   mesh_ = first.mesh;
   const Surface surface = extract_surface(mesh_);
   const FaceOwners owners(mesh_);
@@ -116,8 +116,8 @@ FrameFollower::FrameFollower(const FrameFile& first) {
 }
 
 // Updates the indices of kept vertices and cells for a frame with another mesh inside.
-void FrameFollower::follow(const FrameFile& now) {
-  const auto differs = [] { throw InputError("its mesh is another one than that of the first frame"); };
+void FrameSeriesBuilder::adopt_mesh(const FrameFile& now) {
+  const auto differs = [] { throw InputError("its mesh differs from that of the first frame"); };
   const Surface surface = extract_surface(now.mesh);
   const auto outer = outer_vertices(now, surface);
   std::vector<int> number(mesh_.vertices.size(), -1);
@@ -141,15 +141,15 @@ void FrameFollower::follow(const FrameFile& now) {
   mesh_ = now.mesh;
 }
 
-void FrameFollower::add(double time, const FrameFile& now) {
+void FrameSeriesBuilder::add(double time, const FrameFile& now) {
   if (now.mesh.vertices.size() != mesh_.vertices.size() || now.mesh.tets != mesh_.tets || now.mesh.triangles != mesh_.triangles ||
       now.mesh.edges != mesh_.edges || now.mesh.points != mesh_.points)
-    follow(now);
+    adopt_mesh(now);
   const size_t n = kept_.size();
   std::vector<float> x(3 * n);
   for (size_t i = 0; i < n; ++i) {
-    const Vec3 place = now.mesh.vertices[kept_[i]] - series_.origin;
-    for (int c = 0; c < 3; ++c) x[c * n + i] = static_cast<float>(place(c));
+    const Vec3 position = now.mesh.vertices[kept_[i]] - series_.origin;
+    for (int c = 0; c < 3; ++c) x[c * n + i] = static_cast<float>(position(c));
   }
   std::vector<std::vector<float>> values;
   for (const auto& field : series_.fields) values.push_back(values_of(field, field.of_vertices ? now.of_vertices : now.of_cells));
@@ -158,9 +158,9 @@ void FrameFollower::add(double time, const FrameFile& now) {
   for (size_t f = 0; f < values.size(); ++f) series_.fields[f].frames.push_back(std::move(values[f]));
 }
 
-std::vector<float> FrameFollower::values_of(const FrameSeries::Field& field, const std::vector<FrameArray>& arrays) const {
+std::vector<float> FrameSeriesBuilder::values_of(const FrameSeries::Field& field, const std::vector<FrameArray>& arrays) const {
   const auto array = std::find_if(arrays.begin(), arrays.end(), [&](const FrameArray& a) { return a.name == field.name; });
-  if (array == arrays.end()) throw InputError(fmt::format("it has no field '{}', as the first frame has", field.name));
+  if (array == arrays.end()) throw InputError(fmt::format("it lacks the field '{}' of the first frame", field.name));
   std::vector<float> values;
   for (const int i : field.of_vertices ? kept_ : cells_) {
     const auto entry = array->values.segment(static_cast<Eigen::Index>(array->components) * i, array->components);
@@ -169,7 +169,7 @@ std::vector<float> FrameFollower::values_of(const FrameSeries::Field& field, con
   return values;
 }
 
-std::vector<int> evenly(int count, int wanted) {
+std::vector<int> spaced_indices(int count, int wanted) {
   std::vector<int> numbers;
   const int kept = std::min(count, std::max(1, wanted));
   for (int i = 0; i < kept; ++i)
@@ -180,14 +180,14 @@ std::vector<int> evenly(int count, int wanted) {
 namespace {
 
 // Returns the number of frames that keeps a page within its limit.
-int affordable(FrameSeries& series, size_t vertices) {
+int affordable_frames(FrameSeries& series, size_t vertices) {
   double numbers = 3.0 * static_cast<double>(series.vertices());
   for (const auto& field : series.fields) numbers += static_cast<double>(field.of_vertices ? series.vertices() : series.elements());
-  const int most = std::max(2, static_cast<int>(std::min(1e9, most_numbers / numbers)));
-  if (most < std::min(usual_frames, series.written))
+  const int most = std::max(2, static_cast<int>(std::min(1e9, page_numbers_max / numbers)));
+  if (most < std::min(frame_count_default, series.written))
     series.notes.push_back(fmt::format("{} of {} frames are kept: with {} vertices, more would make the page too large. `--frames N` "
-                                       "keeps as many as it says.", most, series.written, vertices));
-  return std::min(usual_frames, most);
+                                       "sets the number of frames.", most, series.written, vertices));
+  return std::min(frame_count_default, most);
 }
 
 }  // namespace
@@ -196,11 +196,11 @@ FrameSeries read_frames(const fs::path& run, int frames) {
   const auto list = PvdFile::continued(run / "run.pvd", std::numeric_limits<double>::infinity()).list();
   if (list.empty()) return {};
   FrameFile first = read_frame(run / list[0].file);
-  FrameFollower follower(first);
+  FrameSeriesBuilder follower(first);
   FrameSeries& series = follower.series();
   series.written = static_cast<int>(list.size());
-  const int wanted = frames > 0 ? frames : affordable(series, first.mesh.vertices.size());
-  for (const int i : evenly(static_cast<int>(list.size()), wanted)) {
+  const int wanted = frames > 0 ? frames : affordable_frames(series, first.mesh.vertices.size());
+  for (const int i : spaced_indices(static_cast<int>(list.size()), wanted)) {
     try {
       follower.add(list[i].time, i == 0 ? std::move(first) : read_frame(run / list[i].file));
     } catch (const InputError& error) {

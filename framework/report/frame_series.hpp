@@ -38,11 +38,11 @@ struct FrameSeries {
   int elements() const { return static_cast<int>(object.size()); }
 };
 
-// A series that grows frame by frame. Remeshed objects keep their outer faces.
-class FrameFollower {
+// Builds a series frame by frame. Remeshed objects keep their outer faces.
+class FrameSeriesBuilder {
  public:
   // Takes the elements of the first frame, without adding the frame to the series.
-  explicit FrameFollower(const FrameFile& first);
+  explicit FrameSeriesBuilder(const FrameFile& first);
   // Adds a frame. Throws InputError, with nothing added, if its outer faces or fields differ.
   void add(double time, const FrameFile& now);
 
@@ -52,7 +52,7 @@ class FrameFollower {
   const std::vector<int>& kept() const { return kept_; }
 
  private:
-  void follow(const FrameFile& now);
+  void adopt_mesh(const FrameFile& now);
   std::vector<float> values_of(const FrameSeries::Field& field,
                                const std::vector<FrameArray>& arrays) const;
 
@@ -65,7 +65,7 @@ class FrameFollower {
 };
 
 // Returns `wanted` indices below `count`, evenly spread with both ends; for one, the last.
-std::vector<int> evenly(int count, int wanted);
+std::vector<int> spaced_indices(int count, int wanted);
 
 // Reads at most `frames` of the frames in run.pvd, with the first and the last. 0: 200, or fewer if
 // a page would get too large. An unreadable frame ends the series, with a note.

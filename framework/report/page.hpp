@@ -13,7 +13,7 @@ class PageData {
  public:
   // beside: blocks are stored outside the document, which has their indices; inside: in it.
   enum class Blocks { beside, inside };
-  explicit PageData(Blocks where = Blocks::beside) : where_(where) {}
+  explicit PageData(Blocks where = Blocks::beside) : placement_(where) {}
 
   // The document's keys:
   //    kind          run, runs, comparison, batch, calibration or preview
@@ -29,7 +29,7 @@ class PageData {
   const std::vector<std::string>& blocks() const { return blocks_; }
 
  private:
-  Blocks where_;
+  Blocks placement_;
   std::vector<std::string> blocks_;  // in base64
 };
 

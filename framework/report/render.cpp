@@ -16,15 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_frames = 5000;              // limit of the frames read of a run
-constexpr int lights_of_pictures = 48, lights_of_films = 8;
+constexpr int frame_count_max = 5000;              // limit of the frames read of a run
+constexpr int lights_per_picture = 48, lights_per_film_frame = 8;
 
 // A temporary folder, deleted with its owner.
 class Scratch {
  public:
   Scratch() {
     std::string name = (fs::temp_directory_path() / "tack_render_XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: no folder can be made there; set TMPDIR", name));
+    if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: cannot make a folder there; set TMPDIR", name));
     path_ = name;
   }
   ~Scratch() {
@@ -51,26 +51,26 @@ fs::path modules() {
 void render(const RenderSettings& settings, const RenderView& view) {
   const std::string ending = settings.output.extension().string();
   if (ending != ".png" && ending != ".mp4" && ending != ".gif")
-    throw InputError(fmt::format("{}: a picture ends in .png, a film in .mp4 or .gif; name one by -o", settings.output.string()));
+    throw InputError(fmt::format("{}: names of pictures end in .png, names of films in .mp4 or .gif; give one with -o", settings.output.string()));
   for (const fs::path& folder : settings.folders)
-    if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs are drawn; give the folder of one", folder.string()));
+    if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs can be rendered; give the folder of a run", folder.string()));
   const Scratch scratch;
   ReportSettings report;
   report.folders = settings.folders;
   report.output = scratch.path() / "film.html";
-  report.frames = most_frames;
+  report.frames = frame_count_max;
   report.page = shared_file("film.html");
   report.version = settings.version;
   report.commit = settings.commit;
   for (const std::string& note : write_report(report).notes)
     if (!settings.quiet) fmt::print("note: {}\n", note);
-  const fs::path told = scratch.path() / "view.json";
-  replace_file(told, json_of(view, ending == ".png" ? lights_of_pictures : lights_of_films).dump());
+  const fs::path view_file = scratch.path() / "view.json";
+  replace_file(view_file, json_of(view, ending == ".png" ? lights_per_picture : lights_per_film_frame).dump());
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
   std::fflush(nullptr);
-  const int code = run_program({"node", shared_file("render.mjs").string(), modules().string(), report.output.string(), told.string(), settings.output.string()},
+  const int code = run_program({"node", shared_file("render.mjs").string(), modules().string(), report.output.string(), view_file.string(), settings.output.string()},
                                {{}, settings.quiet ? "/dev/null" : ""});
-  if (code < 0 || code == 127) throw InputError("there is no node to draw with; install it (Debian: nodejs), or run `./tack render`, which does");
+  if (code < 0 || code == 127) throw InputError("node is missing; install it (Debian: nodejs), or run `./tack render`, which installs it");
   if (code != 0) throw InputError(fmt::format("{} was not drawn", settings.output.string()));
 }
 

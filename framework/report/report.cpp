@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-fs::path whole(const fs::path& folder) {
+fs::path canonical_path(const fs::path& folder) {
   const fs::path path = fs::weakly_canonical(fs::absolute(folder));
   return path.has_filename() ? path : path.parent_path();
 }
@@ -24,7 +24,7 @@ fs::path whole(const fs::path& folder) {
 std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
   std::vector<std::string> labels(folders.size());
   std::vector<fs::path> rest;
-  for (const fs::path& folder : folders) rest.push_back(whole(folder));
+  for (const fs::path& folder : folders) rest.push_back(canonical_path(folder));
   for (bool unique = false; !unique;) {
     bool grown = false;
     for (size_t i = 0; i < labels.size(); ++i) {
@@ -60,7 +60,7 @@ FolderKind kind_of(const fs::path& folder) {
   if (fs::exists(folder / "compare.csv")) return FolderKind::comparison;
   for (const char* file : {"scene.yaml", "summary.json", "steps.csv", "run.pvd"})
     if (fs::exists(folder / file)) return FolderKind::run;
-  throw InputError(fmt::format("{}: is the folder of neither a run nor a comparison nor a batch nor a calibration; give one that was made by "
+  throw InputError(fmt::format("{}: is not a results folder; give one of "
                                "`tack run`, `tack compare`, `tack batch` or `tack calibrate`", folder.string()));
 }
 
@@ -69,7 +69,7 @@ PageData report_data(const ReportSettings& s) {
   for (const fs::path& folder : s.folders) kinds.push_back(kind_of(folder));
   const bool runs = std::all_of(kinds.begin(), kinds.end(), [](FolderKind kind) { return kind == FolderKind::run; });
   if (kinds.empty() || (!runs && kinds.size() > 1))
-    throw InputError("a report is of runs, of one comparison, one batch or one calibration; give one of them at a time");
+    throw InputError("a report is of one or more runs, or of one comparison, batch or calibration");
   if (!s.cases.empty() && kinds[0] != FolderKind::batch) throw InputError("--case is for a batch");
 
   PageData page;

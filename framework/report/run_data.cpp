@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int place_levels = 65535, field_levels = 1023;
+constexpr int position_levels = 65535, field_levels = 1023;
 
 // Returns the range of the finite values; {0, 0} if there are none.
 Quantizer range_of(const std::vector<std::vector<float>>& frames, int levels) {
@@ -55,7 +55,7 @@ std::string number_bytes(const std::vector<int>& numbers) {
 
 Json frame_data(const FrameSeries& series, PageData& page, bool elements) {
   // One range for all directions, so that steps have one length.
-  const Quantizer q = range_of(series.positions, place_levels);
+  const Quantizer q = range_of(series.positions, position_levels);
   Json fields = Json::array();
   for (const auto& field : series.fields) fields.push_back(field_data(field, page));
   Json data = {{"times", series.times},
@@ -78,7 +78,7 @@ Json frame_data(const FrameSeries& series, PageData& page, bool elements) {
 Json run_data(const fs::path& folder, const std::string& label, int frames, PageData& page) {
   Json notes = Json::array();
   // Returns null if the file is missing, or unreadable, with a note then.
-  const auto part = [&](const char* file, const auto& read) -> Json {
+  const auto read_optional = [&](const char* file, const auto& read) -> Json {
     const fs::path path = folder / file;
     if (!fs::exists(path)) return Json();
     try {
@@ -90,12 +90,12 @@ Json run_data(const fs::path& folder, const std::string& label, int frames, Page
     }
     return Json();
   };
-  Json summary = part("summary.json", [](const fs::path& path) { return Json::parse(read_file(path, largest_text)); });
-  Json scene = part("scene.yaml", [](const fs::path& path) { return scene_data(path); });
+  Json summary = read_optional("summary.json", [](const fs::path& path) { return Json::parse(read_file(path, largest_text)); });
+  Json scene = read_optional("scene.yaml", [](const fs::path& path) { return scene_data(path); });
   const auto numbers = [&](const fs::path& path) { return number_table(read_csv(path), page); };
-  Json steps = part("steps.csv", numbers), probes = part("probes.csv", numbers);
-  Json laws = part("laws.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); });
-  Json shown = part("run.pvd", [&](const fs::path&) {
+  Json steps = read_optional("steps.csv", numbers), probes = read_optional("probes.csv", numbers);
+  Json laws = read_optional("laws.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); });
+  Json shown = read_optional("run.pvd", [&](const fs::path&) {
     const FrameSeries series = read_frames(folder, frames);
     for (const std::string& note : series.notes) notes.push_back(note);
     return series.times.empty() ? Json() : frame_data(series, page, true);

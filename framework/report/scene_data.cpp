@@ -49,7 +49,7 @@ Json probes_of(const Experiment& e, const Value& root) {
 
 // Returns half of the contact range [m], so that contact begins where the ranges of two bodies
 // meet.
-Json reach_of(const ObjectConfig& object, const Experiment& e) {
+Json contact_half_range(const ObjectConfig& object, const Experiment& e) {
   if (!e.contact) return Json();
   return object.contact_offset + e.contact->contact_distance / 2;
 }
@@ -87,7 +87,7 @@ Json scene_data(const std::filesystem::path& scene) {
 
 Json scene_data(const Experiment& e, const Value& root, const std::string& text) {
   Json objects = Json::array();
-  for (const ObjectConfig& object : e.objects) objects.push_back({{"name", object.name}, {"radius", radius_of(object)}, {"reach", reach_of(object, e)}});
+  for (const ObjectConfig& object : e.objects) objects.push_back({{"name", object.name}, {"radius", radius_of(object)}, {"reach", contact_half_range(object, e)}});
   return {{"name", e.name}, {"about", e.about}, {"text", text}, {"up", up_of(e)}, {"duration", e.time.duration}, {"objects", std::move(objects)},
           {"probes", probes_of(e, root)}, {"expect", expectations_of(e)}};
 }

@@ -76,11 +76,11 @@ Json calibration_data(const fs::path& folder, PageData& page) {
   try {
     calibration = Json::parse(read_file(folder / "calibration.json", largest_text));
   } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: is not what a calibration writes ({})", (folder / "calibration.json").string(), error.what()));
+    throw InputError(fmt::format("{}: is not a file of `tack calibrate` ({})", (folder / "calibration.json").string(), error.what()));
   }
-  if (!calibration.is_object()) throw InputError(fmt::format("{}: is no object; calibrate again", (folder / "calibration.json").string()));
+  if (!calibration.is_object()) throw InputError(fmt::format("{}: is not a JSON object; calibrate again", (folder / "calibration.json").string()));
   Json notes = Json::array(), fits = Json::array(), table;
-  const auto part = [&](const fs::path& path, const auto& read) -> Json {
+  const auto read_optional = [&](const fs::path& path, const auto& read) -> Json {
     if (!fs::is_regular_file(path)) return Json();
     try {
       return read(path);
@@ -92,9 +92,9 @@ Json calibration_data(const fs::path& folder, PageData& page) {
   const auto numbers = [&](const fs::path& path) { return number_table(read_csv(path), page); };
   if (const auto experiments = calibration.find("experiments"); experiments != calibration.end() && experiments->is_array())
     for (const Json& one : *experiments)
-      fits.push_back({{"fit", part(folder / one.value("fit", ""), numbers)}, {"run", part(folder / one.value("run", ""), numbers)}});
-  table = part(folder / "evaluations.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); });
-  if (calibration.value("status", "") != "done") notes.push_back("the calibration has not ended; call it again to go on");
+      fits.push_back({{"fit", read_optional(folder / one.value("fit", ""), numbers)}, {"run", read_optional(folder / one.value("run", ""), numbers)}});
+  table = read_optional(folder / "evaluations.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); });
+  if (calibration.value("status", "") != "done") notes.push_back("the calibration is unfinished; call it again to continue");
   return {{"calibration", std::move(calibration)}, {"table", std::move(table)}, {"fits", std::move(fits)}, {"notes", std::move(notes)}};
 }
 
@@ -103,13 +103,13 @@ Json batch_data(const fs::path& folder, PageData& page) {
   try {
     batch = Json::parse(read_file(folder / "batch.json", largest_text));
   } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: is not what a batch writes ({})", (folder / "batch.json").string(), error.what()));
+    throw InputError(fmt::format("{}: is not a file of `tack batch` ({})", (folder / "batch.json").string(), error.what()));
   }
   const auto cases = batch.find("cases");
   if (!batch.is_object() || cases == batch.end() || !cases->is_array())
     throw InputError(fmt::format("{}: has no list of cases; run the batch again", (folder / "batch.json").string()));
   Json notes = Json::array(), curves = Json::array(), units = Json::object();
-  const auto attempt = [&](const auto& read) {
+  const auto read_or_note = [&](const auto& read) {
     try {
       read();
     } catch (const InputError& error) {
@@ -120,12 +120,12 @@ Json batch_data(const fs::path& folder, PageData& page) {
   for (const Json& one : *cases) {
     const fs::path run = folder / one.value("folder", "");
     Json table;
-    if (fs::exists(run / "probes.csv")) attempt([&] { table = number_table(read_csv(run / "probes.csv"), page, most); });
+    if (fs::exists(run / "probes.csv")) read_or_note([&] { table = number_table(read_csv(run / "probes.csv"), page, most); });
     curves.push_back(std::move(table));
-    if (units.empty() && fs::exists(run / "scene.yaml")) attempt([&] { units = probe_units(run / "scene.yaml"); });
+    if (units.empty() && fs::exists(run / "scene.yaml")) read_or_note([&] { units = probe_units(run / "scene.yaml"); });
   }
   Json table;
-  if (fs::exists(folder / "results.csv")) attempt([&] { table = text_table(read_csv_texts(folder / "results.csv")); });
+  if (fs::exists(folder / "results.csv")) read_or_note([&] { table = text_table(read_csv_texts(folder / "results.csv")); });
   return {{"batch", std::move(batch)}, {"table", std::move(table)}, {"curves", std::move(curves)}, {"units", std::move(units)},
           {"notes", std::move(notes)}};
 }

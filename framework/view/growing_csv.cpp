@@ -50,7 +50,7 @@ void GrowingCsv::update() {
 std::vector<std::vector<double>> GrowingCsv::rows(int from, int most) const {
   std::vector<std::vector<double>> rows;
   std::ifstream in(path_, std::ios::binary);
-  for (const int i : evenly(this->rows() - from, most)) {
+  for (const int i : spaced_indices(this->rows() - from, most)) {
     in.seekg(static_cast<std::streamoff>(starts_[static_cast<size_t>(from + i)]));
     std::string line;
     if (!std::getline(in, line)) break;

@@ -135,7 +135,7 @@ PageData preview_data(const PreviewSettings& s) {
 
   FrameFile frame = first_frame(world);
   set_positions(frame, world.start.x);
-  FrameFollower follower(frame);
+  FrameSeriesBuilder follower(frame);
   const PrescribedFrames motion = prescribed_frames(world, e.time.duration, frames_of_motions);
   for (size_t i = 0; i < motion.times.size(); ++i) {
     set_positions(frame, motion.positions[i]);

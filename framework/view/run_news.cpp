@@ -94,7 +94,7 @@ Json RunNews::frames_since(int known) {
   }
   FrameSeries& series = follower_->series();
   const auto begun = std::chrono::steady_clock::now();
-  const std::vector<int> chosen = evenly(count - known, std::clamp(static_cast<int>(answer_seconds_max / seconds_per_frame_), 1, frame_count_max));
+  const std::vector<int> chosen = spaced_indices(count - known, std::clamp(static_cast<int>(answer_seconds_max / seconds_per_frame_), 1, frame_count_max));
   for (const int i : chosen) {
     const PvdFile::Frame& frame = list_[static_cast<size_t>(known + i)];
     try {

@@ -38,7 +38,7 @@ class RunNews {
   std::filesystem::path folder_;
   GrowingCsv steps_, probes_;
   int generation_ = 0;  // of both tables
-  std::optional<FrameFollower> follower_;
+  std::optional<FrameSeriesBuilder> follower_;
   std::vector<PvdFile::Frame> list_;
   std::filesystem::file_time_type list_time_{};  // time stamp of the list file
   std::uintmax_t list_bytes_ = 0;    // its size: two lists may have one time stamp

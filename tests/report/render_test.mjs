@@ -129,7 +129,7 @@ const tests = {
     assert.match(done("render", "out", "-o", "slow.mp4", "--set", "size=[160, 120]", "lights=1", "speed=0.2", "from=0.1"), /frame 16 of 16/);
   },
   async "invalid settings are refused"() {
-    refused(/picture\.jpg: a picture ends in \.png, a film in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
+    refused(/picture\.jpg: names of pictures end in \.png, names of films in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
     refused(/no run has an object 'cubo'; there are plate, cube/, "render", "out", "--set", "objects={cubo: {hide: true}}");
     refused(/has no 'stress'; its frames have displacement/, "render", "out", "--set", "field={name: stress}");
     refused(/unknown key 'colour' in/, "render", "out", "--set", "colour=red");

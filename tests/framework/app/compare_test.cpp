@@ -113,7 +113,7 @@ TEST_CASE("without gnuplot, tables are written and the message names gnuplot") {
   const ProgramResult result = place.compare({"--set", "repeat=1", "time_steps=[]", "tolerances=[1e-3]"});
   ::setenv("PATH", path.c_str(), 1);
   CHECK(result.exit_code == 0);
-  CHECK(contains(result.out, "performance_profile: no pictures, gnuplot is not there; install it (Debian: gnuplot-nox)"));
+  CHECK(contains(result.out, "performance_profile: no pictures, as gnuplot is missing; install it (Debian: gnuplot-nox)"));
   CHECK(lines(place.text("results/two/compare.csv")) == 3);
   CHECK_FALSE(place.text("results/two/compare.md").empty());
   CHECK_FALSE(place.text("results/two/plots/performance_profile.gp").empty());

@@ -77,13 +77,13 @@ TEST_CASE("errors below the noise floor have no rank and no point, and the floor
   REQUIRE(plot.curves.size() == 2);
   CHECK(plot.curves[0].points.size() == 1);
   CHECK(plot.curves[1].points.size() == 1);
-  REQUIRE(plot.uprights.size() == 1);
-  CHECK(plot.uprights[0].at == Approx(3e-6));  // of the size
+  REQUIRE(plot.verticals.size() == 1);
+  CHECK(plot.verticals[0].at == Approx(3e-6));  // of the size
   CHECK(plot.notes == std::vector<std::string>{"no point, as the error is below the noise floor: a at 0.0001 m/s, b at 0.0001 m/s"});
   // The line of a floor far left of all points would squeeze the points.
   std::vector<CompareRow> far = {with("a", 1e-2, 1, 5e-4), with("b", 1e-2, 2, 4e-3)};
   plot = work_precision(far);
-  CHECK(plot.uprights.empty());
+  CHECK(plot.verticals.empty());
   CHECK(plot.notes == std::vector<std::string>{"the noise floor is 3e-06, further left"});
   // Without errors above the floor there is no ranking, and the report has the reason.
   some = {with("a", 1e-2, 1, 1e-7), with("b", 1e-2, 2, 1e-8)};

@@ -37,7 +37,7 @@ TEST_CASE("measured data are in SI, in the order of their file, and know their l
   REQUIRE(curve.size() == 3);
   CHECK(curve.x[2] == Approx(2e-3));
   CHECK(curve.y == std::vector<double>{2000, 4000, 1000});
-  CHECK_THAT(curve.place(1), Contains("load.csv:4"));
+  CHECK_THAT(curve.location(1), Contains("load.csv:4"));
 }
 
 TEST_CASE("a part of the data counts", "[measured]") {

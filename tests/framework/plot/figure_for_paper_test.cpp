@@ -26,7 +26,7 @@ TEST_CASE("the tutorial's figure is what journals ask for", "[plot]") {
   const double columns = GENERATE(85, 170);
   const ProgramResult plot = run_tack(folder.path(), {"plot", "stamps", "--x", "young", "--y", "pull_off", "--by", "strength", "--log-x", "-o", "figure", "--style",
                                                       (tutorial / "column.yaml").string(), "--set", "width=" + std::to_string(columns) + "mm"});
-  if (contains(plot.out + plot.err, "gnuplot is not there")) return;
+  if (contains(plot.out + plot.err, "gnuplot is missing")) return;
   INFO(plot.out << plot.err);
   REQUIRE(plot.exit_code == 0);
   const PdfPage page = read_pdf(folder.path() / "figure/pull_off_by_young.pdf");

@@ -37,7 +37,7 @@ TEST_CASE("no name reaches gnuplot as a command or markup", "[plot]") {
     const std::string script = file_text(folder.path() / "plot.gp");
     CHECK_FALSE(contains(script, "\nsystem"));
     CHECK_FALSE(contains(script, "\n!"));
-    if (contains(failure, "gnuplot is not there")) continue;
+    if (contains(failure, "gnuplot is missing")) continue;
     CHECK(failure == "");
     CHECK(contains(file_text(folder.path() / "plot.svg"), "</svg>"));
     fs::remove(folder.path() / "plot.svg");
@@ -51,7 +51,7 @@ TEST_CASE("every renderer reads the pictures, and nothing of them is cut off", "
   const TemporaryFolder folder;
   const Plot plot{.title = "t", .x_label = "x", .y_label = "y", .curves = {{"a", {{1, 2}, {2, 3}}, {{1, 3}, {2, 4}}}}, .levels = {}, .notes = {}};
   const std::string failure = draw(plot, folder.path(), "plot");
-  if (contains(failure, "gnuplot is not there")) return;
+  if (contains(failure, "gnuplot is missing")) return;
   CHECK(failure == "");
   CHECK_FALSE(contains(file_text(folder.path() / "plot.svg"), "scale(0.00)"));  // a mark of no size is an error to librsvg
 
@@ -72,7 +72,7 @@ TEST_CASE("a look sizes pictures for paper", "[plot]") {
   const TemporaryFolder folder;
   const Plot plot{.title = "of runs", .x_label = "gap", .y_label = "force", .x_unit = "m", .y_unit = "N",
                   .curves = {{"a", {{1e-3, 2}, {2e-3, 3}}, {}}, {"b", {{1e-3, 3}, {2e-3, 4}}, {}}}, .levels = {}, .notes = {}};
-  PlotLook look;
+  FigureStyle look;
   look.width = 0.0889;  // 3.5 inches
   look.font_size = 8;
   look.line_width = 1.5;
@@ -80,7 +80,7 @@ TEST_CASE("a look sizes pictures for paper", "[plot]") {
   look.x_label = "opening";
   look.colours = {"#112233"};
   const std::string failure = draw(plot, folder.path(), "plot", look);
-  if (contains(failure, "gnuplot is not there")) return;
+  if (contains(failure, "gnuplot is missing")) return;
   CHECK(failure == "");
   const std::string svg = file_text(folder.path() / "plot.svg");
   CHECK(contains(svg, "width=\"336\" height=\"224\""));

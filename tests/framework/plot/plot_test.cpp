@@ -19,7 +19,7 @@ TEST_CASE("axes end where the numbers do", "[plot]") {
   REQUIRE(log);
   CHECK(log->low > 2.5);
   CHECK(log->high < 50);  // no whole decades
-  CHECK(log->place(3) == Approx(1 / 22.0).margin(1e-3));
+  CHECK(log->position(3) == Approx(1 / 22.0).margin(1e-3));
   CHECK_FALSE(range_of({-1, NAN}, true));
   CHECK(range_of({4}, true)->low == 2);
   CHECK(range_of({0}, false)->high > 0);
@@ -40,17 +40,17 @@ TEST_CASE("curves that are the same are one, with both names", "[plot]") {
 }
 
 TEST_CASE("labels stand where they want to, but apart", "[plot]") {
-  CHECK(*spread_out({0.2, 0.8}, 0.1) == std::vector<double>{0.2, 0.8});
-  const auto close = *spread_out({0.5, 0.5, 0.52}, 0.1);
+  CHECK(*separate_labels({0.2, 0.8}, 0.1) == std::vector<double>{0.2, 0.8});
+  const auto close = *separate_labels({0.5, 0.5, 0.52}, 0.1);
   CHECK(close[0] == Approx(0.4067).margin(1e-3));
   CHECK(close[1] == Approx(close[0] + 0.1));
   CHECK(close[2] == Approx(close[1] + 0.1));
-  const auto top = *spread_out({1, 1, 0.99}, 0.1);
+  const auto top = *separate_labels({1, 1, 0.99}, 0.1);
   CHECK(top[0] == Approx(0.9));
   CHECK(top[1] == Approx(1));
   CHECK(top[2] == Approx(0.8));
-  CHECK_FALSE(spread_out(std::vector<double>(20, 0.5), 0.1));
-  const auto many = *spread_out({0, 0.01, 0.02, 0.9, 0.91, 0.5}, 0.1);
+  CHECK_FALSE(separate_labels(std::vector<double>(20, 0.5), 0.1));
+  const auto many = *separate_labels({0, 0.01, 0.02, 0.9, 0.91, 0.5}, 0.1);
   for (size_t i = 0; i < many.size(); ++i)
     for (size_t k = 0; k < i; ++k) CHECK(std::abs(many[i] - many[k]) > 0.1 - 1e-9);
 }
@@ -70,7 +70,7 @@ TEST_CASE("28 curves are told apart by colour and dash", "[plot]") {
   }
   CHECK(styles.size() == 28);
   CHECK(contains(script, "left top Left reverse"));  // no room for their names at their ends
-  if (!contains(failure, "gnuplot is not there")) CHECK(failure == "");
+  if (!contains(failure, "gnuplot is missing")) CHECK(failure == "");
 }
 
 TEST_CASE("few curves are named at their ends", "[plot]") {

@@ -39,7 +39,7 @@ TEST_CASE("phases: seconds per step, and their shares", "[plot]") {
   REQUIRE(bars);
   CHECK(bars->parts == std::vector<std::string>{"assembly", "linear_solve"});
   CHECK(bars->heights == std::vector<std::vector<double>>{{1.5, 2.5}});
-  const StackedBars shares = shares_of(*bars);
+  const StackedBars shares = percentages_of(*bars);
   CHECK(shares.heights[0][0] == Approx(37.5));
   CHECK(shares.heights[0][0] + shares.heights[0][1] == Approx(100));
   CHECK(shares.top == 100);

@@ -74,7 +74,7 @@ TEST_CASE("a folder is that of a run, a comparison or a batch by its files") {
   write_file(place.folder.path() / "compared/compare.csv", "problem\n");
   CHECK(kind_of(place.folder.path() / "compared") == FolderKind::comparison);
   fs::create_directory(place.folder.path() / "empty");
-  CHECK_THROWS_WITH(kind_of(place.folder.path() / "empty"), Catch::Contains("neither a run nor a comparison nor a batch"));
+  CHECK_THROWS_WITH(kind_of(place.folder.path() / "empty"), Catch::Contains("is not a results folder"));
   CHECK_THROWS_WITH(kind_of(place.folder.path() / "none"), Catch::Contains("no such folder"));
 }
 
@@ -200,6 +200,6 @@ TEST_CASE("a report of a calibration has its points and its curves, and tells wh
   CHECK(data["fits"][0]["run"].is_null());
   CHECK(data["fits"][1]["fit"].is_null());
   write_file(place.folder.path() / "calibration/calibration.json", R"({"name": "c", "status": "running"})");
-  CHECK(contains(place.report({place.folder.path() / "calibration"}).notes[0], "has not ended"));
+  CHECK(contains(place.report({place.folder.path() / "calibration"}).notes[0], "is unfinished"));
   CHECK_THROWS_AS(place.report({place.folder.path() / "calibration", place.batch()}), InputError);
 }

@@ -1,8 +1,8 @@
-#include "framework/plot/plot_look.hpp"
+#include "framework/plot/figure_style.hpp"
 
 namespace tack {
 
-void PlotLook::fields(Fields& f) {
+void FigureStyle::fields(Fields& f) {
   f.text("title", title, "title above the picture; its content unless given").line();
   f.flag("untitled", untitled, "no title, for papers with captions");
   f.text("x_label", x_label, "label of the x axis; the unit is appended").line();

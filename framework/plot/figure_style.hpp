@@ -8,7 +8,7 @@
 
 namespace tack {
 
-struct PlotLook {
+struct FigureStyle {
   std::string title, x_label, y_label;  // empty: those of the plot
   bool untitled = false;
   std::optional<double> width, height;  // m
