@@ -49,7 +49,7 @@ EnergyAccount reopened(EnergyAccount account) {
   account.open = false;
   account.kinetic = account.gravity = account.elastic = account.contact = 0;
   account.gradient.resize(0);
-  account.grown_steps = 0;
+  account.growing_steps = 0;
   return account;
 }
 
