@@ -271,8 +271,8 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianR
   dynamic_.place(dofs_, true);
   std::vector<int> dynamic_positions;
   if (pattern_->cover(dynamic_.hessian_map.target, matrix, dynamic_positions)) locate_static_blocks();
-  if (matrix.part.size() != part_.size()) matrix.part = part_;
-  dofs_.gather(x, matrix.place);
+  if (matrix.component.size() != part_.size()) matrix.component = part_;
+  dofs_.gather(x, matrix.positions);
   std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
   for (int b = 0; b < dofs_.block_count(); ++b)
     matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));

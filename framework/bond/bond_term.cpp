@@ -77,7 +77,7 @@ BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable t
 
 void BondTerm::publish(Records& records) const {
   Term::publish(records);
-  ForceRecord force{"bonds", Acting::normal, {"barrier", "adhesion"}};
+  ForceRecord force{"bonds", ForceDirection::normal, {"barrier", "adhesion"}};
   force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_term(part)); };
   force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_term(part), pair); };
   force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_term(part)); };

@@ -12,7 +12,7 @@ LawTerm law_term(std::string_view part) {
 }
 
 void ContactTerm::publish(Records& records) const {
-  ForceRecord force{"contact", Acting::normal, {"barrier", "adhesion"}};
+  ForceRecord force{"contact", ForceDirection::normal, {"barrier", "adhesion"}};
   force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_term(part)); };
   force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_term(part), pair); };
   force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_term(part)); };

@@ -39,7 +39,7 @@ void FrictionTerm::publish(Records& records) const {
     if (part.empty()) return TangentialPart::all;
     return part == "friction" ? TangentialPart::friction : TangentialPart::adhesion;
   };
-  ForceRecord force{"friction", Acting::tangential, {"friction", "adhesion"}};
+  ForceRecord force{"friction", ForceDirection::tangential, {"friction", "adhesion"}};
   force.add = [=, this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, tangential(part)); };
   force.between = [=, this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, tangential(part), pair); };
   force.stored = false;

@@ -34,7 +34,7 @@ class OverlapBoundaryTerm : public LinearTerm {
   // All of it is adhesion. The forces are those of the step at any x. Its work is within the energy
   // that contact stores.
   void publish(Records& records) const override {
-    ForceRecord force_record{"rim", Acting::normal, {"adhesion"}};
+    ForceRecord force_record{"rim", ForceDirection::normal, {"adhesion"}};
     force_record.add = [this](const VecX&, std::string_view, VecX& forces) {
       if (force().size() > 0) forces += force();
     };

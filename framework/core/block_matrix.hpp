@@ -10,13 +10,14 @@
 
 namespace tack {
 
+/// The blocks of the lower triangle, and the global modes.
 struct BlockMatrix {
   std::vector<int> column_start;  // block columns + 1
   std::vector<int> row;           // block row of each block, >= its column
   std::vector<double> values;     // 9 per block, column major
   std::uint64_t version = 0;      // changes with column_start or row
-  VecX place;                     // per block column: position of its vertex [m]; may be empty
-  std::vector<int> part;          // per block column: component by lasting stencils; may be empty
+  VecX positions;                 // 3 per block column: of its vertex [m]; may be empty
+  std::vector<int> component;     // per block column: connected by lasting stencils; may be empty
   GlobalModes modes;              // low-rank summands outside the blocks; usually none
 
   int columns() const {

@@ -40,10 +40,10 @@ void Minimizer::fields(Fields& f) {
 std::unique_ptr<Minimizer> Minimizer::fresh() const { return instance_of(*this); }
 
 bool balanced(const MinimizerProblem& problem, MinimizerResult& result) {
-  if (!problem.imbalance) return true;
-  const double imbalance = problem.imbalance(problem.objective.gradient());
-  if (imbalance <= 1) return true;
-  result.residual = std::max(result.residual, imbalance);
+  if (!problem.force_residual) return true;
+  const double residual = problem.force_residual(problem.objective.gradient());
+  if (residual <= 1) return true;
+  result.residual = std::max(result.residual, residual);
   return false;
 }
 

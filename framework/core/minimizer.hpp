@@ -48,12 +48,12 @@ struct MinimizerProblem {
   std::function<double(const VecX& r)> direction_error = {};
   // Largest force residual, in units of its tolerance. If given, it must be below 1 at the end of
   // the minimisation.
-  std::function<double(const VecX& gradient)> imbalance = {};
+  std::function<double(const VecX& gradient)> force_residual = {};
   // Retraction on rotations, optional: replaces p by a step from q that agrees with p to first
   // order and rotates stiff bodies without strain. It applies to bodies whose strain energy under p
   // would exceed `loss` [unit of the objective]. Returns false and keeps p if there is no such
   // body.
-  std::function<bool(const VecX& q, VecX& p, double loss)> bend = {};
+  std::function<bool(const VecX& q, VecX& p, double loss)> retract = {};
   // True: the observer gets the stopping norm also from methods that must do a linear solve for it
   // alone: in the first 20 iterations, later each time their number has grown by a tenth. Not for
   // timed runs.

@@ -14,10 +14,10 @@ namespace {
 
 // Replaces the first record of the name and erases the others. Calls drop(record) for each old record.
 template <class Record, class Drop>
-void put_in_place(std::vector<Record>& records, Record record, const char* what, const Drop& drop) {
+void replace_named(std::vector<Record>& records, Record record, const char* kind, const Drop& drop) {
   const auto named = [&](const Record& r) { return r.name == record.name; };
   const auto first = std::find_if(records.begin(), records.end(), named);
-  if (first == records.end()) throw std::logic_error(fmt::format("nothing publishes {} named '{}' that could be replaced", what, record.name));
+  if (first == records.end()) throw std::logic_error(fmt::format("no term publishes {} named '{}', which could be replaced", kind, record.name));
   const auto at = first - records.begin();
   for (const Record& r : records)
     if (named(r)) drop(r);
@@ -27,7 +27,7 @@ void put_in_place(std::vector<Record>& records, Record record, const char* what,
 
 }  // namespace
 
-bool ForceRecord::has(std::string_view part) const { return part.empty() || std::find(parts.begin(), parts.end(), part) != parts.end(); }
+bool ForceRecord::has(std::string_view summand) const { return summand.empty() || std::find(summands.begin(), summands.end(), summand) != summands.end(); }
 
 void FieldRecord::combine(double value, double& with) const {
   if (std::isnan(with)) with = value;
@@ -43,7 +43,7 @@ void Records::publish(const Term& term) {
 void Records::add(ForceRecord record) {
   record.term = publisher_;
   if (!record.add) {
-    if (!publisher_) throw std::logic_error(fmt::format("the force '{}' is of no term, and does not tell what it is", record.name));
+    if (!publisher_) throw std::logic_error(fmt::format("the force '{}' has neither a term nor a function that adds it", record.name));
     record.add = [term = publisher_](const VecX& x, std::string_view, VecX& forces) {
       VecX gradient = VecX::Zero(x.size());
       add_term_gradient(*term, x, gradient);
@@ -57,7 +57,7 @@ void Records::add(EnergyRecord record) {
   record.term = publisher_;
   for (const EnergyRecord& other : energies_)
     if (publisher_ && other.term == publisher_ && other.kind != record.kind)
-      throw std::logic_error(fmt::format("the energies '{}' and '{}' of one term are of two kinds", other.name, record.name));
+      throw std::logic_error(fmt::format("the energies '{}' and '{}' of one term have different kinds", other.name, record.name));
   energies_.push_back(std::move(record));
 }
 
@@ -86,19 +86,19 @@ void Records::add(StressRecord record) {
 
 void Records::replace(ForceRecord record) {
   record.term = nullptr;
-  put_in_place(forces_, std::move(record), "a force", [&](const ForceRecord& r) {
+  replace_named(forces_, std::move(record), "a force", [&](const ForceRecord& r) {
     if (r.term && !replaced(*r.term)) replaced_.push_back(r.term);
   });
 }
 
 void Records::replace(EnergyRecord record) {
   record.term = nullptr;
-  put_in_place(energies_, std::move(record), "an energy", [](const EnergyRecord&) {});
+  replace_named(energies_, std::move(record), "an energy", [](const EnergyRecord&) {});
 }
 
 void Records::replace(FlowRecord record) {
   record.term = nullptr;
-  put_in_place(flows_, std::move(record), "flows", [](const FlowRecord&) {});
+  replace_named(flows_, std::move(record), "flows", [](const FlowRecord&) {});
 }
 
 void Records::remove_forces(const std::string& name) {
@@ -107,13 +107,13 @@ void Records::remove_forces(const std::string& name) {
   std::erase_if(forces_, [&](const ForceRecord& r) { return r.name == name; });
 }
 
-void Records::add_forces(Acting acting, const VecX& x, std::string_view part, VecX& forces) const {
+void Records::add_forces(ForceDirection direction, const VecX& x, std::string_view summand, VecX& forces) const {
   for (const ForceRecord& r : forces_)
-    if (r.acting == acting && r.has(part)) r.add(x, part, forces);
+    if (r.direction == direction && r.has(summand)) r.add(x, summand, forces);
 }
 
-bool Records::acts(Acting acting) const {
-  return std::any_of(forces_.begin(), forces_.end(), [&](const ForceRecord& r) { return r.acting == acting; });
+bool Records::has_forces(ForceDirection direction) const {
+  return std::any_of(forces_.begin(), forces_.end(), [&](const ForceRecord& r) { return r.direction == direction; });
 }
 
 bool Records::replaced(const Term& term) const { return std::find(replaced_.begin(), replaced_.end(), &term) != replaced_.end(); }

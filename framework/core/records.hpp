@@ -24,32 +24,32 @@ struct ObjectPair {
 /// Probes and fields that sum a force:
 ///   normal      contact_force and pressures
 ///   tangential  friction_force
-///   otherwise   only probes and fields that name it
-enum class Acting { normal, tangential, otherwise };
+///   other       only probes and fields that name it
+enum class ForceDirection { normal, tangential, other };
 
 /// A force on vertices.
 struct ForceRecord {
   std::string name;  // "contact", "rim", "bonds", "friction", ...; forces of one name add up
-  Acting acting = Acting::otherwise;
+  ForceDirection direction = ForceDirection::other;
   // Names of the summands that are available alone. Probes use "barrier" and "adhesion" of normal
   // forces, "friction" and "adhesion" of tangential forces. "" is the whole force.
-  std::vector<std::string> parts = {};
-  // Adds the forces of the summand `part` on all vertices (3n) [N], fixed vertices included. None:
+  std::vector<std::string> summands = {};
+  // Adds the forces of the named summand on all vertices (3n) [N], fixed vertices included. None:
   // minus the gradient of the term that publishes the record.
-  std::function<void(const VecX& x, std::string_view part, VecX& forces)> add = {};
+  std::function<void(const VecX& x, std::string_view summand, VecX& forces)> add = {};
   // Returns the force of object b on object a [N]. None: the force does not act between objects.
-  std::function<Vec3(const VecX& x, std::string_view part, ObjectPair pair)> between = {};
+  std::function<Vec3(const VecX& x, std::string_view summand, ObjectPair pair)> between = {};
   // For pressures of normal forces, in the first of three entries per vertex (3n): adds the
   // magnitude of compression (positive) or tension [N], and the area over which the force acts
   // [m^2], unless another record adds that area.
-  std::function<void(const VecX& x, std::string_view part, VecX& pressed)> add_compressions = {};
+  std::function<void(const VecX& x, std::string_view summand, VecX& compressions)> add_compressions = {};
   std::function<void(const VecX& x, VecX& areas)> add_areas = {};
   bool stored = true;  // true: gradient of a stored energy; false: work against it is dissipated
   // The term that publishes the record and whose gradient contains the force. Null: reactions read
   // the force from this record.
   const Term* term = nullptr;
 
-  bool has(std::string_view part) const;
+  bool has(std::string_view summand) const;
 };
 
 enum class EnergyKind {
@@ -134,8 +134,8 @@ struct ExchangeableTets {
   std::function<std::vector<double>()> volumes = {};             // stress-free volumes [m^3]
   std::function<std::vector<Mat3>(const VecX& x)> elastic = {};  // elastic deformation gradients
                                                                  // of an isotropic material
-  std::function<std::vector<double>()> flow = {};                // accumulated plastic strains
-  std::string flow_remembered_as;                                // name of their history array
+  std::function<std::vector<double>()> plastic_strains = {};     // accumulated
+  std::string plastic_strain_history;                            // name of their history array
 };
 
 /// All records of a world.
@@ -167,9 +167,10 @@ class Records {
   const std::vector<StressRecord>& stresses() const { return stresses_; }
   const std::vector<ExchangeableTets>& exchangeable() const { return exchangeable_; }
 
-  /// Adds all forces of a group (3n) [N]. part: name of a summand; "": the whole forces.
-  void add_forces(Acting acting, const VecX& x, std::string_view part, VecX& forces) const;
-  bool acts(Acting acting) const;  // true if the group has any force
+  /// Adds all forces of a direction (3n) [N]. summand: "" for the whole forces.
+  void add_forces(ForceDirection direction, const VecX& x, std::string_view summand,
+                  VecX& forces) const;
+  bool has_forces(ForceDirection direction) const;  // true if any force has the direction
   /// Returns true if another record replaces a record of the term.
   bool replaced(const Term& term) const;
   bool any_replaced() const { return !replaced_.empty(); }

@@ -43,21 +43,21 @@ namespace {
 
 struct OfForces {
   const char* name;
-  Acting acting;
+  ForceDirection direction;
   std::string_view part;
   enum { force, pressure, traction } what;
 };
-constexpr OfForces of_forces[] = {{"contact_force", Acting::normal, "", OfForces::force},
-                                  {"adhesion_force", Acting::normal, "adhesion", OfForces::force},
-                                  {"friction_force", Acting::tangential, "", OfForces::force},
-                                  {"contact_pressure", Acting::normal, "", OfForces::pressure},
-                                  {"adhesion_pressure", Acting::normal, "adhesion", OfForces::pressure},
-                                  {"friction_traction", Acting::tangential, "", OfForces::traction}};
+constexpr OfForces of_forces[] = {{"contact_force", ForceDirection::normal, "", OfForces::force},
+                                  {"adhesion_force", ForceDirection::normal, "adhesion", OfForces::force},
+                                  {"friction_force", ForceDirection::tangential, "", OfForces::force},
+                                  {"contact_pressure", ForceDirection::normal, "", OfForces::pressure},
+                                  {"adhesion_pressure", ForceDirection::normal, "adhesion", OfForces::pressure},
+                                  {"friction_traction", ForceDirection::tangential, "", OfForces::traction}};
 
 VecX values_of(const OfForces& field, const World& world, const VecX& x) {
-  if (!world.records.acts(field.acting)) return {};
+  if (!world.records.has_forces(field.direction)) return {};
   VecX forces = VecX::Zero(x.size());
-  world.records.add_forces(field.acting, x, field.part, forces);
+  world.records.add_forces(field.direction, x, field.part, forces);
   world.collect_on_meshes(forces);
   if (field.what == OfForces::force) return forces;
   if (field.what == OfForces::traction) return tangential_tractions(world, x, forces);

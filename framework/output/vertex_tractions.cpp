@@ -66,7 +66,7 @@ VecX tractions(const World& world, const VecX& x, const VecX& forces, const VecX
 VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, std::string_view part) {
   VecX pressed = VecX::Zero(x.size());
   for (const ForceRecord& force : world.records.forces())
-    if (force.acting == Acting::normal && force.add_compressions && force.has(part)) force.add_compressions(x, part, pressed);
+    if (force.direction == ForceDirection::normal && force.add_compressions && force.has(part)) force.add_compressions(x, part, pressed);
   world.collect_on_meshes(pressed);
   return tractions(world, x, forces, pressed(Eigen::seq(0, Eigen::last, 3)));
 }

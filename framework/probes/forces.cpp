@@ -39,10 +39,10 @@ class PairForce : public VectorProbe {
     return sum;
   }
   // Returns the sum of all forces that act in that direction.
-  Vec3 force(Acting acting, std::string_view part, const World& world, const VecX& x) const {
+  Vec3 force(ForceDirection direction, std::string_view part, const World& world, const VecX& x) const {
     Vec3 sum = Vec3::Zero();
     for (const ForceRecord& record : world.records.forces())
-      if (record.acting == acting && record.has(part)) sum += force(record, part, world, x);
+      if (record.direction == direction && record.has(part)) sum += force(record, part, world, x);
     return sum;
   }
 
@@ -64,13 +64,13 @@ class ContactForce : public PairForce {
   }
 
   void prepare(const World& world) override {
-    if (!world.records.acts(Acting::normal)) require_contact(world, name_);
+    if (!world.records.has_forces(ForceDirection::normal)) require_contact(world, name_);
     PairForce::prepare(world);
   }
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    return force(Acting::normal, part_ == Part::all ? "" : part_ == Part::barrier ? "barrier" : "adhesion", world, state.x);
+    return force(ForceDirection::normal, part_ == Part::all ? "" : part_ == Part::barrier ? "barrier" : "adhesion", world, state.x);
   }
 
  private:
@@ -91,7 +91,7 @@ class FrictionForce : public PairForce {
   }
 
   void prepare(const World& world) override {
-    if (!world.records.acts(Acting::tangential))
+    if (!world.records.has_forces(ForceDirection::tangential))
       throw InputError("probe '" + name_ + "': no pair has friction or tangential adhesion; give one "
                        "in contact.pairs");
     PairForce::prepare(world);
@@ -99,7 +99,7 @@ class FrictionForce : public PairForce {
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    return force(Acting::tangential, part_ == Part::all ? "" : part_ == Part::friction ? "friction" : "adhesion", world, state.x);
+    return force(ForceDirection::tangential, part_ == Part::all ? "" : part_ == Part::friction ? "friction" : "adhesion", world, state.x);
   }
 
  private:
@@ -123,7 +123,7 @@ class NamedForce : public PairForce {
       if (std::find(names.begin(), names.end(), record.name) == names.end()) names.push_back(record.name);
       if (record.name != of_) continue;
       if (!record.has(part_))
-        throw InputError(fmt::format("probe '{}': the force '{}' has no part '{}'{}", name_, of_, part_, suggestion(part_, record.parts, "parts")));
+        throw InputError(fmt::format("probe '{}': the force '{}' has no part '{}'{}", name_, of_, part_, suggestion(part_, record.summands, "parts")));
       if (from_one() && !record.between)
         throw InputError(fmt::format("probe '{}': the force '{}' is not exerted by objects; take `from` away", name_, of_));
     }

@@ -48,7 +48,7 @@ struct Exchange {
 };
 
 Exchange exchange_tets(const ImprovedTets& improved, const std::vector<Tet>& tets, const std::vector<Vec3>& positions, const ExchangeableTets& old, const std::vector<Mat3>& elastic) {
-  const std::vector<double> volumes = old.volumes(), flow = old.flow();
+  const std::vector<double> volumes = old.volumes(), flow = old.plastic_strains();
   std::vector<char> stays(tets.size(), 0);
   for (const int t : improved.kept)
     if (t >= 0) stays[t] = 1;
@@ -104,7 +104,7 @@ NewElements new_elements(int index, const Body& body, const ExchangeableTets& ol
   const std::vector<Vec3> positions = local(body, x), rest_positions = local(body, rest);
   const std::vector<Tet> tets = local(body, *old.tets);
   const std::vector<Mat3> elastic = old.elastic(x);
-  const std::vector<double> volumes = old.volumes(), flow = old.flow();
+  const std::vector<double> volumes = old.volumes(), flow = old.plastic_strains();
   const ImprovedTets improved = improve_tets(positions, tets, goal);
   const Exchange exchange = exchange_tets(improved, tets, positions, old, elastic);
 

@@ -100,7 +100,7 @@ History transfer_history(const State& state, const World& old_world, const World
     const std::string& body = old_world.bodies[e.body].name;
     std::erase_if(history, [&](const auto& entry) { return entry.first.starts_with(body + "/energies/"); });
     for (const ExchangeableTets& tets : old_world.records.exchangeable())
-      if (tets.body == body) history[tets.flow_remembered_as] = {1, e.flow, {}};
+      if (tets.body == body) history[tets.plastic_strain_history] = {1, e.flow, {}};
   }
   return history;
 }

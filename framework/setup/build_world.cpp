@@ -233,7 +233,7 @@ void for_each_object(const SceneConfig& scene, const Value& root, const Action& 
 
 // Returns the record of a scene with friction of mu = 0: its forces are zero.
 ForceRecord zero_friction_record() {
-  ForceRecord force{"friction", Acting::tangential, {"friction", "adhesion"}};
+  ForceRecord force{"friction", ForceDirection::tangential, {"friction", "adhesion"}};
   force.add = [](const VecX&, std::string_view, VecX&) {};
   force.between = [](const VecX&, std::string_view, ObjectPair) { return Vec3(Vec3::Zero()); };
   force.stored = false;

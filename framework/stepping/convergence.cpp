@@ -128,7 +128,7 @@ void Convergence::judge(MinimizerProblem& problem) {
   problem.stopping_norm = [this](const VecX& p, const VecX& g) { return norm(p, g); };
   problem.norm_of_direction = stopping() == Stopping::velocity;
   problem.direction_error = [this](const VecX& r) { return direction_error(r); };
-  problem.imbalance = [this](const VecX& g) { return imbalance(g); };
+  problem.force_residual = [this](const VecX& g) { return imbalance(g); };
 }
 
 }  // namespace tack

@@ -11,7 +11,7 @@ namespace tack {
 inline void set_retraction(const World& world, const StepPotential& potential,
                        MinimizerProblem& problem) {
   if (!world.affine) return;
-  problem.bend = [&](const VecX& from, VecX& p, double loss) {
+  problem.retract = [&](const VecX& from, VecX& p, double loss) {
     return world.affine->retract(potential.dofs(), from, p, loss / potential.scale());
   };
 }

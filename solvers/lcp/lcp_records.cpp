@@ -18,7 +18,7 @@ Vec3 force_of(const ContactRow& c, Direction direction) {
 }
 
 ForceRecord forces(std::shared_ptr<const LcpStep> step, const std::string& name, Direction direction, std::vector<std::string> parts) {
-  ForceRecord record{name, direction == Direction::normal ? Acting::normal : Acting::tangential, std::move(parts)};
+  ForceRecord record{name, direction == Direction::normal ? ForceDirection::normal : ForceDirection::tangential, std::move(parts)};
   record.stored = false;
   // In both kinds of forces the second term is adhesion, which bonds report.
   const auto none = [](std::string_view part) { return part == "adhesion"; };

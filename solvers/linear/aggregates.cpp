@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "solvers/linear/part_sizes.hpp"
+#include "solvers/linear/component_sizes.hpp"
 
 namespace tack {
 namespace {
@@ -23,7 +23,7 @@ struct Neighbours {
     const auto for_each_pair = [&](const auto& body) {
       for (int c = 0; c < matrix.columns(); ++c)
         for (int k = matrix.column_start[c] + 1; k < matrix.column_start[c + 1]; ++k)
-          if (matrix.part[matrix.row[k]] == matrix.part[c]) body(matrix.row[k], c);
+          if (matrix.component[matrix.row[k]] == matrix.component[c]) body(matrix.row[k], c);
     };
     for_each_pair([&](int r, int c) { ++start[r + 1], ++start[c + 1]; });
     for (int c = 0; c < matrix.columns(); ++c) start[c + 1] += start[c];
@@ -36,10 +36,10 @@ struct Neighbours {
 
 bool is_flat(const BlockMatrix& matrix, const std::vector<int>& columns) {
   Vec3 centre = Vec3::Zero();
-  for (const int c : columns) centre += matrix.place.segment<3>(3 * c) / static_cast<double>(columns.size());
+  for (const int c : columns) centre += matrix.positions.segment<3>(3 * c) / static_cast<double>(columns.size());
   Mat3 spread = Mat3::Zero();
   for (const int c : columns) {
-    const Vec3 arm = matrix.place.segment<3>(3 * c) - centre;
+    const Vec3 arm = matrix.positions.segment<3>(3 * c) - centre;
     spread += arm * arm.transpose();
   }
   const Vec3 squares = Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
@@ -51,13 +51,13 @@ bool is_flat(const BlockMatrix& matrix, const std::vector<int>& columns) {
 void Aggregates::build(const BlockMatrix& matrix) {
   const int n = matrix.columns();
   const Neighbours neighbours(matrix);
-  const std::vector<int> part_size = part_sizes(matrix);
+  const std::vector<int> part_size = component_sizes(matrix);
   const size_t flat_limit = std::max(flat_size, n / flat_pieces), solid_limit = std::max(solid_size, n / solid_pieces);
 
   of.assign(n, -1);
   std::vector<int> size, piece;
   for (int seed = 0; seed < n; ++seed) {
-    if (of[seed] >= 0 || part_size[matrix.part[seed]] < smallest_part) continue;
+    if (of[seed] >= 0 || part_size[matrix.component[seed]] < smallest_part) continue;
     const int number = static_cast<int>(size.size());
     piece.assign(1, seed);
     of[seed] = number;

@@ -8,7 +8,7 @@
 #include "framework/core/linear_solver.hpp"
 #include "framework/core/mode_update.hpp"
 #include "solvers/linear/conjugate_gradients.hpp"
-#include "solvers/linear/part_translations.hpp"
+#include "solvers/linear/component_translations.hpp"
 #include "solvers/linear/preconditioner.hpp"
 #include "solvers/linear/rigid_motions.hpp"
 #include "solvers/linear/swept_gradients.hpp"
@@ -95,7 +95,7 @@ class Pcg : public LinearSolver {
   bool with_translations_ = true, with_rigid_motions_ = true;
   // Vertices, below which iterations are few or a factor is cheap.
   static constexpr int many = 5000;
-  PartTranslations translations_;
+  ComponentTranslations translations_;
   // Iterations, and consecutive systems, below which rigid motions cost more than they save.
   static constexpr int few = 4, in_a_row = 4;
   static constexpr int too_many = 10;  // iterations without rigid motions, from which they are used

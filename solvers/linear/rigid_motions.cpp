@@ -27,11 +27,11 @@ Mat3 matrix3(const BlockLanes& lanes) {
 
 bool RigidMotions::update(const BlockMatrix& matrix) {
   const size_t n = matrix.columns();
-  if (matrix.part.size() != n || static_cast<size_t>(matrix.place.size()) != 3 * n) return false;
-  const bool cut = part_ != matrix.part;
+  if (matrix.component.size() != n || static_cast<size_t>(matrix.positions.size()) != 3 * n) return false;
+  const bool cut = part_ != matrix.component;
   if (cut) {
     pieces_.build(matrix);
-    part_ = matrix.part;
+    part_ = matrix.component;
   }
   if (pieces_.count() == 0) return false;
   if (cut || matrix.version != version_) index(matrix);
@@ -87,11 +87,11 @@ void RigidMotions::find_frames(const BlockMatrix& matrix) {
   for_each(pieces_.count(), [&](int a) {
     const int first = pieces_.start[a], last = pieces_.start[a + 1];
     Vec3 centre = Vec3::Zero();
-    for (int i = first; i < last; ++i) centre += matrix.place.segment<3>(3 * pieces_.column[i]);
+    for (int i = first; i < last; ++i) centre += matrix.positions.segment<3>(3 * pieces_.column[i]);
     centre /= last - first;
     Mat3 inertia = Mat3::Zero();
     for (int i = first; i < last; ++i) {
-      const Vec3 arm = matrix.place.segment<3>(3 * pieces_.column[i]) - centre;
+      const Vec3 arm = matrix.positions.segment<3>(3 * pieces_.column[i]) - centre;
       arms_.col(pieces_.column[i]) = arm;
       inertia += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
     }

@@ -3,7 +3,7 @@
 // Brezina, Tong and Becker 2012). Long-wave strains are nearly rigid in each aggregate; they are
 // the slowest modes of an iteration, and the residual hardly shows them. Motions of whole
 // components are sums of aggregate motions, so that the residual in the preconditioner's norm
-// bounds every component's momentum error (part_translations.hpp).
+// bounds every component's momentum error (component_translations.hpp).
 #pragma once
 
 #include <Eigen/SparseCholesky>

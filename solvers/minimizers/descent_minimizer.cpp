@@ -88,7 +88,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
       stagnation_.begin();
     } else if (moved == MinimizerStatus::converged && !balance_given()) {  // what a scene states is met
       const double way = problem.stopping_norm(q - before, objective.gradient());
-      if (stagnation_.stagnates(way, problem.imbalance(objective.gradient()))) return end(MinimizerStatus::converged);
+      if (stagnation_.stagnates(way, problem.force_residual(objective.gradient()))) return end(MinimizerStatus::converged);
     }
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;
     if (moved != MinimizerStatus::converged) return end(moved);
@@ -124,7 +124,7 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
                                           MinimizerResult& result) {
   Objective& objective = problem.objective;
   cut_ = false;
-  if (problem.bend && newton_like() && advance_bent(problem, p, q, result)) return MinimizerStatus::converged;
+  if (problem.retract && newton_like() && advance_bent(problem, p, q, result)) return MinimizerStatus::converged;
   const double t_max = problem.feasible_step(q, p);
   if (!(t_max > 1e-12)) return MinimizerStatus::blocked;
   const PhaseScope scope(problem.clock, Phase::line_search);
@@ -155,7 +155,7 @@ bool DescentMinimizer::advance_bent(const MinimizerProblem& problem, const VecX&
   double feasible = 1;
   for (double t = 1; t > shortest_bent && -t * slope > 2 * noise;) {
     VecX way = t * p;
-    if (!problem.bend(q, way, t == 1 ? -little_loss * slope : 0)) break;
+    if (!problem.retract(q, way, t == 1 ? -little_loss * slope : 0)) break;
     if (const double part = problem.feasible_step(q, way); part < 1) {
       t *= feasible < 1 ? shorter * part : part;
       feasible = t;

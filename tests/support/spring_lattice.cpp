@@ -26,7 +26,7 @@ BlockMatrix spring_lattices(const std::vector<SpringLattice>& bodies, const std:
         for (int k = 0; k < n[2]; ++k) {
           columns.push_back({{number(i, j, k), body.mass * Mat3::Identity()}});
           place.push_back(body.corner + Vec3(i, j, k));
-          matrix.part.push_back(static_cast<int>(b));
+          matrix.component.push_back(static_cast<int>(b));
         }
     for (int i = 0; i < n[0]; ++i)
       for (int j = 0; j < n[1]; ++j)
@@ -50,8 +50,8 @@ BlockMatrix spring_lattices(const std::vector<SpringLattice>& bodies, const std:
     }
     matrix.column_start.push_back(static_cast<int>(matrix.row.size()));
   }
-  matrix.place.resize(matrix.size());
-  for (int c = 0; c < matrix.columns(); ++c) matrix.place.segment<3>(3 * c) = place[c];
+  matrix.positions.resize(matrix.size());
+  for (int c = 0; c < matrix.columns(); ++c) matrix.positions.segment<3>(3 * c) = place[c];
   return matrix;
 }
 

@@ -54,7 +54,7 @@ class TetherTerm : public Term {
 
   void publish(Records& records) const override {
     Term::publish(records);
-    ForceRecord force{"tether", Acting::normal, {"adhesion"}};
+    ForceRecord force{"tether", ForceDirection::normal, {"adhesion"}};
     force.between = [this](const VecX& x, std::string_view, ObjectPair pair) {
       Vec3 sum = Vec3::Zero();
       for (const int v : vertices_) sum -= k() * (vertex(x, v) - vertex(rest_, v));
@@ -238,7 +238,7 @@ TEST_CASE("what stands in the place of a term's forces is what probes, reactions
   // Impulses that a stepper might have found, of another size than the barrier's.
   Records& records = run.world->records;
   const int first = run.world->bodies[1].first_vertex;
-  ForceRecord impulses{"contact", Acting::normal, {"barrier", "adhesion"}};
+  ForceRecord impulses{"contact", ForceDirection::normal, {"barrier", "adhesion"}};
   impulses.add = [first](const VecX&, std::string_view part, VecX& forces) {
     if (part == "adhesion") return;
     forces(3 * first + 1) += 7;

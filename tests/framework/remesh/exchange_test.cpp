@@ -79,7 +79,7 @@ struct Whole {
     for (const NamedEnergy& e : energies_by_term(world, s))
       if (e.kind == EnergyKind::motion || e.kind == EnergyKind::of_objects) energy += e.value;
     const ExchangeableTets& tets = world.records.exchangeable().front();
-    const std::vector<double> volumes = tets.volumes(), flows = tets.flow();
+    const std::vector<double> volumes = tets.volumes(), flows = tets.plastic_strains();
     for (size_t t = 0; t < volumes.size(); ++t) volume += volumes[t], flow += volumes[t] * flows[t];
   }
   double mass = 0, energy = 0, volume = 0, flow = 0;

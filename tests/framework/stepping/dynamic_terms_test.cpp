@@ -209,7 +209,7 @@ TEST_CASE("every term that publishes forces or energies of contact is dynamic", 
     const bool of_contact =
         std::any_of(records.energies().begin(), records.energies().end(),
                     [](const EnergyRecord& e) { return e.kind == EnergyKind::contact; }) ||
-        std::any_of(records.forces().begin(), records.forces().end(), [](const ForceRecord& f) { return f.acting != Acting::otherwise; });
+        std::any_of(records.forces().begin(), records.forces().end(), [](const ForceRecord& f) { return f.direction != ForceDirection::other; });
     if (!of_contact) continue;
     ++in_contact;
     INFO(term->name());

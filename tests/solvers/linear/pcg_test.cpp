@@ -209,11 +209,11 @@ TEST_CASE("conjugate gradients solve for the translations of parts as well as fo
     return worst;
   };
   CHECK(momentum_error("true") > 0.1);  // nobody said what the parts are
-  matrix.part.assign(200, 0);
-  matrix.part.resize(n, 1);
+  matrix.component.assign(200, 0);
+  matrix.component.resize(n, 1);
   CHECK(momentum_error("false") > 0.1);
   CHECK(momentum_error("true") < 0.01);
-  matrix.part.assign(n, 0);  // parts that are too small do not count
-  for (int i = 0; i < n; ++i) matrix.part[i] = i / 8;
+  matrix.component.assign(n, 0);  // parts that are too small do not count
+  for (int i = 0; i < n; ++i) matrix.component[i] = i / 8;
   CHECK(momentum_error("true") == momentum_error("false"));
 }

@@ -37,16 +37,16 @@ TEST_CASE("bodies are cut into pieces, those of sheets and rods into small ones"
   pieces.build(matrix);
   std::vector<int> seen(matrix.columns(), 0);
   for (int a = 0; a < pieces.count(); ++a) {
-    const int size = pieces.start[a + 1] - pieces.start[a], part = matrix.part[pieces.column[pieces.start[a]]];
+    const int size = pieces.start[a + 1] - pieces.start[a], part = matrix.component[pieces.column[pieces.start[a]]];
     CHECK(size >= 6);
     CHECK(size <= (part == 0 ? 400 : 40));
     for (int i = pieces.start[a]; i < pieces.start[a + 1]; ++i) {
       ++seen[pieces.column[i]];
       CHECK(pieces.of[pieces.column[i]] == a);
-      CHECK(matrix.part[pieces.column[i]] == part);
+      CHECK(matrix.component[pieces.column[i]] == part);
     }
   }
-  for (int c = 0; c < matrix.columns(); ++c) CHECK(seen[c] == (matrix.part[c] == 3 ? 0 : 1));  // a body of 8 vertices is none
+  for (int c = 0; c < matrix.columns(); ++c) CHECK(seen[c] == (matrix.component[c] == 3 ? 0 : 1));  // a body of 8 vertices is none
   const int of_solid = *std::max_element(pieces.of.begin(), pieces.of.begin() + 14 * 14 * 14) + 1;
   CHECK(of_solid >= 8);
   CHECK(of_solid <= 30);
@@ -61,7 +61,7 @@ TEST_CASE("forces of rigid motions of pieces lead back to them", "[linear]") {
   for (int a = 0; a < pieces.count(); ++a) {
     const Vec3 shift = random.vectors(3), turn = random.vectors(3);
     for (int i = pieces.start[a]; i < pieces.start[a + 1]; ++i)
-      motion.segment<3>(3 * pieces.column[i]) = shift + turn.cross(Vec3(matrix.place.segment<3>(3 * pieces.column[i])));
+      motion.segment<3>(3 * pieces.column[i]) = shift + turn.cross(Vec3(matrix.positions.segment<3>(3 * pieces.column[i])));
   }
   matrix.multiply(motion, forces);
   RigidMotions rigid;
@@ -96,13 +96,13 @@ TEST_CASE("without places, parts that are large enough, or a definite matrix the
   RigidMotions rigid;
   CHECK(rigid.update(whole));
   BlockMatrix matrix = whole;
-  matrix.place.resize(0);
+  matrix.positions.resize(0);
   CHECK_FALSE(rigid.update(matrix));
   matrix = whole;
-  matrix.part.clear();
+  matrix.component.clear();
   CHECK_FALSE(rigid.update(matrix));
   matrix = whole;
-  for (int c = 0; c < matrix.columns(); ++c) matrix.part[c] = c / 8;
+  for (int c = 0; c < matrix.columns(); ++c) matrix.component[c] = c / 8;
   CHECK_FALSE(rigid.update(matrix));
   matrix = whole;
   for (int c = 0; c < matrix.columns(); ++c) matrix.block(matrix.column_start[c]).diagonal().array() -= 0.1;

@@ -143,7 +143,7 @@ TEST_CASE("a minimum where forces do not balance is none", "[minimizer]") {
     PhaseClock clock;
     MinimizerProblem problem{objective, [](const VecX&, const VecX&) { return 1.0; },
                              [](const VecX& p, const VecX&) { return p.lpNorm<Eigen::Infinity>() / 0.1; }, clock};
-    problem.imbalance = [&](const VecX& g) { return g.lpNorm<Eigen::Infinity>() / tolerated; };
+    problem.force_residual = [&](const VecX& g) { return g.lpNorm<Eigen::Infinity>() / tolerated; };
     VecX q = Vec3(1, 2, 3);
     const MinimizerResult result = minimizer->minimize(problem, q);
     return std::pair(result, q.lpNorm<Eigen::Infinity>());

@@ -1,11 +1,11 @@
-#include "solvers/linear/part_translations.hpp"
+#include "solvers/linear/component_translations.hpp"
 
 #include <algorithm>
 #include <map>
 
 #include "framework/core/lanes.hpp"
 #include "geometry/parallel.hpp"
-#include "solvers/linear/part_sizes.hpp"
+#include "solvers/linear/component_sizes.hpp"
 
 namespace tack {
 namespace {
@@ -20,17 +20,17 @@ Eigen::Map<Matrix> of_run(Number* vectors, int first, int last) {
 
 }  // namespace
 
-void PartTranslations::index(const BlockMatrix& matrix) {
+void ComponentTranslations::index(const BlockMatrix& matrix) {
   columns_ = matrix.columns();
   version_ = matrix.version;
   parts_ = 0;
   part_of_.assign(columns_, -1);
-  if (static_cast<int>(matrix.part.size()) != columns_) return;
-  const std::vector<int> size = part_sizes(matrix);
+  if (static_cast<int>(matrix.component.size()) != columns_) return;
+  const std::vector<int> size = component_sizes(matrix);
   std::vector<int> number(size.size(), -1);
   for (size_t p = 0; p < size.size(); ++p)
     if (size[p] >= smallest_part) number[p] = parts_++;
-  for (int c = 0; c < columns_; ++c) part_of_[c] = number[matrix.part[c]];
+  for (int c = 0; c < columns_; ++c) part_of_[c] = number[matrix.component[c]];
 
   runs_.clear();
   for (int c = 0; c < columns_; ++c) {
@@ -58,7 +58,7 @@ void PartTranslations::index(const BlockMatrix& matrix) {
   }
 }
 
-void PartTranslations::update(const BlockMatrix& matrix) {
+void ComponentTranslations::update(const BlockMatrix& matrix) {
   const bool changed = matrix.version != version_ || matrix.columns() != columns_;
   if (changed) index(matrix);
   if (parts_ == 0) return;
@@ -103,7 +103,7 @@ void PartTranslations::update(const BlockMatrix& matrix) {
   usable_ = factor_.info() == Eigen::Success;
 }
 
-double PartTranslations::add(const VecX& r, VecX& z) {
+double ComponentTranslations::add(const VecX& r, VecX& z) {
   if (parts_ == 0 || !usable_) return 0;
   const int runs = static_cast<int>(runs_.size());
   for_each(runs, [&](int i) {

@@ -13,7 +13,7 @@
 
 namespace tack {
 
-class PartTranslations {
+class ComponentTranslations {
  public:
   void update(const BlockMatrix& matrix);
   // z += Z (Z^T A Z)^-1 Z^T r. Returns r . (the correction).

@@ -12,10 +12,10 @@ namespace tack {
 inline constexpr int smallest_part = 24;
 
 // Returns the number of columns of each component.
-inline std::vector<int> part_sizes(const BlockMatrix& matrix) {
+inline std::vector<int> component_sizes(const BlockMatrix& matrix) {
   std::vector<int> sizes(
-      matrix.part.empty() ? 0 : *std::max_element(matrix.part.begin(), matrix.part.end()) + 1, 0);
-  for (const int part : matrix.part) ++sizes[part];
+      matrix.component.empty() ? 0 : *std::max_element(matrix.component.begin(), matrix.component.end()) + 1, 0);
+  for (const int part : matrix.component) ++sizes[part];
   return sizes;
 }
 
