@@ -19,7 +19,7 @@ struct Taut : FormulaOf<2> {
     double stiffness, length;  // N/m, m
   };
   template <class T>
-  T energy(const Places<T>& x, const Data& rope) const {
+  T energy(const Positions<T>& x, const Data& rope) const {
     const T stretch = (x[1] - x[0]).norm() - rope.length;
     return stretch > T(0) ? T(0.5 * rope.stiffness * stretch * stretch) : T(0);
   }

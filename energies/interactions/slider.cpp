@@ -20,7 +20,7 @@ struct OnLine : FormulaOf<3> {
     double stiffness;  // N/m
   };
   template <class T>
-  T energy(const Places<T>& x, const Data& d) const {
+  T energy(const Positions<T>& x, const Data& d) const {
     const Eigen::Matrix<T, 3, 1> line = x[2] - x[1], from = x[0] - x[1];
     const T along = from.dot(line) / line.squaredNorm();
     const Eigen::Matrix<T, 3, 1> off = from - line * along;  // not by a difference of squares, which has no digits left

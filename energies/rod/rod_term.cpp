@@ -163,7 +163,7 @@ void RodTerm::derivatives_of(const VecX& x, const double* strains, Projection pr
       for (const Vec3& row : {Vec3(-by_first), Vec3(by_first - by_second), by_second}) put(Vec3::UnitX() * row.transpose());
       for (int j = 0; j <= i; ++j) put(arcs[i] * arcs[j] * local(6 + i, 6 + j) * Vec3::UnitX() * Vec3::UnitX().transpose());
     }
-    project_slots({.arity = 5, .twists = 2}, slot - 135, projection);
+    project_slots({.arity = 5, .scalars = 2}, slot - 135, projection);
   }, 32);
 }
 

@@ -3,7 +3,7 @@
 //   struct Rope : FormulaOf<2> {
 //     struct Data { double stiffness, length; };  // of a stencil: N/m, m
 //     template <class T>
-//     T energy(const Places<T>& x, const Data& rope) const {  // J
+//     T energy(const Positions<T>& x, const Data& rope) const {  // J
 //       const T stretch = (x[1] - x[0]).norm() - rope.length;
 //       return stretch > 0 ? 0.5 * rope.stiffness * stretch * stretch : T(0);
 //     }
@@ -30,23 +30,23 @@
 
 namespace tack {
 
-// Arity: vertices of a stencil. The last `Numbers` of them are scalar dofs (world/unknowns.hpp):
+// Arity: vertices of a stencil. The last `Scalars` of them are scalar dofs (world/unknowns.hpp):
 // x[k].x() is the displacement of scalar k [m].
-template <int Arity, int Numbers = 0>
+template <int Arity, int Scalars = 0>
 struct FormulaOf {
   static_assert(Arity >= 1 && Arity <= largest_arity,
                 "core/term.hpp says how many vertices a stencil may have");
-  static_assert(Numbers >= 0 && Numbers <= Arity);
-  static constexpr int arity = Arity, numbers = Numbers;
+  static_assert(Scalars >= 0 && Scalars <= Arity);
+  static constexpr int arity = Arity, scalars = Scalars;
   static constexpr bool stored = true;     // redefined where it stands for what a step dissipates
   template <class T>
-  using Places = std::array<Eigen::Matrix<T, 3, 1>, Arity>;
+  using Positions = std::array<Eigen::Matrix<T, 3, 1>, Arity>;
 };
 
 template <class Formula>
 class FormulaTerm : public Term {
  public:
-  static constexpr int arity = Formula::arity, numbers = Formula::numbers;
+  static constexpr int arity = Formula::arity, scalars = Formula::scalars;
   using Data = typename Formula::Data;
 
   // name: of the energy in results.
@@ -70,7 +70,7 @@ class FormulaTerm : public Term {
   const Formula& formula() const { return formula_; }
   double energy(int s, const VecX& x) const { return energy(s, x, data_[s]); }  // J
   double energy(int s, const VecX& x, const Data& data) const {
-    return formula_.energy(places<double>(s, x, [](double value, int) { return value; }), data);
+    return formula_.energy(positions<double>(s, x, [](double value, int) { return value; }), data);
   }
 
   bool stores() const override { return Formula::stored; }
@@ -94,20 +94,20 @@ class FormulaTerm : public Term {
   }
 
  private:
-  static constexpr int places_count = arity - numbers, variables = 3 * places_count + numbers;
+  static constexpr int position_count = arity - scalars, variables = 3 * position_count + scalars;
   template <bool Curvature>
   using Dual = DualMany<variables, Curvature>;
 
-  StencilBatch batch() const { return {arity, count(), vertices_.data(), numbers}; }
+  StencilBatch batch() const { return {arity, count(), vertices_.data(), scalars}; }
 
   // Returns the variable of a coordinate of a vertex; -1: none.
   static constexpr int variable(int k, int i) {
-    return k < places_count ? 3 * k + i : i == 0 ? 3 * places_count + k - places_count : -1;
+    return k < position_count ? 3 * k + i : i == 0 ? 3 * position_count + k - position_count : -1;
   }
 
   template <class T, class Make>
-  typename Formula::template Places<T> places(int s, const VecX& x, const Make& make) const {
-    typename Formula::template Places<T> all;
+  typename Formula::template Positions<T> positions(int s, const VecX& x, const Make& make) const {
+    typename Formula::template Positions<T> all;
     for (int k = 0; k < arity; ++k)
       for (int i = 0; i < 3; ++i) {
         const double value = x(3 * vertices_[static_cast<size_t>(s) * arity + k] + i);
@@ -119,7 +119,7 @@ class FormulaTerm : public Term {
   template <class T>
   void write(int s, const VecX& x, double* gradient, double* hessian) const {
     const T energy = formula_.energy(
-        places<T>(s, x, [](double value, int i) { return T::variable(value, i); }), data_[s]);
+        positions<T>(s, x, [](double value, int i) { return T::variable(value, i); }), data_[s]);
     for (int k = 0; k < arity; ++k)
       for (int i = 0; i < 3; ++i) *gradient++ = variable(k, i) < 0 ? 0 : energy.d[variable(k, i)];
     if (!hessian) return;

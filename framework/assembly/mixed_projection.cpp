@@ -8,12 +8,12 @@
 
 namespace tack {
 
-void project_mixed_psd(int arity, int numbers, double* slots, Projection projection) {
+void project_mixed_psd(int arity, int scalars, double* slots, Projection projection) {
   if (projection == Projection::none) return;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * largest_arity, 3 * largest_arity>;
-  const int places = arity - numbers, relative = std::max(places - 1, 0);
-  // Columns: an orthonormal basis of what the stencil feels (Helmert's, of the places).
-  Matrix basis = Matrix::Zero(3 * arity, 3 * relative + numbers);
+  const int positions = arity - scalars, relative = std::max(positions - 1, 0);
+  // Columns: an orthonormal basis of what the stencil feels (Helmert's, of the positions).
+  Matrix basis = Matrix::Zero(3 * arity, 3 * relative + scalars);
   for (int r = 0; r < relative; ++r) {
     const double scale = 1 / std::sqrt((r + 1.0) * (r + 2.0));
     for (int d = 0; d < 3; ++d) {
@@ -21,7 +21,7 @@ void project_mixed_psd(int arity, int numbers, double* slots, Projection project
       basis(3 * (r + 1) + d, 3 * r + d) = -(r + 1) * scale;
     }
   }
-  for (int n = 0; n < numbers; ++n) basis(3 * (places + n), 3 * relative + n) = 1;
+  for (int n = 0; n < scalars; ++n) basis(3 * (positions + n), 3 * relative + n) = 1;
   if (basis.cols() == 0) return;
   Matrix hessian(3 * arity, 3 * arity);
   const double* in = slots;

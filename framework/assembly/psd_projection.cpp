@@ -90,7 +90,7 @@ void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projectio
   hessian = work;
 }
 
-void project_twisted_psd(Eigen::Matrix<double, 15, 15>& hessian, Projection projection) {
+void project_scalar_psd(Eigen::Matrix<double, 15, 15>& hessian, Projection projection) {
   if (projection == Projection::none) return;
   // Columns: an orthonormal basis of what a stencil feels.
   using Basis = Eigen::Matrix<double, 15, 8>;

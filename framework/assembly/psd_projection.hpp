@@ -18,6 +18,6 @@ void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projectio
 
 // Stencils of three vertices and two twists (StencilBatch): in the six dimensions of the vertices
 // orthogonal to translations, plus the two twists.
-void project_twisted_psd(Eigen::Matrix<double, 15, 15>& hessian, Projection projection);
+void project_scalar_psd(Eigen::Matrix<double, 15, 15>& hessian, Projection projection);
 
 }  // namespace tack

@@ -45,10 +45,10 @@ void project_rank_one(int arity, double* slots, Projection projection) {
   for (int i = 0; i < 9 * hessian_blocks(arity); ++i) slots[i] *= factor;
 }
 
-void project_twisted(double* slots, Projection projection) {
+void project_two_scalars(double* slots, Projection projection) {
   Eigen::Matrix<double, 15, 15> hessian;
   load_blocks<5>(slots, hessian);
-  project_twisted_psd(hessian, projection);
+  project_scalar_psd(hessian, projection);
   store_blocks<5>(hessian, slots);
 }
 
@@ -57,8 +57,8 @@ void project_twisted(double* slots, Projection projection) {
 void project_slots(const StencilBatch& kind, double* slots, Projection projection) {
   if (projection == Projection::none) return;
   if (kind.rank_one) project_rank_one(kind.arity, slots, projection);
-  else if (kind.twists == 2 && kind.arity == 5) project_twisted(slots, projection);
-  else if (kind.twists > 0) project_mixed_psd(kind.arity, kind.twists, slots, projection);
+  else if (kind.scalars == 2 && kind.arity == 5) project_two_scalars(slots, projection);
+  else if (kind.scalars > 0) project_mixed_psd(kind.arity, kind.scalars, slots, projection);
   else project_relative(kind.arity, slots, projection);
 }
 

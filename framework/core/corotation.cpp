@@ -46,25 +46,25 @@ Mat3 rotation_of(const Mat3& s_0) {
   return r;
 }
 
-// Subtracts the mean of the positions and returns it.
-Vec3 centre(int places, Corotation::Column& x) {
+// Subtracts the mean of the count and returns it.
+Vec3 centre(int count, Corotation::Column& x) {
   Vec3 mean = Vec3::Zero();
-  for (int i = 0; i < places; ++i) mean += x.segment<3>(3 * i);
-  mean /= places;
-  for (int i = 0; i < places; ++i) x.segment<3>(3 * i) -= mean;
+  for (int i = 0; i < count; ++i) mean += x.segment<3>(3 * i);
+  mean /= count;
+  for (int i = 0; i < count; ++i) x.segment<3>(3 * i) -= mean;
   return mean;
 }
 
 }  // namespace
 
-Corotation::Corotation(int places, const Column& s, const Column& x, bool translates)
-    : places_(places), translation_(translates), s_(s), y_(x), u_(x - s) {
-  const Vec3 moved = translation_ * (centre(places, y_) - centre(places, s_));
+Corotation::Corotation(int count, const Column& s, const Column& x, bool translates)
+    : position_count_(count), translation_(translates), s_(s), y_(x), u_(x - s) {
+  const Vec3 moved = translation_ * (centre(count, y_) - centre(count, s_));
   Mat3 sum = Mat3::Zero();
-  for (int i = 0; i < places; ++i) sum += y(i) * this->s(i).transpose();
+  for (int i = 0; i < count; ++i) sum += y(i) * this->s(i).transpose();
   r_ = rotation_of(sum);
   inverse_ = inverse_of(resistance_of(r_.transpose() * sum));
-  for (int i = 0; i < places; ++i) {
+  for (int i = 0; i < count; ++i) {
     y_.segment<3>(3 * i) = r_.transpose() * y(i);
     u_.segment<3>(3 * i) = y(i) - this->s(i) + moved;
   }
@@ -72,28 +72,28 @@ Corotation::Corotation(int places, const Column& s, const Column& x, bool transl
 
 Corotation::Column Corotation::gradient(const Column& f) const {
   Vec3 moment = Vec3::Zero(), sum = Vec3::Zero(), mean = Vec3::Zero();
-  for (int i = 0; i < places_; ++i) {
+  for (int i = 0; i < position_count_; ++i) {
     moment += y(i).cross(Vec3(f.segment<3>(3 * i)));
     sum += f.segment<3>(3 * i);
   }
   const Vec3 a = inverse_ * moment;
   Column g = f;
-  for (int i = 0; i < places_; ++i) {
+  for (int i = 0; i < position_count_; ++i) {
     g.segment<3>(3 * i) = r_ * (f.segment<3>(3 * i) - a.cross(s(i)));
     mean += g.segment<3>(3 * i);
   }
-  for (int i = 0; i < places_; ++i) g.segment<3>(3 * i) += (translation_ * sum - mean) / places_;
+  for (int i = 0; i < position_count_; ++i) g.segment<3>(3 * i) += (translation_ * sum - mean) / position_count_;
   return g;
 }
 
 Corotation::Square Corotation::slopes() const {
   Square b = Square::Identity(u_.size(), u_.size());
-  const double share = 1.0 / places_;
-  for (int j = 0; j < places_; ++j)
+  const double share = 1.0 / position_count_;
+  for (int j = 0; j < position_count_; ++j)
     for (int k = 0; k < 3; ++k) {
       const Vec3 back = r_.row(k).transpose();  // R^T e_k
       const Vec3 turn = inverse_ * s(j).cross(back);
-      for (int i = 0; i < places_; ++i) {
+      for (int i = 0; i < position_count_; ++i) {
         Vec3 column = ((i == j ? 1 : 0) - share) * back - turn.cross(y(i));
         column(k) += translation_ * share;
         b.block<3, 1>(3 * i, 3 * j + k) = column;
@@ -105,11 +105,11 @@ Corotation::Square Corotation::slopes() const {
 Corotation::Square Corotation::hessian(const Square& k, const Column& f) const {
   const Square b = slopes(), kb = k * b;
   Vec3 moment = Vec3::Zero();
-  for (int i = 0; i < places_; ++i) moment += y(i).cross(Vec3(f.segment<3>(3 * i)));
+  for (int i = 0; i < position_count_; ++i) moment += y(i).cross(Vec3(f.segment<3>(3 * i)));
   const Vec3 a = inverse_ * moment;
   Square h = kb;
-  const double share = 1.0 / places_;
-  for (int j = 0; j < places_; ++j)
+  const double share = 1.0 / position_count_;
+  for (int j = 0; j < position_count_; ++j)
     for (int axis = 0; axis < 3; ++axis) {
       const int column = 3 * j + axis;
       const Vec3 turn = inverse_ * s(j).cross(Vec3(r_.row(axis).transpose()));
@@ -119,38 +119,38 @@ Corotation::Square Corotation::hessian(const Square& k, const Column& f) const {
         d(axis) -= translation_ * share;
         return d;
       };
-      for (int i = 0; i < places_; ++i) {
+      for (int i = 0; i < position_count_; ++i) {
         const Vec3 d = d_y(i), d_f = kb.block<3, 1>(3 * i, column);
         d_moment += d.cross(Vec3(f.segment<3>(3 * i))) + y(i).cross(d_f);
         d_a += s(i).dot(d) * a - s(i) * d.dot(a);
       }
       const Vec3 change = inverse_ * (d_moment - d_a);
       Vec3 sum = Vec3::Zero(), mean = Vec3::Zero();
-      for (int i = 0; i < places_; ++i) {
+      for (int i = 0; i < position_count_; ++i) {
         const Vec3 d_f = kb.block<3, 1>(3 * i, column), g = Vec3(f.segment<3>(3 * i)) - a.cross(s(i));
         h.block<3, 1>(3 * i, column) = r_ * (d_f - change.cross(s(i)) + turn.cross(g));
         sum += d_f;
         mean += h.block<3, 1>(3 * i, column);
       }
-      for (int i = 0; i < places_; ++i) h.block<3, 1>(3 * i, column) += (translation_ * sum - mean) * share;
+      for (int i = 0; i < position_count_; ++i) h.block<3, 1>(3 * i, column) += (translation_ * sum - mean) * share;
     }
-  // Scalar dofs are not rotated: their columns are those of K; forces on positions are rotated as usual.
-  for (Eigen::Index column = 3 * places_; column < h.cols(); ++column) h.col(column) = gradient(Column(k.col(column)));
+  // Scalar dofs are not rotated: their columns are those of K; forces on count are rotated as usual.
+  for (Eigen::Index column = 3 * position_count_; column < h.cols(); ++column) h.col(column) = gradient(Column(k.col(column)));
   return (h + h.transpose()) / 2;
 }
 
-Corotation::Column Corotation::without_rotation(int places, const Column& s, const Column& d) {
+Corotation::Column Corotation::without_rotation(int count, const Column& s, const Column& d) {
   Column from = s, rest = d;
-  centre(places, from);
+  centre(count, from);
   Mat3 sum = Mat3::Zero();
   Vec3 moment = Vec3::Zero();
-  for (int i = 0; i < places; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Vec3 at = from.segment<3>(3 * i);
     sum += at * at.transpose();
     moment += at.cross(Vec3(d.segment<3>(3 * i)));
   }
   const Vec3 turn = inverse_of(resistance_of(sum)) * moment;
-  for (int i = 0; i < places; ++i) rest.segment<3>(3 * i) -= turn.cross(Vec3(from.segment<3>(3 * i)));
+  for (int i = 0; i < count; ++i) rest.segment<3>(3 * i) -= turn.cross(Vec3(from.segment<3>(3 * i)));
   return rest;
 }
 

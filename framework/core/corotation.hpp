@@ -6,22 +6,23 @@
 // With f = dE/du and y_i = R^T (x_i - c), where sum s_i x y_i = 0 defines R,
 //     A = sum (s_i . y_i) I - y_i s_i^T,   a = A^-1 sum y_i x f_i,   dE/dx_i = R (f_i - a x s_i),
 // minus its mean. With the translation, the mean of f is added.
-// Scalar dofs (StencilBatch::twists) follow the positions and are not rotated.
+// Scalar dofs (StencilBatch::scalars) follow the positions and are not rotated.
 #pragma once
 
 #include "framework/core/term.hpp"
 
 namespace tack {
 
+/// Displacement of one stencil without its rotation.
 class Corotation {
  public:
   static constexpr int most = 3 * largest_rank_one;
   using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
-  // s, x: positions, then scalar dofs, three entries each. places: number of positions. translates:
+  // s, x: positions, then scalar dofs, three entries each. count: number of positions. translates:
   // u includes the translation.
-  Corotation(int places, const Column& s, const Column& x, bool translates);
+  Corotation(int count, const Column& s, const Column& x, bool translates);
 
   const Column& u() const { return u_; }
   // Returns the gradient by x of an energy with the gradient f by u.
@@ -34,13 +35,13 @@ class Corotation {
 
   // Returns the field d of the positions s without its infinitesimal rotation about their mean.
   // Scalar dofs are unchanged.
-  static Column without_rotation(int places, const Column& s, const Column& d);
+  static Column without_rotation(int count, const Column& s, const Column& d);
 
  private:
   Vec3 y(int i) const { return y_.segment<3>(3 * i); }
   Vec3 s(int i) const { return s_.segment<3>(3 * i); }
 
-  int places_;
+  int position_count_;
   double translation_;  // 1 if u includes the translation, else 0
   Column s_, y_, u_;  // s and y relative to their means
   Mat3 r_;

@@ -42,7 +42,8 @@ struct ForceRecord {
   // For pressures of normal forces, in the first of three entries per vertex (3n): adds the
   // magnitude of compression (positive) or tension [N], and the area over which the force acts
   // [m^2], unless another record adds that area.
-  std::function<void(const VecX& x, std::string_view summand, VecX& compressions)> add_compressions = {};
+  std::function<void(const VecX& x, std::string_view summand, VecX& compressions)>
+      add_compressions = {};
   std::function<void(const VecX& x, VecX& areas)> add_areas = {};
   bool stored = true;  // true: gradient of a stored energy; false: work against it is dissipated
   // The term that publishes the record and whose gradient contains the force. Null: reactions read

@@ -30,7 +30,7 @@ size_t slots_of(const std::vector<StencilBatch>& batches, int (*per_stencil)(int
 }
 
 // Returns the positions of the vertices of stencil s of the batch.
-Column places(const VecX& x, const StencilBatch& b, int s) {
+Column positions(const VecX& x, const StencilBatch& b, int s) {
   Column at(3 * b.arity);
   for (int i = 0; i < b.arity; ++i) at.segment<3>(3 * i) = vertex(x, b.vertices[b.arity * static_cast<size_t>(s) + i]);
   return at;
@@ -53,7 +53,7 @@ bool resists_translation(const double* blocks, const StencilBatch& b) {
   constexpr double round_off = 1e-9;
   Mat3 sum = Mat3::Zero();
   double size = 0;
-  for (int i = 0; i < b.arity - b.twists; ++i)
+  for (int i = 0; i < b.arity - b.scalars; ++i)
     for (int j = 0; j <= i; ++j, blocks += 9) {
       const Eigen::Map<const Mat3> block(blocks);
       sum += block;
@@ -86,8 +86,8 @@ class CorotatedDamping : public DampingTerm {
       const size_t width = 3 * static_cast<size_t>(b.arity), blocks = 9 * static_cast<size_t>(hessian_blocks(b.arity));
       for_each(b.count, [&](int s) {
         translates[s] = resists_translation(first_block + blocks * s, b);
-        const Column from = places(start_, b, s), way = places(velocity_.still, b, s) - from;
-        Eigen::Map<VecX>(still + width * s, static_cast<Eigen::Index>(width)) = from + Corotation::without_rotation(b.arity - b.twists, from, way);
+        const Column from = positions(start_, b, s), way = positions(velocity_.still, b, s) - from;
+        Eigen::Map<VecX>(still + width * s, static_cast<Eigen::Index>(width)) = from + Corotation::without_rotation(b.arity - b.scalars, from, way);
       });
       still += width * b.count;
       first_block += blocks * b.count;
@@ -105,7 +105,7 @@ class CorotatedDamping : public DampingTerm {
       const size_t blocks = 9 * static_cast<size_t>(hessian_blocks(b.arity)), width = 3 * static_cast<size_t>(b.arity);
       for_each(b.count, [&](int s) {
         const Square k = matrix_of(first_block + blocks * s, b.arity);
-        const Corotation stencil(b.arity - b.twists, Eigen::Map<const VecX>(still + width * s, static_cast<Eigen::Index>(width)), places(x, b, s), translates[s]);
+        const Corotation stencil(b.arity - b.scalars, Eigen::Map<const VecX>(still + width * s, static_cast<Eigen::Index>(width)), positions(x, b, s), translates[s]);
         const Column f = k * stencil.u();
         Eigen::Map<VecX>(gradient + width * s, static_cast<Eigen::Index>(width)) = velocity_.rate * stencil.gradient(f);
         if (!hessian) return;
@@ -134,7 +134,7 @@ class CorotatedDamping : public DampingTerm {
     const char* translates = translates_.data();
     for (const StencilBatch& b : batches_)
       for (int s = 0; s < b.count; ++s, ++translates, blocks += 9 * hessian_blocks(b.arity)) {
-        const Corotation stencil(b.arity - b.twists, places(start_, b, s), places(x, b, s), *translates);
+        const Corotation stencil(b.arity - b.scalars, positions(start_, b, s), positions(x, b, s), *translates);
         const Column force = stencil.gradient(matrix_of(blocks, b.arity) * stencil.u()) / h_;
         for (int i = 0; i < b.arity; ++i) vertex(forces, b.vertices[b.arity * static_cast<size_t>(s) + i]) -= force.segment<3>(3 * i);
       }
@@ -150,8 +150,8 @@ class CorotatedDamping : public DampingTerm {
       sum += sum_chunks(b.count, [&](int first, int last) {
         double part = 0;
         for (int s = first; s < last; ++s) {
-          const Column reference = from == Reference::start ? places(start_, b, s) : Column(Eigen::Map<const VecX>(still + width * s, static_cast<Eigen::Index>(width)));
-          const Column u = Corotation(b.arity - b.twists, reference, places(x, b, s), translates[s]).u();
+          const Column reference = from == Reference::start ? positions(start_, b, s) : Column(Eigen::Map<const VecX>(still + width * s, static_cast<Eigen::Index>(width)));
+          const Column u = Corotation(b.arity - b.scalars, reference, positions(x, b, s), translates[s]).u();
           part += u.dot(matrix_of(first_block + blocks * s, b.arity) * u);
         }
         return part;

@@ -25,7 +25,8 @@ class Rows {
     if (dofs.block(v) >= 0) {
       add_block(dofs.block(v), along);
     } else if (dofs.mixed(v)) {
-      for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) add_block(entry.index, entry.weight * along);
+      for (const DofMap::WeightedIndex& entry : dofs.blocks(v))
+        add_block(entry.index, entry.weight * along);
     }
   }
   void finish() {

@@ -51,13 +51,13 @@ bool is_flat(const BlockMatrix& matrix, const std::vector<int>& columns) {
 void Aggregates::build(const BlockMatrix& matrix) {
   const int n = matrix.columns();
   const Neighbours neighbours(matrix);
-  const std::vector<int> part_size = component_sizes(matrix);
+  const std::vector<int> component_size = component_sizes(matrix);
   const size_t flat_limit = std::max(flat_size, n / flat_pieces), solid_limit = std::max(solid_size, n / solid_pieces);
 
   of.assign(n, -1);
   std::vector<int> size, piece;
   for (int seed = 0; seed < n; ++seed) {
-    if (of[seed] >= 0 || part_size[matrix.component[seed]] < smallest_part) continue;
+    if (of[seed] >= 0 || component_size[matrix.component[seed]] < smallest_component) continue;
     const int number = static_cast<int>(size.size());
     piece.assign(1, seed);
     of[seed] = number;

@@ -1,5 +1,5 @@
 // Aggregates: connected groups of neighbouring vertices of one component of a system
-// (BlockMatrix::part). Groups in a plane or on a line (sheets, rods) are small, because bending
+// (BlockMatrix::component). Groups in a plane or on a line (sheets, rods) are small, because bending
 // makes them as soft as a solid over the same number of vertices across.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace tack {
 
 struct Aggregates {
-  // Builds the groups. Requires `place` and `part` of the matrix, and depends on these and the
+  // Builds the groups. Requires `positions` and `component` of the matrix, and depends on these and the
   // pattern only.
   void build(const BlockMatrix& matrix);
 

@@ -1,4 +1,4 @@
-// Sizes of the components of a system (BlockMatrix::part), for coarse spaces of preconditioners.
+// Sizes of the components of a system (BlockMatrix::component), for coarse spaces of preconditioners.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,15 @@
 
 namespace tack {
 
-// Vertices; incomplete factors solve smaller components nearly as well as a complete factor.
-inline constexpr int smallest_part = 24;
+// Number of vertices. Incomplete factors solve smaller components nearly as well as a complete
+// factor.
+inline constexpr int smallest_component = 24;
 
 // Returns the number of columns of each component.
 inline std::vector<int> component_sizes(const BlockMatrix& matrix) {
-  std::vector<int> sizes(
-      matrix.component.empty() ? 0 : *std::max_element(matrix.component.begin(), matrix.component.end()) + 1, 0);
-  for (const int part : matrix.component) ++sizes[part];
+  const std::vector<int>& all = matrix.component;
+  std::vector<int> sizes(all.empty() ? 0 : *std::max_element(all.begin(), all.end()) + 1, 0);
+  for (const int c : all) ++sizes[c];
   return sizes;
 }
 

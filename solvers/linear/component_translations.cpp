@@ -23,24 +23,24 @@ Eigen::Map<Matrix> of_run(Number* vectors, int first, int last) {
 void ComponentTranslations::index(const BlockMatrix& matrix) {
   columns_ = matrix.columns();
   version_ = matrix.version;
-  parts_ = 0;
-  part_of_.assign(columns_, -1);
+  components_ = 0;
+  component_of_.assign(columns_, -1);
   if (static_cast<int>(matrix.component.size()) != columns_) return;
   const std::vector<int> size = component_sizes(matrix);
   std::vector<int> number(size.size(), -1);
   for (size_t p = 0; p < size.size(); ++p)
-    if (size[p] >= smallest_part) number[p] = parts_++;
-  for (int c = 0; c < columns_; ++c) part_of_[c] = number[matrix.component[c]];
+    if (size[p] >= smallest_component) number[p] = components_++;
+  for (int c = 0; c < columns_; ++c) component_of_[c] = number[matrix.component[c]];
 
   runs_.clear();
   for (int c = 0; c < columns_; ++c) {
-    if (part_of_[c] < 0) continue;
-    const bool longer = !runs_.empty() && runs_.back().last == c && runs_.back().part == part_of_[c] &&
+    if (component_of_[c] < 0) continue;
+    const bool longer = !runs_.empty() && runs_.back().last == c && runs_.back().component == component_of_[c] &&
                         c - runs_.back().first < longest_run;
     if (longer) {
       runs_.back().last = c + 1;
     } else {
-      runs_.push_back({c, c + 1, part_of_[c], Vec3::Zero()});
+      runs_.push_back({c, c + 1, component_of_[c], Vec3::Zero()});
     }
   }
 
@@ -49,7 +49,7 @@ void ComponentTranslations::index(const BlockMatrix& matrix) {
   std::map<std::pair<int, int>, int> found;  // keyed by column, row
   for (int c = 0; c < columns_; ++c) {
     for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
-      const auto [column, row] = std::minmax(part_of_[c], part_of_[matrix.row[k]]);
+      const auto [column, row] = std::minmax(component_of_[c], component_of_[matrix.row[k]]);
       if (column < 0) continue;
       const auto [at, added] = found.try_emplace({column, row}, static_cast<int>(coarse_.size()));
       if (added) coarse_.push_back({row, column, Mat3::Zero()});
@@ -61,7 +61,7 @@ void ComponentTranslations::index(const BlockMatrix& matrix) {
 void ComponentTranslations::update(const BlockMatrix& matrix) {
   const bool changed = matrix.version != version_ || matrix.columns() != columns_;
   if (changed) index(matrix);
-  if (parts_ == 0) return;
+  if (components_ == 0) return;
   for (Coarse& block : coarse_) block.sum.setZero();
   // Consecutive blocks mostly belong to one sum, which stays in registers.
   BlockLanes run;
@@ -83,7 +83,7 @@ void ComponentTranslations::update(const BlockMatrix& matrix) {
       // The matrix stores blocks below its diagonal only.
       BlockLanes block(matrix.values.data() + 9 * static_cast<std::ptrdiff_t>(k));
       if (matrix.row[k] == c) block *= 0.5;
-      if (part_of_[matrix.row[k]] < part_of_[c]) block = block.transposed();
+      if (component_of_[matrix.row[k]] < component_of_[c]) block = block.transposed();
       run += block;
     }
   }
@@ -96,7 +96,7 @@ void ComponentTranslations::update(const BlockMatrix& matrix) {
       for (int j = 0; j < 3; ++j)
         if (3 * block.row + i >= 3 * block.column + j)
           entries.emplace_back(3 * block.row + i, 3 * block.column + j, block.sum(i, j));
-  Sparse sum(3 * parts_, 3 * parts_);
+  Sparse sum(3 * components_, 3 * components_);
   sum.setFromTriplets(entries.begin(), entries.end());
   if (changed) factor_.analyzePattern(sum);
   factor_.factorize(sum);
@@ -104,16 +104,16 @@ void ComponentTranslations::update(const BlockMatrix& matrix) {
 }
 
 double ComponentTranslations::add(const VecX& r, VecX& z) {
-  if (parts_ == 0 || !usable_) return 0;
+  if (components_ == 0 || !usable_) return 0;
   const int runs = static_cast<int>(runs_.size());
   for_each(runs, [&](int i) {
     runs_[i].sum = of_run<const Eigen::Matrix3Xd>(r.data(), runs_[i].first, runs_[i].last).rowwise().sum();
   }, 8);
-  sums_.setZero(3 * parts_);
-  for (const Run& run : runs_) sums_.segment<3>(3 * run.part) += run.sum;
+  sums_.setZero(3 * components_);
+  for (const Run& run : runs_) sums_.segment<3>(3 * run.component) += run.sum;
   const VecX shifts = factor_.solve(sums_);
   for_each(runs, [&](int i) {
-    of_run<Eigen::Matrix3Xd>(z.data(), runs_[i].first, runs_[i].last).colwise() += shifts.segment<3>(3 * runs_[i].part);
+    of_run<Eigen::Matrix3Xd>(z.data(), runs_[i].first, runs_[i].last).colwise() += shifts.segment<3>(3 * runs_[i].component);
   }, 8);
   return sums_.dot(shifts);
 }

@@ -1,4 +1,4 @@
-// Translations of the components of a system (BlockMatrix::part) as a coarse space Z: the
+// Translations of the components of a system (BlockMatrix::component) as a coarse space Z: the
 // correction Z (Z^T A Z)^-1 Z^T is added to a local preconditioner (Mandel 1993; Dryja and Widlund
 // 1987). Without it, the motion of a free body is the slowest mode of an iteration, and the
 // residual hardly shows it. With it, the residual in the preconditioner's norm bounds the momentum
@@ -25,8 +25,8 @@ class ComponentTranslations {
 
   std::uint64_t version_ = 0;
   int columns_ = -1;
-  std::vector<int> part_of_;    // per column: component, renumbered without gaps; -1: too small
-  int parts_ = 0;
+  std::vector<int> component_of_;    // per column: component, renumbered without gaps; -1: too small
+  int components_ = 0;
   std::vector<int> coarse_of_;  // per block of the matrix: index in coarse_; -1: none
   struct Coarse {
     int row, column;
@@ -37,7 +37,7 @@ class ComponentTranslations {
   bool usable_ = false;
   struct Run {
     int first, last;  // consecutive columns of one component
-    int part;
+    int component;
     Vec3 sum;
   };
   std::vector<Run> runs_;

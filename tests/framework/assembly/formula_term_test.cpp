@@ -15,20 +15,20 @@ struct Stretch : FormulaOf<2> {
     double stiffness, length;
   };
   template <class T>
-  T energy(const Places<T>& x, const Data& d) const {
+  T energy(const Positions<T>& x, const Data& d) const {
     const T stretch = (x[1] - x[0]).norm() - d.length;
     return 0.5 * d.stiffness * stretch * stretch;
   }
 };
 
-// A formula of four positions and two numbers: a dihedral angle with a target angle, built from all
-// operations of numbers.
+// A formula of four positions and two scalars: a dihedral angle with a target angle, built from all
+// operations of scalars.
 struct Hinge : FormulaOf<6, 2> {
   struct Data {
     double stiffness;
   };
   template <class T>
-  T energy(const Places<T>& x, const Data& d) const {
+  T energy(const Positions<T>& x, const Data& d) const {
     const Eigen::Matrix<T, 3, 1> axis = x[1] - x[0], m = axis.cross(x[2] - x[0]), n = (x[3] - x[0]).cross(axis);
     const T angle = atan2(m.cross(n).dot(axis) / axis.norm(), m.dot(n)), off = angle - x[4].x() * exp(-x[5].x());
     return d.stiffness * (off * off + 0.1 * cos(x[4].x()) + 0.3 * tanh(x[5].x() * sqrt(axis.squaredNorm()))) - log(2.0 + sin(x[4].x())) / (1.0 + pow(axis.norm(), 1.5)) +
@@ -39,7 +39,7 @@ struct Hinge : FormulaOf<6, 2> {
 struct Wide : FormulaOf<largest_arity> {
   struct Data {};
   template <class T>
-  T energy(const Places<T>& x, const Data&) const {
+  T energy(const Positions<T>& x, const Data&) const {
     T sum = 0;
     for (int i = 1; i < arity; ++i) sum += pow((x[i] - x[i - 1]).squaredNorm(), 1.5) * (x[0] - x[i]).dot(x[1] - x[i]);
     return sum;
@@ -61,7 +61,7 @@ void check_derivatives(const Term& term, const VecX& x) {
 
 }  // namespace
 
-TEST_CASE("terms of a formula: derivatives are those of the formula, of any arity, with numbers", "[formula_term]") {
+TEST_CASE("terms of a formula: derivatives are those of the formula, of any arity, with scalars", "[formula_term]") {
   FormulaTerm<Stretch> stretch("stretch");
   stretch.add({0, 2}, {3, 0.5});
   stretch.add({1, 2}, {2, 4});
@@ -90,7 +90,7 @@ TEST_CASE("a spring as a formula is the one by hand", "[formula_term]") {
     }
 }
 
-TEST_CASE("stencils with numbers are projected in all that they feel", "[formula_term]") {
+TEST_CASE("stencils with scalars are projected in all that they feel", "[formula_term]") {
   FormulaTerm<Hinge> hinge("hinge");
   hinge.add({0, 1, 2, 3, 4, 5}, {2});
   const VecX x = random_places(6);

@@ -77,7 +77,7 @@ TEST_CASE("rolling friction: derivatives are those of the value, and projections
     world.participants.begin_step({x, 0, 5e-3});
     const FrictionTerm& term = *world.friction;
     int turning = 0;
-    for (const StencilBatch& b : term.batches()) turning += b.twists > 0 ? b.count : 0;
+    for (const StencilBatch& b : term.batches()) turning += b.scalars > 0 ? b.count : 0;
     REQUIRE(turning > 0);
     RandomMotions random(3);
     for (const double size : {1e-7, 1e-4}) {  // it sticks, it slides

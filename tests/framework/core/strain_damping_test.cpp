@@ -36,7 +36,7 @@ struct Shape {
     return y;
   }
   // Numbers are one of three.
-  VecX places(VecX field) const {
+  VecX positions(VecX field) const {
     if (rod)
       for (const int twist : rod->frames->twists()) field(3 * twist + 1) = field(3 * twist + 2) = 0;
     return field;
@@ -77,7 +77,7 @@ void for_each_energy(const Check& check) {
       // Terms that depend on the orientation in space are left out: they are damped in their rotation as well.
       const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
       RandomMotions random(9);
-      const VecX x = *shape.rest + shape.places(2e-4 * random.vectors(shape.rest->size()));
+      const VecX x = *shape.rest + shape.positions(2e-4 * random.vectors(shape.rest->size()));
       if (std::abs(term->value(shape.moved(x, turn, Vec3::Zero())) - term->value(x)) > 1e-6 * term->value(x)) continue;
       INFO(v.yaml << ", elements " << static_cast<int>(shape.body->elements));
       checked.insert(v.type);
@@ -101,9 +101,9 @@ std::unique_ptr<DampingTerm> begun(Term& elastic, const VecX& x) {
 TEST_CASE("damping of strain: no rigid motion is damped, and forces have no moment", "[damping]") {
   for_each_energy([](Term& elastic, const Shape& shape) {
     RandomMotions random(4);
-    const VecX x = *shape.rest + shape.places(5e-4 * random.vectors(shape.rest->size()));
+    const VecX x = *shape.rest + shape.positions(5e-4 * random.vectors(shape.rest->size()));
     const auto damping = begun(elastic, x);
-    const VecX strained = x + shape.places(5e-4 * random.vectors(x.size()));
+    const VecX strained = x + shape.positions(5e-4 * random.vectors(x.size()));
     const double scale = damping->value(strained);
     REQUIRE(scale > 0);
     for (const double angle : {1e-3, 0.1, 1.0}) {
@@ -137,7 +137,7 @@ TEST_CASE("damping of strain: a spin that the integrator continues is not damped
     const Mat3 turn = Eigen::AngleAxisd(2 * std::atan(h / 2 * spin.norm()), spin.normalized()).toRotationMatrix();
     const VecX end = shape.moved(x, turn, Vec3::Zero());
     RandomMotions random(4);
-    const double strained = damping->value(end + shape.places(5e-4 * random.vectors(x.size())));
+    const double strained = damping->value(end + shape.positions(5e-4 * random.vectors(x.size())));
     CHECK(damping->value(end) <= 1e-9 * strained);
   });
 }
@@ -145,9 +145,9 @@ TEST_CASE("damping of strain: a spin that the integrator continues is not damped
 TEST_CASE("damping of strain: derivatives, projections, and beta K of small strains", "[damping]") {
   for_each_energy([](Term& elastic, const Shape& shape) {
     RandomMotions random(7);
-    const VecX x = *shape.rest + shape.places(2e-4 * random.vectors(shape.rest->size()));
+    const VecX x = *shape.rest + shape.positions(2e-4 * random.vectors(shape.rest->size()));
     const auto damping = begun(elastic, x);
-    const VecX y = x + shape.places(2e-4 * random.vectors(x.size()));
+    const VecX y = x + shape.positions(2e-4 * random.vectors(x.size()));
     const auto gradient = [&](const VecX& z) { return dense_gradient(*damping, z); };
     const VecX g = gradient(y), by_value = gradient_by_differences([&](const VecX& z) { return damping->value(z); }, y, 1e-6);
     CHECK((g - by_value).norm() <= 1e-6 * g.norm());

@@ -27,7 +27,7 @@ struct Held : FormulaOf<1, 1> {
     double stiffness, goal, length;  // J, 1, m
   };
   template <class T>
-  T energy(const Places<T>& x, const Data& d) const {
+  T energy(const Positions<T>& x, const Data& d) const {
     const T off = x[0].x() / d.length - d.goal;
     return 0.5 * d.stiffness * off * off;
   }
@@ -39,7 +39,7 @@ struct Pushed : FormulaOf<3, 1> {
     double stiffness;  // N/m
   };
   template <class T>
-  T energy(const Places<T>& x, const Data& d) const {
+  T energy(const Positions<T>& x, const Data& d) const {
     Eigen::Matrix<T, 3, 1> off = x[1] - x[0];
     off.x() -= x[2].x();
     return 0.5 * d.stiffness * off.squaredNorm();
@@ -119,7 +119,7 @@ class Middles : public EnergyWithUnknowns {
   struct Halves : FormulaOf<3> {
     struct Data {};
     template <class T>
-    T energy(const Places<T>& x, const Data&) const {
+    T energy(const Positions<T>& x, const Data&) const {
       return 1e3 * ((x[2] - x[0]).squaredNorm() + (x[2] - x[1]).squaredNorm());
     }
   };

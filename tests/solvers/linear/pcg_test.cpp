@@ -213,7 +213,7 @@ TEST_CASE("conjugate gradients solve for the translations of parts as well as fo
   matrix.component.resize(n, 1);
   CHECK(momentum_error("false") > 0.1);
   CHECK(momentum_error("true") < 0.01);
-  matrix.component.assign(n, 0);  // parts that are too small do not count
+  matrix.component.assign(n, 0);  // components that are too small do not count
   for (int i = 0; i < n; ++i) matrix.component[i] = i / 8;
   CHECK(momentum_error("true") == momentum_error("false"));
 }
