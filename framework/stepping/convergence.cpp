@@ -11,9 +11,9 @@ namespace tack {
 
 namespace {
 
-// Returns the mass of each block by which it is judged [kg]: its own; of a block without inertia
-// the lightest mass of the others, or, if no block has mass, the lightest in `moved`.
-VecX masses_to_judge_by(VecX mass, const VecX& moved) {
+// Returns the mass of each block for the criterion [kg]: its own; for a block without inertia, the
+// smallest mass of the others; if no block has mass, the smallest mass in `moved`.
+VecX criterion_masses(VecX mass, const VecX& moved) {
   double lightest = std::numeric_limits<double>::infinity();
   for (const double m : mass)
     if (m > 0) lightest = std::min(lightest, m);
@@ -32,7 +32,7 @@ Convergence::Convergence(const World& world, const Minimizer& solver, double who
   if (!solver.force_floor()) rounding_ = rounding_forces(world);
 }
 
-// The vertices that several unknowns move.
+// Calls body(vertex) for each vertex that depends on several blocks.
 template <class Body>
 void Convergence::for_each_mixed(const Body& body) const {
   for (const int v : world_.dofs.dependents())
@@ -43,15 +43,15 @@ void Convergence::begin_step(const IncrementalPotential& potential, double h, bo
   potential_ = &potential;
   h_ = h;
   inertia_ = inertia;
-  balance_ = {};
-  if (!unknowns_known_) take_unknowns(potential);
+  force_residual_ = {};
+  if (!unknowns_known_) set_unknowns(potential);
   groups_.begin_step(world_);
 }
 
-void Convergence::take_unknowns(const IncrementalPotential& potential) {
+void Convergence::set_unknowns(const IncrementalPotential& potential) {
   unknowns_known_ = true;
   const DofMap& dofs = world_.dofs;
-  mass_ = masses_to_judge_by(dofs.own_masses(world_.mass), dofs.block_masses(world_.mass));
+  mass_ = criterion_masses(dofs.own_masses(world_.mass), dofs.block_masses(world_.mass));
   groups_.begin_unknowns(world_, potential, rounding_);
   // With e = H^-1 r and M >= diag(mass): |w . e|^2 <= sum_b w_b^2 / m_b times r . M^-1 r.
   smallest_mass_ = mass_.size() > 0 ? mass_.minCoeff() : 0;
@@ -62,52 +62,52 @@ void Convergence::take_unknowns(const IncrementalPotential& potential) {
   });
 }
 
-// Returns the largest displacement of any vertex, whatever moves it [m].
-double Convergence::largest_way(const VecX& p) const {
+// Returns the largest displacement of any vertex under the direction p [m].
+double Convergence::largest_displacement(const VecX& p) const {
   double largest = p.lpNorm<Eigen::Infinity>();
   for_each_mixed([&](int v) {
-    Vec3 way = Vec3::Zero();
-    for (const DofMap::WeightedIndex& entry : world_.dofs.blocks(v)) way += entry.weight * p.segment<3>(3 * entry.index);
-    largest = std::max(largest, way.lpNorm<Eigen::Infinity>());
+    Vec3 displacement = Vec3::Zero();
+    for (const DofMap::WeightedIndex& entry : world_.dofs.blocks(v)) displacement += entry.weight * p.segment<3>(3 * entry.index);
+    largest = std::max(largest, displacement.lpNorm<Eigen::Infinity>());
   });
   return largest;
 }
 
 double Convergence::norm(const VecX& p, const VecX& gradient) {
-  if (stopping() == Stopping::velocity) return largest_way(p) / h_ / solver_.velocity_tolerance();
+  if (stopping() == Stopping::velocity) return largest_displacement(p) / h_ / solver_.velocity_tolerance();
   if (stopping() == Stopping::acceleration) {
     double largest = 0;
     for (Eigen::Index b = 0; b < mass_.size(); ++b)
       largest = std::max(largest, gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() / mass_(b));
     return largest / potential_->scale() / solver_.acceleration_tolerance();
   }
-  const Balance worst = worst_balance(gradient);
-  if (!inertia_ && !groups_.all_held()) check_free_bodies(world_, groups_, potential_->configuration(), gradient / potential_->scale());
-  return worst.unbalanced == 0 ? 0 : worst.unbalanced / worst.tolerated;
+  const ForceResidual worst = worst_residual(gradient);
+  if (!inertia_ && !groups_.all_supported()) check_free_bodies(world_, groups_, potential_->configuration(), gradient / potential_->scale());
+  return worst.residual == 0 ? 0 : worst.residual / worst.limit;
 }
 
-double Convergence::tolerated_force(int block) const {
-  const auto given = solver_.force_floor();
+double Convergence::force_limit(int block) const {
+  const auto floor = solver_.force_floor();
   if (stopping() == Stopping::force)
-    return solver_.force_tolerance() * groups_.stencil_force(block) + given.value_or(groups_.rounding(block));
-  const double unfelt = inertia_ ? groups_.heaviest(block) * solver_.velocity_tolerance() / whole_step_ : 0;
-  return solver_.balance_tolerance() * groups_.cause(block) + given.value_or(std::max(groups_.rounding(block), unfelt));
+    return solver_.force_tolerance() * groups_.stencil_force(block) + floor.value_or(groups_.rounding(block));
+  const double velocity_noise = inertia_ ? groups_.largest_mass(block) * solver_.velocity_tolerance() / whole_step_ : 0;
+  return solver_.balance_tolerance() * groups_.reference_force(block) + floor.value_or(std::max(groups_.rounding(block), velocity_noise));
 }
 
-Convergence::Balance Convergence::worst_balance(const VecX& gradient) {
+Convergence::ForceResidual Convergence::worst_residual(const VecX& gradient) {
   groups_.measure(*potential_);
-  const auto at = [&](int b) { return Balance{gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() / potential_->scale(), tolerated_force(b)}; };
-  const auto worse = [](const Balance& a, const Balance& b) { return a.unbalanced * b.tolerated > b.unbalanced * a.tolerated; };
+  const auto at = [&](int b) { return ForceResidual{gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() / potential_->scale(), force_limit(b)}; };
+  const auto worse = [](const ForceResidual& a, const ForceResidual& b) { return a.residual * b.limit > b.residual * a.limit; };
   worst_of_chunk_.resize(chunk_count(groups_.blocks()));
   for_each_chunk(groups_.blocks(), [&](int c, int first, int last) {
-    Balance worst = at(first);
+    ForceResidual worst = at(first);
     for (int b = first + 1; b < last; ++b)
-      if (const Balance own = at(b); worse(own, worst)) worst = own;
+      if (const ForceResidual own = at(b); worse(own, worst)) worst = own;
     worst_of_chunk_[c] = worst;
   });
   if (worst_of_chunk_.empty()) return {};
-  Balance worst = worst_of_chunk_[0];
-  for (const Balance& of_chunk : worst_of_chunk_)
+  ForceResidual worst = worst_of_chunk_[0];
+  for (const ForceResidual& of_chunk : worst_of_chunk_)
     if (worse(of_chunk, worst)) worst = of_chunk;
   return worst;
 }
@@ -119,12 +119,12 @@ double Convergence::direction_error(const VecX& r) const {
 }
 
 double Convergence::imbalance(const VecX& gradient) {
-  balance_ = worst_balance(gradient);
-  if (stopping() == Stopping::force || balance_.unbalanced == 0) return 0;
-  return balance_.unbalanced / balance_.tolerated;
+  force_residual_ = worst_residual(gradient);
+  if (stopping() == Stopping::force || force_residual_.residual == 0) return 0;
+  return force_residual_.residual / force_residual_.limit;
 }
 
-void Convergence::judge(MinimizerProblem& problem) {
+void Convergence::set_criteria(MinimizerProblem& problem) {
   problem.stopping_norm = [this](const VecX& p, const VecX& g) { return norm(p, g); };
   problem.norm_of_direction = stopping() == Stopping::velocity;
   problem.direction_error = [this](const VecX& r) { return direction_error(r); };

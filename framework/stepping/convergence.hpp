@@ -5,15 +5,15 @@
 //   leaves the error e = H^-1 r; with stencils made positive semi-definite H >= M, and for every
 //   unknown i
 //       |e_i| <= sqrt(r . M^-1 r / m_i).
-// - Forces balance. Where a contact or an element is very stiff, a large force moves nothing far,
-//   and a norm of velocities is blind to it. The residual force at a block must be a small fraction
-//   of the reference force: the largest force of inertia, loads or elements in its contact group
-//   (force_groups.hpp). Contact forces are no reference: they may be wrong themselves. A floor
-//   keeps out the round-off of bodies without stress.
+// - The force residual is below its limit. At a very stiff contact or element a large force causes a
+//   small displacement, which a norm of velocities does not notice. The force residual at a block
+//   must be a small fraction of the reference force: the largest force of inertia, loads or elements
+//   in its contact group (force_groups.hpp). Contact forces are no reference, because they may be
+//   wrong themselves. A floor excludes the round-off of bodies without stress.
 //
-// The reference force belongs to a contact group: bodies that do not touch it do not change it.
-// The velocity tolerance is one for the scene: a tiny bystander costs the others at most a fifth of
-// their iterations (docs/solvers.md).
+// Bodies outside of a contact group do not change its reference force. All bodies of a scene have
+// one velocity tolerance: a tiny body costs the others at most a fifth of their iterations
+// (docs/solvers.md).
 #pragma once
 
 #include <vector>
@@ -27,42 +27,43 @@ namespace tack {
 
 class Convergence {
  public:
-  // whole_step: step size of the scene [s]; substeps tolerate no larger forces.
+  // whole_step: step size of the scene [s]; force limits of substeps are no larger than its limits.
   Convergence(const World& world, const Minimizer& solver, double whole_step);
 
-  // Called when the next step has other unknowns, or another potential.
+  // Called if the unknowns or the potential of the next step have changed.
   void begin_unknowns() { unknowns_known_ = false; }
-  // Starts a step of size h that the potential has begun.
+  // Starts a step of size h [s]. The potential must have begun it.
   void begin_step(const IncrementalPotential& potential, double h, bool inertia);
 
   Stopping stopping() const { return inertia_ ? solver_.stopping() : Stopping::force; }
-  // Returns the norm of a direction p, given the gradient where p starts; converged when not above
-  // 1. Throws FreeBody where a step without inertia has no equilibrium (free_bodies.hpp).
+  // Returns the stopping norm of a direction p, given the gradient at its start; converged if it is
+  // at most 1. Throws FreeBody if a step without inertia has no equilibrium (free_bodies.hpp).
   double norm(const VecX& p, const VecX& gradient);
-  // Returns an upper bound of the increase of the norm from a direction that leaves the residual r
-  // to the exact one.
+  // Returns an upper bound of the norm of the exact direction less that of a direction with the
+  // residual r.
   double direction_error(const VecX& r) const;
 
-  struct Balance {
-    // Largest component of the residual force at the block that is farthest from balance, and its
-    // limit [N].
-    double unbalanced = 0, tolerated = 0;
+  // Largest component of the force residual at the block where it is largest over its limit, and
+  // that limit [N].
+  struct ForceResidual {
+    double residual = 0, limit = 0;
   };
-  // Returns the residual force over its limit at the present point of the potential; gradient:
-  // there.
+  // Returns the largest force residual over its limit, given the gradient at the present point of
+  // the potential.
   double imbalance(const VecX& gradient);
-  const Balance& balance() const { return balance_; }  // last result of this step
+  // Returns the last force residual of this step.
+  const ForceResidual& force_residual() const { return force_residual_; }
 
   // Sets these criteria for a minimisation.
-  void judge(MinimizerProblem& problem);
+  void set_criteria(MinimizerProblem& problem);
 
  private:
   template <class Body>
   void for_each_mixed(const Body& body) const;
-  double largest_way(const VecX& p) const;     // m
-  double tolerated_force(int block) const;     // N
-  void take_unknowns(const IncrementalPotential& potential);
-  Balance worst_balance(const VecX& gradient);
+  double largest_displacement(const VecX& p) const;  // m
+  double force_limit(int block) const;               // N
+  void set_unknowns(const IncrementalPotential& potential);
+  ForceResidual worst_residual(const VecX& gradient);
 
   const World& world_;
   const Minimizer& solver_;
@@ -72,12 +73,12 @@ class Convergence {
   bool unknowns_known_ = false;
   double h_ = 0;
   bool inertia_ = true;
-  VecX mass_;                 // of each block [kg]
+  VecX mass_;                 // per block [kg]
   double smallest_mass_ = 0;  // of all blocks and mixed vertices [kg]
-  VecX rounding_;             // rounding_forces(); empty where the scene gives a floor
+  VecX rounding_;             // rounding_forces(); empty if the scene gives a floor
   ForceGroups groups_;
-  std::vector<Balance> worst_of_chunk_;  // of blocks
-  Balance balance_;
+  std::vector<ForceResidual> worst_of_chunk_;  // per chunk of blocks
+  ForceResidual force_residual_;
 };
 
 }  // namespace tack

@@ -154,7 +154,7 @@ void DirichletContinuation::minimize(Pull& pull, Result& result, const Minimizer
     return largest;
   };
   const auto feasible_step = [&](const VecX& q, const VecX& p) {
-    const double t = steps_.largest_tried(*potential_, q, p);
+    const double t = steps_.largest_requested(*potential_, q, p);
     return pull.take(t, own_step(p), p.lpNorm<Eigen::Infinity>());
   };
   const auto norm = [&](const VecX& p, const VecX&) {
@@ -179,7 +179,7 @@ bool DirichletContinuation::arrive(const VecX& places, VecX& x) const {
   VecX last = VecX::Zero(x.size());
   for (const int v : moving_) vertex(last, v) = vertex(places, v) - vertex(x, v);
   dofs_.update_dependents(last);
-  if (steps_.largest_tried(x, last) < 1) return false;
+  if (steps_.largest_requested(x, last) < 1) return false;
   world_.participants.move_to(x);
   if (anything_debonds(world_, x, x + last)) return false;
   for (const int v : moving_) vertex(x, v) = vertex(places, v);

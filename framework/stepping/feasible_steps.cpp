@@ -8,7 +8,7 @@ FeasibleSteps::FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* chec
     : world_(world), clock_(clock), check_(check), filters_(attached_filters({world.contact.get(), world.tets, clock})) {}
 
 double FeasibleSteps::largest(const VecX& x, const VecX& p) {
-  if (check_) check_->at(x);
+  if (check_) check_->check(x);
   double t = 1;
   for (const auto& filter : filters_) {
     clock_.deadline().check();
@@ -18,7 +18,7 @@ double FeasibleSteps::largest(const VecX& x, const VecX& p) {
   return t;
 }
 
-double FeasibleSteps::largest_tried(const VecX& x, const VecX& p) {
+double FeasibleSteps::largest_requested(const VecX& x, const VecX& p) {
   x_ = x;
   p_ = p;
   const double feasible = largest(x_, p_);
@@ -26,17 +26,17 @@ double FeasibleSteps::largest_tried(const VecX& x, const VecX& p) {
   return feasible;
 }
 
-double FeasibleSteps::largest_tried(const StepPotential& potential, const VecX& q, const VecX& p) {
-  VecX x = potential.configuration(), way = VecX::Zero(x.size());
+double FeasibleSteps::largest_requested(const StepPotential& potential, const VecX& q, const VecX& p) {
+  VecX x = potential.configuration(), displacement = VecX::Zero(x.size());
   potential.dofs().scatter(q, x);
-  potential.dofs().scatter(p, way);
-  return largest_tried(x, way);
+  potential.dofs().scatter(p, displacement);
+  return largest_requested(x, displacement);
 }
 
 std::string FeasibleSteps::blocker() const {
   if (x_.size() == 0) return "";
-  const std::string what = describe_blocker(world_, filters_, x_, p_);
-  return what.empty() ? "" : "; the last step was " + what;
+  const std::string description = describe_blocker(world_, filters_, x_, p_);
+  return description.empty() ? "" : "; the last step was " + description;
 }
 
 }  // namespace tack

@@ -23,7 +23,7 @@ VecX rounding_forces(const World& world) {
   std::vector<const Term*> elements;
   for (const auto& term : world.elastic_terms)
     if (term->stores()) elements.push_back(term.get());
-  PhaseClock clock;  // nobody reads it
+  PhaseClock clock;  // unused
   IncrementalPotential potential(elements, dofs, world.mass, clock);
   VecX q;
   dofs.gather(world.rest, q);
@@ -49,7 +49,7 @@ VecX rounding_forces(const World& world) {
 void ForceGroups::begin_unknowns(const World& world, const IncrementalPotential& potential, const VecX& rounding) {
   const DofMap& dofs = world.dofs;
   find_body_groups(dofs, potential);
-  find_held(dofs, potential);
+  find_supported(dofs, potential);
   rounding_.assign(dofs.block_count(), 0);
   mass_.assign(groups(), 0);
   for (int v = 0; v < dofs.vertex_count(); ++v) {
@@ -65,7 +65,7 @@ void ForceGroups::begin_unknowns(const World& world, const IncrementalPotential&
 void ForceGroups::find_body_groups(const DofMap& dofs, const IncrementalPotential& potential) {
   const int count = dofs.block_count();
   DisjointSets sets(count);
-  std::vector<int> block(dofs.vertex_count());  // one of those that move the vertex
+  std::vector<int> block(dofs.vertex_count());  // a block that moves the vertex; -1: none
   for (int v = 0; v < dofs.vertex_count(); ++v) block[v] = dofs.mixed(v) ? dofs.blocks(v)[0].index : dofs.block(v);
   join_dependent(dofs, block, sets);
   potential.for_each_lasting_stencil([&](std::span<const int> stencil) {
@@ -87,8 +87,8 @@ void ForceGroups::find_body_groups(const DofMap& dofs, const IncrementalPotentia
   for (size_t v = 0; v < block.size(); ++v) group_of_vertex_[v] = block[v] < 0 ? -1 : group_of_block_[block[v]];
 }
 
-void ForceGroups::find_held(const DofMap& dofs, const IncrementalPotential& potential) {
-  lastingly_held_.assign(groups(), 0);
+void ForceGroups::find_supported(const DofMap& dofs, const IncrementalPotential& potential) {
+  lastingly_supported_.assign(groups(), 0);
   const auto mark_if_fixed = [&](const auto& vertices, const auto& vertex_of) {
     int group = -1;
     bool fixed = false;
@@ -97,7 +97,7 @@ void ForceGroups::find_held(const DofMap& dofs, const IncrementalPotential& pote
       group = std::max(group, of_vertex);
       fixed = fixed || of_vertex < 0;
     }
-    if (group >= 0 && fixed) lastingly_held_[group] = 1;
+    if (group >= 0 && fixed) lastingly_supported_[group] = 1;
   };
   potential.for_each_lasting_stencil([&](std::span<const int> stencil) { mark_if_fixed(stencil, [](int v) { return v; }); });
   for (size_t k = 0; k < dofs.dependents().size(); ++k)
@@ -118,7 +118,7 @@ void ForceGroups::begin_step(const World& world) {
 void ForceGroups::measure_stencils(const IncrementalPotential& potential) {
   element_.assign(groups(), 0);
   dynamic_.assign(groups(), 0);
-  touches_fixed_ = lastingly_held_;
+  touches_fixed_ = lastingly_supported_;
   contact_sets_.reset(groups());
   potential.for_each_stencil_force([&](std::span<const int> stencil, double largest, bool dynamic) {
     int last = -1;
@@ -128,7 +128,7 @@ void ForceGroups::measure_stencils(const IncrementalPotential& potential) {
       fixed = fixed || group < 0;
       if (group < 0 || group == last) continue;
       raise((dynamic ? dynamic_ : element_)[group], largest);
-      if (!dynamic) return;  // all of its vertices that move are of one group
+      if (!dynamic) return;  // its moving vertices belong to one body group
       if (last >= 0 && largest > 0) contact_sets_.join(last, group);
       last = group;
     }
@@ -142,19 +142,19 @@ void ForceGroups::measure(const IncrementalPotential& potential) {
   for_each(blocks(), [&](int b) { raise(inertia_[group_of_block_[b]], potential.inertial_force(b)); });
   stencil_.resize(groups());
   contact_root_.resize(groups());
-  cause_.assign(groups(), 0);
-  heaviest_.assign(groups(), 0);
-  held_.assign(groups(), 0);
+  reference_force_.assign(groups(), 0);
+  largest_mass_.assign(groups(), 0);
+  supported_.assign(groups(), 0);
   for_each(groups(), [&](int g) {
     const int root = contact_root_[g] = contact_sets_.find(g);
     stencil_[g] = std::max(element_[g], dynamic_[g]);
-    raise(cause_[root], std::max({load_[g], element_[g], inertia_[g]}));
-    raise(heaviest_[root], mass_[g]);
-    if (touches_fixed_[g]) mark(held_[root]);
+    raise(reference_force_[root], std::max({load_[g], element_[g], inertia_[g]}));
+    raise(largest_mass_[root], mass_[g]);
+    if (touches_fixed_[g]) mark(supported_[root]);
   });
-  free_ = 0;
+  unsupported_ = 0;
   for_each(groups(), [&](int g) {
-    if (contact_root_[g] == g && !held_[g]) mark(free_);
+    if (contact_root_[g] == g && !supported_[g]) mark(unsupported_);
   });
 }
 

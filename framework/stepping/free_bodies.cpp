@@ -15,54 +15,54 @@
 namespace tack {
 namespace {
 
-constexpr double balanced = 1e-6;  // of the largest force on a group
+constexpr double residual_per_force = 1e-6;  // of the reference force of a group
 
 struct FreeGroup {
   Vec3 force = Vec3::Zero();  // along its free translations [N]
-  double tolerated = 0;       // N: what rounding may leave of it
-  Mat3 held = Mat3::Zero();   // sum of the projections on directions in which a vertex is held
+  double rounding = 0;        // rounding error of the force [N]
+  Mat3 fixed = Mat3::Zero();  // sum of the projections onto fixed directions of vertices
   std::set<int> bodies;
   std::vector<int> blocks;
 };
 
-// The groups of blocks without a held vertex, by their numbers.
+// Returns the contact groups without a fixed vertex, by their first blocks.
 std::map<int, FreeGroup> free_groups(const World& world, const ForceGroups& groups, const VecX& gradient) {
   std::map<int, FreeGroup> free;
   for (int b = 0; b < groups.blocks(); ++b) {
-    if (groups.held(b)) continue;
+    if (groups.supported(b)) continue;
     const int v = world.dofs.vertex_of_block(b), body = world.body_of(v);
     if (body < 0 || world.is_scalar_dof(v)) continue;
     FreeGroup& group = free[groups.contact_group(b)];
     group.force -= gradient.segment<3>(3 * b);
-    group.tolerated += groups.rounding(b);
+    group.rounding += groups.rounding(b);
     group.bodies.insert(body);
     group.blocks.push_back(b);
   }
   for (const DofMap::PartlyFixedBlock& h : world.dofs.partly_fixed_blocks())
-    if (const auto group = free.find(groups.contact_group(h.block)); !h.scalar && group != free.end()) group->second.held += h.projection;
+    if (const auto group = free.find(groups.contact_group(h.block)); !h.scalar && group != free.end()) group->second.fixed += h.projection;
   for (auto& [first, group] : free) {
-    if (group.held.isZero(0)) continue;
-    constexpr double not_held = 1e-9;  // of an eigenvalue: projections have 0 and 1
-    const Eigen::SelfAdjointEigenSolver<Mat3> directions(group.held);
+    if (group.fixed.isZero(0)) continue;
+    constexpr double free_eigenvalue = 1e-9;  // of an eigenvalue: projections have 0 and 1
+    const Eigen::SelfAdjointEigenSolver<Mat3> directions(group.fixed);
     Vec3 along = Vec3::Zero();
     for (int i = 0; i < 3; ++i)
-      if (const Vec3 d = directions.eigenvectors().col(i); directions.eigenvalues()(i) < not_held) along += d * d.dot(group.force);
+      if (const Vec3 d = directions.eigenvectors().col(i); directions.eigenvalues()(i) < free_eigenvalue) along += d * d.dot(group.force);
     group.force = along;
   }
   return free;
 }
 
-double tolerated_force(const ForceGroups& groups, int first, const FreeGroup& group) { return group.tolerated + balanced * groups.cause(first); }
+double force_limit(const ForceGroups& groups, int first, const FreeGroup& group) { return group.rounding + residual_per_force * groups.reference_force(first); }
 
-// "'cube' and 2 more that move with it".
+// Returns "'cube' and 2 more that move with it".
 std::string names_of(const World& world, const FreeGroup& group) {
   const std::string others = group.bodies.size() > 1 ? fmt::format(" and {} more that move with it", group.bodies.size() - 1) : "";
   return fmt::format("'{}'{}", world.bodies[*group.bodies.begin()].name, others);
 }
 
-// "(0, -9.81, 0)", round-off left out.
+// Returns "(0, -9.81, 0)", without round-off.
 std::string text_of(const Vec3& a) {
-  const auto component = [&](int i) { return std::abs(a(i)) > balanced * a.norm() ? a(i) : 0; };
+  const auto component = [&](int i) { return std::abs(a(i)) > residual_per_force * a.norm() ? a(i) : 0; };
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", component(0), component(1), component(2));
 }
 
@@ -97,8 +97,8 @@ bool may_be_stopped(const World& world, const FreeGroup& group, const VecX& x) {
 
 void check_free_bodies(const World& world, const ForceGroups& groups, const VecX& x, const VecX& gradient) {
   for (const auto& [first, group] : free_groups(world, groups, gradient)) {
-    if (group.force.norm() <= tolerated_force(groups, first, group) || may_be_stopped(world, group, x)) continue;
-    throw FreeBody(fmt::format("nothing holds {} against the force {} N that acts on it, and nothing lies in its way: there is no equilibrium",
+    if (group.force.norm() <= force_limit(groups, first, group) || may_be_stopped(world, group, x)) continue;
+    throw FreeBody(fmt::format("nothing supports {} against the force {} N that acts on it, and no obstacle lies ahead: there is no equilibrium",
                                names_of(world, group), text_of(group.force)));
   }
 }
@@ -106,7 +106,7 @@ void check_free_bodies(const World& world, const ForceGroups& groups, const VecX
 std::vector<Warning> turning_bodies(const World& world, const ForceGroups& groups, const VecX& x, const VecX& gradient) {
   std::vector<Warning> warnings;
   for (const auto& [first, group] : free_groups(world, groups, gradient)) {
-    if (!group.held.isZero(0) || group.force.norm() > tolerated_force(groups, first, group)) continue;
+    if (!group.fixed.isZero(0) || group.force.norm() > force_limit(groups, first, group)) continue;
     Vec3 centre = Vec3::Zero(), torque = Vec3::Zero();
     for (const int b : group.blocks) centre += vertex(x, world.dofs.vertex_of_block(b)) / static_cast<double>(group.blocks.size());
     double size = 0;
@@ -115,7 +115,7 @@ std::vector<Warning> turning_bodies(const World& world, const ForceGroups& group
       size = std::max(size, arm.norm());
       torque -= arm.cross(gradient.segment<3>(3 * b));
     }
-    if (torque.norm() <= size * tolerated_force(groups, first, group)) continue;
+    if (torque.norm() <= size * force_limit(groups, first, group)) continue;
     warnings.emplace_back(WarningKind::free_rotation, fmt::format("nothing keeps {} from turning under the torque {} N m that acts on it: without inertia there is an equilibrium only where "
                                 "that vanishes as it turns; {}", names_of(world, group), text_of(torque), FreeBody::remedy));
   }

@@ -90,11 +90,11 @@ void Minimization::solve(const Step& step, const VecX* guess, SolveResult& resul
   if (!start(step, guess, result, q) || world_.dofs.size() == 0) return;
   if (check_) check_->begin(step.state.step + 1, "the minimisation");
   MinimizerProblem problem{step.potential,
-                           [&](const VecX& from, const VecX& p) { return steps_.largest_tried(step.potential, from, p); },
+                           [&](const VecX& from, const VecX& p) { return steps_.largest_requested(step.potential, from, p); },
                            {}, clock_};
   problem.observer = observers_.minimizer;
   problem.true_residuals = observers_.true_residuals;
-  convergence_.judge(problem);
+  convergence_.set_criteria(problem);
   set_retraction(world_, step.potential, problem);
   try {
     minimize_lagged(problem, step, q, result);
@@ -119,7 +119,7 @@ bool Minimization::start(const Step& step, const VecX* guess, SolveResult& resul
   result.minimizer = start.solve;
   result.failure = start.failure;
   if (!start.failure.empty() || start.solve.status != MinimizerStatus::converged) return false;
-  if (check_) check_->at(start.x);
+  if (check_) check_->check(start.x);
   world_.dofs.gather(start.x, q);
   return true;
 }
@@ -137,9 +137,9 @@ VecX Minimization::first_guess(const Step& step) {
   double lowest = step.potential.value();
   VecX best = q;
   const PredictedMotion motion = predicted_motion(world_, step.potential.configuration(), VecX::Zero(step.state.x.size()), p, drift);
-  for (const VecX& way : motion.ways) {
-    if (way.isZero()) continue;
-    const VecX guess = q + steps_.largest_tried(step.potential, q, way) * way;
+  for (const VecX& displacement : motion.displacements) {
+    if (displacement.isZero()) continue;
+    const VecX guess = q + steps_.largest_requested(step.potential, q, displacement) * displacement;
     step.potential.move_to(guess);
     if (const double value = step.potential.value(); value < lowest) lowest = value, best = guess;
   }
@@ -153,10 +153,10 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, const Step& 
     const MinimizerResult before = result.minimizer;
     result.minimizer = solver_.minimize(problem, q);
     result.minimizer.add_work(before);
-    result.unbalanced_force = convergence_.balance().unbalanced;
-    result.tolerated_force = convergence_.balance().tolerated;
+    result.unbalanced_force = convergence_.force_residual().residual;
+    result.tolerated_force = convergence_.force_residual().limit;
     world_.dofs.scatter(q, result.x);
-    if (check_) check_->at(result.x);
+    if (check_) check_->check(result.x);
   };
   minimize();
   if (!world_.friction) return;
@@ -173,7 +173,7 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, const Step& 
     result.lag_converged = !lagging.until || result.friction_residual <= *lagging.until;
     const bool reached = lagging.until && result.lag_converged;
     SolveResult::LaggedSolve before = solved();
-    if (step.impulses && step.impulses->settle(now)) {
+    if (step.impulses && step.impulses->update_start_up(now)) {
       result.earlier_solves.push_back(std::move(before));
       minimize();
       continue;
@@ -212,13 +212,13 @@ Validation Minimization::validate(const SolveResult& result) {
 }
 
 void Minimization::check_tunnelling(const VecX& x, Validation& validation) {
-  const auto blocked = tunnelling_->blocked(x_start_, x);
-  if (!blocked) return;
+  const auto tunnelling = tunnelling_->find(x_start_, x);
+  if (!tunnelling) return;
   validation.fault = fmt::format(
       "'{}' went around '{}', which is in its way: {:.3g} m or more, at {:.3g} m/s, and the smaller one of them is {:.3g} m long",
-      world_.bodies[blocked->body].name, world_.bodies[blocked->obstacle].name, blocked->way, blocked->way / h_, blocked->size);
+      world_.bodies[tunnelling->body].name, world_.bodies[tunnelling->obstacle].name, tunnelling->displacement, tunnelling->displacement / h_, tunnelling->size);
   validation.remedy = "take a smaller time.step or a larger time.max_halvings";
-  validation.substeps = blocked->parts;
+  validation.substeps = tunnelling->substeps;
   validation.tolerable = true;
 }
 

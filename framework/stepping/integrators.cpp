@@ -5,32 +5,31 @@
 namespace tack {
 namespace {
 
-// Contact stands for all dynamic terms here: friction, bonds and those of plugins follow the same
-// rule (State::contact). Contact is smooth while its accelerations change by less than this
-// fraction of the largest one in a step. From there on Newmark's correction is gone, and BDF2 drops
-// its history.
+// Contact stands for all dynamic terms here, friction, bonds and terms of plugins included
+// (State::contact). Contact is smooth if its accelerations change in a step by less than this
+// fraction of the largest one. Otherwise Newmark's correction is zero, and BDF2 drops its history.
 constexpr double newmark_change = 0.25, bdf2_change = 0.25;
 
-// Returns the change of contact over a step: 0 (none) to 1 (made, lost, or changed by `whole` of
-// it).
-double contact_change(const VecX& before, const VecX& contact, double whole) {
+// Returns the change of contact over a step: 0 (none) to 1 (contact made or lost, or changed by
+// at least the fraction `full_change`).
+double contact_change(const VecX& before, const VecX& contact, double full_change) {
   if (contact.size() == 0 || before.size() == 0) return 0;
-  const double now = whole * contact.lpNorm<Eigen::Infinity>();
+  const double now = full_change * contact.lpNorm<Eigen::Infinity>();
   const double change = (contact - before).lpNorm<Eigen::Infinity>();
   return change < now ? change / now : (change > 0 ? 1 : 0);
 }
 // Returns the change of contact over the last step.
-double contact_change(const State& s, double whole) { return contact_change(s.contact_before, s.contact, whole); }
+double contact_change(const State& s, double full_change) { return contact_change(s.contact_before, s.contact, full_change); }
 
-std::string makes_energy(bool contact) {
+std::string gain_advice(bool contact) {
   return contact ? "surfaces moved by much of the range of contact or adhesion in a step: refine time.step"
                  : "what turns or deforms is too fast for the step: refine time.step";
 }
 
 bool same_step(const State& s, double h) { return s.h_before > 0 && std::abs(s.h_before - h) <= 1e-12 * h; }
 
-// Returns h over the size of the step before, if a formula may look back over both: 1, or the ratio
-// of adaptive steps. Returns 0 if it may not.
+// Returns h over the size of the step before, for two-step formulas: 1, or the ratio of adaptive
+// steps. Returns 0 if the step before may not be used.
 double step_ratio(const State& s, double h) {
   if (same_step(s, h)) return 1;
   return s.adapts && s.h_before > 0 ? h / s.h_before : 0;
@@ -44,15 +43,14 @@ class ImplicitEuler : public TimeIntegrator {
     a = (v - old.v) / h;
   }
   bool damps() const override { return true; }
-  std::string energy_advice(bool made, bool contact) const override {
-    if (made) return makes_energy(contact);
+  std::string energy_advice(bool gain, bool contact) const override {
+    if (gain) return gain_advice(contact);
     return "implicit Euler damps what moves and vibrates, in proportion to the step: time.integrator: newmark, or refine time.step";
   }
 };
 
-// Second-order backward differences. Velocities before an impact say nothing about those after it,
-// and differences across it would give back energy that the impact has taken. Implicit Euler, which
-// leaves the global order at two, therefore solves
+// Second-order backward differences. Differences across an impact would return energy that the impact
+// dissipated. Implicit Euler, which keeps the global order at two, therefore solves
 //   - steps that follow one in which contact was not smooth,
 //   - the first step, and the first one after a change of h.
 // Adaptive steps, whose sizes always change, use the formula of two sizes, with w the ratio of this
@@ -98,8 +96,8 @@ class Bdf2 : public TimeIntegrator {
   }
   bool follows_contact() const override { return true; }
   bool damps() const override { return true; }
-  std::string energy_advice(bool made, bool contact) const override {
-    if (made) return makes_energy(contact);
+  std::string energy_advice(bool gain, bool contact) const override {
+    if (gain) return gain_advice(contact);
     return contact ? "BDF2 is implicit Euler, which damps, for a step after each sudden change of contact: refine time.step, or time.integrator: newmark"
                    : "BDF2 damps what is fast for its steps: refine time.step, or time.integrator: newmark";
   }
@@ -150,18 +148,18 @@ class Newmark : public TimeIntegrator {
   }
   bool follows_contact() const override { return true; }
   const TimeIntegrator* fallback() const override { return &euler_; }
-  std::string energy_advice(bool made, bool contact) const override {
-    if (made) return makes_energy(contact);
+  std::string energy_advice(bool gain, bool contact) const override {
+    if (gain) return gain_advice(contact);
     return contact ? "contact that comes and goes within a few steps gives back a part of the energy only: refine time.step until it lasts for many"
                    : "what turns or vibrates is too fast for the step: refine time.step";
   }
-  // A jump in a script's velocity would ring on for ever.
-  void update_fixed(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
+  // After a jump in the velocity of a prescribed motion, the trapezoidal rule would oscillate without end.
+  void update_fixed(const State& old, const VecX& x, double h, const std::vector<int>& fixed, VecX& v,
                    VecX& a) const override {
-    if (held.empty()) return;
+    if (fixed.empty()) return;
     VecX v_path, a_path;
     path_.update(old, x, {}, h, v_path, a_path);
-    for (const int i : held) {
+    for (const int i : fixed) {
       vertex(v, i) = vertex(v_path, i);
       vertex(a, i) = vertex(a_path, i);
     }
@@ -190,7 +188,7 @@ class QuasiStatic : public TimeIntegrator {
     return {0.5 * (x - old.x - h / old.h_before * (old.x - old.x_before)), 2};
   }
   bool damps() const override { return true; }
-  std::string energy_advice(bool, bool contact) const override { return makes_energy(contact); }
+  std::string energy_advice(bool, bool contact) const override { return gain_advice(contact); }
 };
 
 TACK_REGISTER(TimeIntegrator, ImplicitEuler, "implicit_euler",

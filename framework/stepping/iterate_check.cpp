@@ -17,14 +17,14 @@ void IterateCheck::begin(int step, const std::string& stage) {
   last_.resize(0);
 }
 
-void IterateCheck::at(const VecX& x) {
+void IterateCheck::check(const VecX& x) {
   if (iteration_ >= 0 && x == last_) return;
   const PhaseScope scope(clock_, Phase::check);
   last_ = x;
   ++iteration_;
-  const std::string wrong = describe_infeasibility(world_, x);
-  if (wrong.empty()) return;
-  throw SimulationError(fmt::format("step {}, iteration {} of {}: {} {}", step_, iteration_, stage_, wrong,
+  const std::string fault = describe_infeasibility(world_, x);
+  if (fault.empty()) return;
+  throw SimulationError(fmt::format("step {}, iteration {} of {}: {} {}", step_, iteration_, stage_, fault,
                                     found_by_iterate_check));
 }
 

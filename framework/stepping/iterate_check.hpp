@@ -1,7 +1,6 @@
-// Exact check of every state that a solve passes through, independent of the step filters
-// (solver.check_iterates). A minimiser cannot move without asking how far it may go from its
-// present state. Checking at that request misses no accepted state of any minimiser or initial
-// guess.
+// Exact check of all iterates of a solve, independent of the step filters (solver.check_iterates). A
+// minimiser must request a feasible step size before it moves. Checking the state at each request
+// covers every accepted state of every minimiser and initial guess.
 #pragma once
 
 #include <string>
@@ -18,11 +17,11 @@ class IterateCheck {
  public:
   IterateCheck(const World& world, PhaseClock& clock) : world_(world), clock_(clock) {}
 
-  // Names the step and stage of the states that follow: "the minimisation" of step 3.
+  // Sets the step and the name of the stage of the following states, e.g. "the minimisation".
   void begin(int step, const std::string& stage);
   // Throws SimulationError with step, stage, iteration and the fault unless x (3n) is feasible. The
   // first state of a stage is iteration 0; repeating a state is no new iteration.
-  void at(const VecX& x);
+  void check(const VecX& x);
 
  private:
   const World& world_;

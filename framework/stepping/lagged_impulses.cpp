@@ -8,34 +8,33 @@
 namespace tack {
 namespace {
 
-constexpr double calm_change = 0.25;  // by less than that part of the larger one, forces change where a contact lasts
-constexpr double short_while = 2, long_while = 4;  // of the next step: for how long it has lasted where s is 1, and 0
-constexpr double for_ever = 1e30;     // s
-constexpr double alike = 1e-9;        // the part by which forces of steps that are alike may differ
-constexpr double too_much = 0.1;      // of the normal impulse
-constexpr double settled = 0.01;      // the part by which forces may change from solve to solve
-constexpr int most_solves = 10;       // of a step
+constexpr double steady_change = 0.25;  // largest change of a steady force, over the larger force
+constexpr double steps_of_passing = 2, steps_of_lasting = 4;  // steady times, in next steps, at which s is 1 and 0
+constexpr double infinite_time = 1e30;  // s
+constexpr double round_off = 1e-9;      // relative difference of forces that count as equal
+constexpr double excess_max = 0.1;      // tolerated excess, over the normal impulse
+constexpr double change_max = 0.01;     // tolerated change of forces from solve to solve, relative
+constexpr int max_solves = 10;          // of a step
 
 }  // namespace
 
 LaggedImpulses::LaggedImpulses(FrictionTerm& friction, std::vector<double> masses, double tolerance)
     : friction_(friction), masses_(std::move(masses)), tolerance_(tolerance) {}
 
-// The impulse between two objects that velocities do not notice [N s].
-double LaggedImpulses::unnoticed(const std::array<int, 2>& objects) const {
+double LaggedImpulses::impulse_tolerance(const std::array<int, 2>& objects) const {
   double mass = std::numeric_limits<double>::infinity();
   for (const int o : objects)
     if (masses_[o] > 0) mass = std::min(mass, masses_[o]);
   return tolerance_ * mass;
 }
 
-void LaggedImpulses::begin(const State& state, double h, double acting) {
+void LaggedImpulses::begin(const State& state, double h, double contact_time) {
   FrictionAccounts before = accounts_of(state.history);
   const bool first = state.h_before == 0 || state.contact_time_before == 0;
-  acting_ = acting;
-  kept_ = 1 - acting / h;
+  contact_time_ = contact_time;
+  kept_fraction_ = 1 - contact_time / h;
   accounts_.clear();
-  carried_.clear();
+  kept_impulses_.clear();
   difference_.reset();
   solves_ = 0;
   FrictionTerm::PairForces factors;
@@ -43,62 +42,62 @@ void LaggedImpulses::begin(const State& state, double h, double acting) {
     if (force == 0) continue;
     FrictionAccount& account = accounts_[objects];
     if (first) {
-      account = {.normal = h * force, .given = h * force, .calm_force = force, .calm_time = for_ever, .settling = true};
-      account.all_given = account.given;
-      carried_[objects] = 0;
+      account = {.normal = h * force, .applied = h * force, .steady_force = force, .steady_time = infinite_time, .start_up = true};
+      account.sum_applied = account.applied;
+      kept_impulses_[objects] = 0;
       continue;
     }
     account = before[objects];
     const double normal = (1 - state.contact_time_before / state.h_before) * account.normal + state.contact_time_before * force;
-    const double due = account.owed + normal, lasting = normal * h / state.h_before, carried = kept_ * account.given;
-    const bool calm = std::abs(force - account.calm_force) < calm_change * std::max(force, account.calm_force);
-    if (!calm) account.calm_force = force;
-    account.calm_time = calm ? account.calm_time + state.h_before : 0;
-    const double s = std::clamp((long_while - account.calm_time / h) / (long_while - short_while), 0.0, 1.0);
-    double held = std::max((lasting + s * (due - lasting) - carried) / acting, 0.0);
-    if (std::abs(held - force) <= alike * force) held = force;
-    else factors[objects] = held / force;
-    carried_[objects] = carried;
-    account.given = carried + acting * held;
-    account.owed = due - account.given;
+    const double target = account.impulse_error + normal, lasting = normal * h / state.h_before, kept_impulse = kept_fraction_ * account.applied;
+    const bool steady = std::abs(force - account.steady_force) < steady_change * std::max(force, account.steady_force);
+    if (!steady) account.steady_force = force;
+    account.steady_time = steady ? account.steady_time + state.h_before : 0;
+    const double s = std::clamp((steps_of_lasting - account.steady_time / h) / (steps_of_lasting - steps_of_passing), 0.0, 1.0);
+    double lagged = std::max((lasting + s * (target - lasting) - kept_impulse) / contact_time, 0.0);
+    if (std::abs(lagged - force) <= round_off * force) lagged = force;
+    else factors[objects] = lagged / force;
+    kept_impulses_[objects] = kept_impulse;
+    account.applied = kept_impulse + contact_time * lagged;
+    account.impulse_error = target - account.applied;
     account.normal = normal;
-    account.all_given += account.given;
-    account.all_normal += normal;
+    account.sum_applied += account.applied;
+    account.sum_normal += normal;
     account.largest = std::max(account.largest, normal);
   }
   if (!factors.empty()) friction_.scale_normal_forces(factors);
 }
 
-bool LaggedImpulses::settle(const ContactPoints& now) {
+bool LaggedImpulses::update_start_up(const ContactPoints& now) {
   const FrictionTerm::PairForces forces = friction_.normal_forces(now);
   ++solves_;
-  std::set<std::array<int, 2>> settling;
+  std::set<std::array<int, 2>> starting;
   bool again = false;
   for (auto& [objects, account] : accounts_) {
-    if (!account.settling) continue;
+    if (!account.start_up) continue;
     const auto found = forces.find(objects);
-    const double normal = acting_ * (found == forces.end() ? 0 : found->second), held = account.given - carried_[objects];
-    const double change = std::abs(held - normal);
-    const bool small = change <= unnoticed(objects);
-    if (solves_ == 1 && (small || held <= (1 + too_much) * normal)) {
-      account.settling = false;
+    const double normal = contact_time_ * (found == forces.end() ? 0 : found->second), lagged = account.applied - kept_impulses_[objects];
+    const double change = std::abs(lagged - normal);
+    const bool small = change <= impulse_tolerance(objects);
+    if (solves_ == 1 && (small || lagged <= (1 + excess_max) * normal)) {
+      account.start_up = false;
       continue;
     }
-    settling.insert(objects);
-    again = again || (!small && change > settled * std::max(held, normal));
+    starting.insert(objects);
+    again = again || (!small && change > change_max * std::max(lagged, normal));
   }
-  if (!again || solves_ == most_solves) {
+  if (!again || solves_ == max_solves) {
     compare(forces);
     return false;
   }
-  friction_.hold(now, settling);
-  for (const auto& objects : settling) {
+  friction_.hold(now, starting);
+  for (const auto& objects : starting) {
     const auto found = forces.find(objects);
     FrictionAccount& account = accounts_[objects];
-    account.all_given -= account.given;
-    account.given = carried_[objects] + acting_ * (found == forces.end() ? 0 : found->second);
-    account.all_given += account.given;
-    account.owed = 0;
+    account.sum_applied -= account.applied;
+    account.applied = kept_impulses_[objects] + contact_time_ * (found == forces.end() ? 0 : found->second);
+    account.sum_applied += account.applied;
+    account.impulse_error = 0;
   }
   return true;
 }
@@ -106,15 +105,15 @@ bool LaggedImpulses::settle(const ContactPoints& now) {
 void LaggedImpulses::compare(const FrictionTerm::PairForces& forces) {
   for (auto& [objects, account] : accounts_) {
     const auto found = forces.find(objects);
-    const double last = kept_ * account.normal + acting_ * (found == forces.end() ? 0 : found->second);
-    const double all = account.all_normal + last;
-    const double noticed = too_much * all + std::max(account.largest, last) + unnoticed(objects);
-    const bool differs = account.all_given > all + noticed || account.all_given < account.all_normal - noticed;
-    if (!differs || account.told) continue;
-    account.told = true;
+    const double last = kept_fraction_ * account.normal + contact_time_ * (found == forces.end() ? 0 : found->second);
+    const double all = account.sum_normal + last;
+    const double tolerance = excess_max * all + std::max(account.largest, last) + impulse_tolerance(objects);
+    const bool differs = account.sum_applied > all + tolerance || account.sum_applied < account.sum_normal - tolerance;
+    if (!differs || account.warned) continue;
+    account.warned = true;
     const int others = difference_ ? difference_->others + 1 : 0;
-    const bool most = !difference_ || std::abs(account.all_given - all) > std::abs(difference_->given - difference_->normal);
-    if (most) difference_ = {objects, account.all_given, all, 0};
+    const bool most = !difference_ || std::abs(account.sum_applied - all) > std::abs(difference_->applied - difference_->normal);
+    if (most) difference_ = {objects, account.sum_applied, all, 0};
     difference_->others = others;
   }
 }

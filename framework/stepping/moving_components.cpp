@@ -11,14 +11,14 @@
 namespace tack {
 namespace {
 
-// Filter for overlap_pairs: components whose relative displacement is too large.
-struct Passing {
-  const MovingComponents& parts;
+// Filter for overlap_pairs: pairs of components whose relative displacement is too large.
+struct FastPairs {
+  const MovingComponents& components;
   const CollidingObjects& colliding;
   double fraction, least;
 
   bool accept(int a, int b) const {
-    const MovingComponent &one = parts[a], &other = parts[b];
+    const MovingComponent &one = components[a], &other = components[b];
     const double size = smaller_size(one, other, least);
     return one.displacement_against(other, size) > fraction * size &&
            colliding.allows(one.object, other.object);
@@ -28,9 +28,9 @@ struct Passing {
 
 }  // namespace
 
-MovingComponents::MovingComponents(const World& world) : world_(world), part_of_(static_cast<size_t>(world.rest.size()) / 3, -1) {
+MovingComponents::MovingComponents(const World& world) : world_(world), component_of_(static_cast<size_t>(world.rest.size()) / 3, -1) {
   const ContactSurface& surface = world.contact->surface();
-  DisjointSets sets(static_cast<int>(part_of_.size()));
+  DisjointSets sets(static_cast<int>(component_of_.size()));
   for (const Edge& e : surface.mesh.edges) sets.join(e[0], e[1]);
   for (const Body& body : world.bodies) {
     for (const Tet& t : body.tets)
@@ -38,59 +38,59 @@ MovingComponents::MovingComponents(const World& world) : world_(world), part_of_
     if (body.frame.empty()) continue;
     for (int i = 1; i < body.vertex_count; ++i) sets.join(body.first_vertex, body.first_vertex + i);
   }
-  std::vector<int> number(part_of_.size(), -1);
+  std::vector<int> number(component_of_.size(), -1);
   for (const int v : surface.mesh.vertices) {
-    int& part = number[sets.find(v)];
-    if (part < 0) {
-      part = static_cast<int>(parts_.size());
+    int& component = number[sets.find(v)];
+    if (component < 0) {
+      component = static_cast<int>(components_.size());
       const int object = surface.mesh.vertex_object[v];
-      parts_.push_back({object, 2 * (surface.is_particle(std::array{v}) ? surface.particle_radius[object] : 0), {}, {}});
+      components_.push_back({object, 2 * (surface.is_particle(std::array{v}) ? surface.particle_radius[object] : 0), {}, {}});
     }
-    part_of_[v] = part;
+    component_of_[v] = component;
   }
 }
 
 void MovingComponents::move(const VecX& x, const VecX& y) {
-  for (MovingComponent& part : parts_) part = {part.object, part.width, {}, {}};
-  std::vector<int> count(parts_.size(), 0);
-  // First the sums of ways, and of their squares.
+  for (MovingComponent& component : components_) component = {component.object, component.width, {}, {}};
+  std::vector<int> count(components_.size(), 0);
+  // `mean` and `deviation` first hold the sums of the displacements and of their squares.
   for (const int v : world_.contact->surface().mesh.vertices) {
-    MovingComponent& part = parts_[part_of_[v]];
-    const Vec3 way = vertex(y, v) - vertex(x, v);
-    part.place.include(Vec3(vertex(x, v)));
-    part.way.include(way);
-    part.mean += way;
-    part.deviation += way.squaredNorm();
-    ++count[part_of_[v]];
+    MovingComponent& component = components_[component_of_[v]];
+    const Vec3 displacement = vertex(y, v) - vertex(x, v);
+    component.box.include(Vec3(vertex(x, v)));
+    component.displacement.include(displacement);
+    component.mean += displacement;
+    component.deviation += displacement.squaredNorm();
+    ++count[component_of_[v]];
   }
-  for (size_t i = 0; i < parts_.size(); ++i) {
-    MovingComponent& part = parts_[i];
-    part.mean /= count[i];
-    part.deviation = std::sqrt(std::max(0.0, part.deviation / count[i] - part.mean.squaredNorm()));
+  for (size_t i = 0; i < components_.size(); ++i) {
+    MovingComponent& component = components_[i];
+    component.mean /= count[i];
+    component.deviation = std::sqrt(std::max(0.0, component.deviation / count[i] - component.mean.squaredNorm()));
   }
 }
 
 // Returns false if no component can have moved that far against another.
 bool MovingComponents::anything_moves(double fraction, double least) const {
-  Aabb ways;
+  Aabb displacements;
   double smallest = std::numeric_limits<double>::infinity();
-  for (const MovingComponent& part : parts_) {
-    ways.include(part.way);
-    smallest = std::min(smallest, part.size());
+  for (const MovingComponent& component : components_) {
+    displacements.include(component.displacement);
+    smallest = std::min(smallest, component.size());
   }
-  return parts_.size() > 1 && (ways.hi - ways.lo).norm() > fraction * std::max(smallest, least);
+  return components_.size() > 1 && (displacements.hi - displacements.lo).norm() > fraction * std::max(smallest, least);
 }
 
 std::vector<std::array<int, 2>> MovingComponents::tunnelling_pairs(double fraction, double least) const {
   std::vector<std::array<int, 2>> pairs;
   if (!anything_moves(fraction, least)) return pairs;
   std::vector<Aabb> swept;
-  swept.reserve(parts_.size());
-  for (const MovingComponent& part : parts_) {
-    swept.push_back(part.swept());
-    swept.back().inflate(part.width / 2);
+  swept.reserve(components_.size());
+  for (const MovingComponent& component : components_) {
+    swept.push_back(component.swept());
+    swept.back().inflate(component.width / 2);
   }
-  overlap_pairs(Bvh(swept), Passing{*this, world_.contact->colliding(), fraction, least}, pairs);
+  overlap_pairs(Bvh(swept), FastPairs{*this, world_.contact->colliding(), fraction, least}, pairs);
   return pairs;
 }
 

@@ -2,9 +2,9 @@
 //
 // The relative displacement of two components is a lower bound of the displacement of any point of
 // one against any point of the other: the distance between the AABBs of their displacements. If
-// their sizes are similar, so that a hit may deform all of them, it is the distance between their
-// mean displacements less the root mean square deviations of both, if that is larger. It is 0 for
-// components that move together, or where one is carried along by the other.
+// their sizes are similar, so that a hit may deform all of them, it is at least the distance between
+// their mean displacements less the root mean square deviations of both. It is 0 for components that
+// move together, or if one of them is carried along by the other.
 #pragma once
 
 #include <algorithm>
@@ -19,25 +19,27 @@ namespace tack {
 struct MovingComponent {
   int object = 0;
   double width = 0;  // diameter of a particle [m]
-  Aabb place, way;   // positions before the step; displacements in it [m]
+  Aabb box;           // AABB of the positions before the step [m]
+  Aabb displacement;  // AABB of the displacements in the step [m]
   Vec3 mean = Vec3::Zero();  // mean displacement of its vertices [m]
   double deviation = 0;      // root mean square deviation from the mean [m]
 
   // Returns the longest side of its AABB; the diameter of a particle [m].
-  double size() const { return (place.hi - place.lo).maxCoeff() + width; }
+  double size() const { return (box.hi - box.lo).maxCoeff() + width; }
   // Returns the relative displacement [m]; size: of the smaller component [m].
   double displacement_against(const MovingComponent& other, double size) const {
-    const double all = (other.way.lo - way.hi).cwiseMax(way.lo - other.way.hi).cwiseMax(0.0).norm(),
-                 differ = deviation + other.deviation;
-    return std::max(differ, std::max(this->size(), other.size()) / 2) > size
-               ? all
-               : std::max(all, (mean - other.mean).norm() - differ);
+    const double box_distance = (other.displacement.lo - displacement.hi).cwiseMax(displacement.lo - other.displacement.hi).cwiseMax(0.0).norm(),
+                 deviations = deviation + other.deviation;
+    return std::max(deviations, std::max(this->size(), other.size()) / 2) > size
+               ? box_distance
+               : std::max(box_distance, (mean - other.mean).norm() - deviations);
   }
+  // Returns the AABB of the motion in the step [m].
   Aabb swept() const {
-    Aabb box = place;
-    box.lo += way.lo.cwiseMin(0.0);
-    box.hi += way.hi.cwiseMax(0.0);
-    return box;
+    Aabb swept = box;
+    swept.lo += displacement.lo.cwiseMin(0.0);
+    swept.hi += displacement.hi.cwiseMax(0.0);
+    return swept;
   }
 };
 
@@ -53,21 +55,22 @@ class MovingComponents {
 
   // Sets the motion from x to y (3n).
   void move(const VecX& x, const VecX& y);
-  // Returns pairs of components, first < second, ascending, that may touch, whose swept AABBs
-  // overlap, and whose relative displacement exceeds `fraction` of the size of the smaller one.
+  // Returns the pairs of components that may touch, whose swept AABBs overlap, and whose relative
+  // displacement exceeds `fraction` of the size of the smaller one, at least of `least` [m]. First <
+  // second, ascending.
   std::vector<std::array<int, 2>> tunnelling_pairs(double fraction, double least) const;
 
-  size_t count() const { return parts_.size(); }
-  const MovingComponent& operator[](int part) const { return parts_[part]; }
-  // The component of a surface vertex; -1 for other vertices.
-  int part_of(int vertex) const { return part_of_[vertex]; }
+  size_t count() const { return components_.size(); }
+  const MovingComponent& operator[](int component) const { return components_[component]; }
+  // Returns the component of a surface vertex; -1 for other vertices.
+  int component_of(int vertex) const { return component_of_[vertex]; }
 
  private:
   bool anything_moves(double fraction, double least) const;
 
   const World& world_;
-  std::vector<int> part_of_;  // per global vertex
-  std::vector<MovingComponent> parts_;
+  std::vector<int> component_of_;  // per global vertex
+  std::vector<MovingComponent> components_;
 };
 
 }  // namespace tack

@@ -31,7 +31,7 @@ std::vector<int> objects_near(const ContactSystem& contact, int a) {
   return near;
 }
 
-// The object nearest to object a; -1 if nothing is within the reach of contact.
+// Returns the object nearest to object a; -1 if none is within the contact range.
 int nearest_object(const ContactSystem& contact, const VecX& x, int a) {
   const CollisionMesh& mesh = contact.surface().mesh;
   int nearest = -1;
@@ -60,12 +60,12 @@ std::string describe_blocker(const World& world, const std::vector<std::unique_p
 std::string describe_obstacle(const World& world, const VecX& x, int v, double distance) {
   const int a = world.body_of(v);
   const std::string& name = world.bodies[a].name;
-  const std::string rest = fmt::format("vertex {} of '{}' is still {:.3g} m short of its place",
+  const std::string remainder = fmt::format("vertex {} of '{}' is still {:.3g} m short of its target",
                                        world.index_in_body(v), name, distance);
   const int b = world.contact ? nearest_object(*world.contact, x, a) : -1;
-  if (b < 0) return fmt::format("the script deforms '{}' too far: {}", name, rest);
-  return fmt::format("the script drives '{}' into {}: {}", name,
-                     a == b ? "itself" : "'" + world.bodies[b].name + "'", rest);
+  if (b < 0) return fmt::format("the prescribed motion deforms '{}' too far: {}", name, remainder);
+  return fmt::format("the prescribed motion drives '{}' into {}: {}", name,
+                     a == b ? "itself" : "'" + world.bodies[b].name + "'", remainder);
 }
 
 }  // namespace tack

@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-// The vertices (n) of what lets go; empty: nothing does.
+// Returns a mark per vertex of stencils that debond; empty: none debonds.
 std::vector<char> debonding(const World& world, const VecX& from, const VecX& to) {
   std::vector<char> marked(world.dofs.vertex_count(), 0);
   for (const Term* term : world.terms) term->mark_debonding(from, to, marked);
@@ -36,25 +36,25 @@ std::vector<int> groups_of_vertices(const World& world) {
 struct Prediction {
   const World& world;
   const VecX& x;
-  const VecX& scripted;
+  const VecX& prescribed;
   const VecX& full;
-  const VecX& drift;
+  const VecX& uniform;
 
   std::vector<char> marks(const VecX& p) const {
-    VecX way = scripted;
-    world.dofs.scatter(p, way);
-    return debonding(world, x, x + way);
+    VecX displacement = prescribed;
+    world.dofs.scatter(p, displacement);
+    return debonding(world, x, x + displacement);
   }
 };
 
-// Object by object; nothing if something lets go even so.
+// Reduces the motion object by object. Returns nothing if stencils debond nevertheless.
 std::optional<VecX> by_objects(const Prediction& prediction, std::vector<char> marked) {
   const DofMap& dofs = prediction.world.dofs;
-  enum Level : char { whole, uniform, none };
+  enum Level : char { full, uniform, none };
   const std::vector<int> group = groups_of_vertices(prediction.world);
-  std::vector<Level> levels(prediction.world.bodies.size() + 1, whole);
+  std::vector<Level> levels(prediction.world.bodies.size() + 1, full);
   for (VecX p = prediction.full;;) {
-    // Accelerations are left out first, wherever that may be enough.
+    // Accelerations of objects are removed first, before their velocities.
     Level lowest = none;
     for (size_t v = 0; v < marked.size(); ++v)
       if (marked[v]) lowest = std::min(lowest, levels[group[v]]);
@@ -63,11 +63,11 @@ std::optional<VecX> by_objects(const Prediction& prediction, std::vector<char> m
     for (size_t v = 0; v < marked.size(); ++v)
       if (marked[v] && levels[group[v]] == lowest) lowered[group[v]] = 1;
     for (size_t g = 0; g < levels.size(); ++g)
-      if (lowered[g]) levels[g] = lowest == whole ? uniform : none;
+      if (lowered[g]) levels[g] = lowest == full ? uniform : none;
     for (int b = 0; b < dofs.block_count(); ++b) {
       const int g = group[dofs.vertex_of_block(b)];
       if (!lowered[g]) continue;
-      if (levels[g] == uniform) p.segment<3>(3 * b) = prediction.drift.segment<3>(3 * b);
+      if (levels[g] == uniform) p.segment<3>(3 * b) = prediction.uniform.segment<3>(3 * b);
       else p.segment<3>(3 * b).setZero();
     }
     marked = prediction.marks(p);
@@ -75,7 +75,8 @@ std::optional<VecX> by_objects(const Prediction& prediction, std::vector<char> m
   }
 }
 
-// Vertex by vertex; nothing if that moves none, or something lets go even so.
+// Reduces the motion vertex by vertex. Returns nothing if no vertex moves then, or if stencils debond
+// nevertheless.
 std::optional<VecX> by_vertices(const Prediction& prediction, std::vector<char> marked) {
   const DofMap& dofs = prediction.world.dofs;
   for (VecX p = prediction.full;;) {
@@ -92,14 +93,14 @@ std::optional<VecX> by_vertices(const Prediction& prediction, std::vector<char> 
 
 bool anything_debonds(const World& world, const VecX& from, const VecX& to) { return !debonding(world, from, to).empty(); }
 
-PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& scripted, const VecX& full, const VecX& drift) {
-  const Prediction prediction{world, x, scripted, full, drift};
+PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& prescribed, const VecX& full, const VecX& uniform) {
+  const Prediction prediction{world, x, prescribed, full, uniform};
   const std::vector<char> marked = prediction.marks(full);
   if (marked.empty()) return {{full}, false};
   PredictedMotion motion;
-  if (auto p = by_objects(prediction, marked)) motion.ways.push_back(*std::move(p));
-  if (auto p = by_vertices(prediction, marked)) motion.ways.push_back(*std::move(p));
-  motion.lets_go = motion.ways.empty();
+  if (auto p = by_objects(prediction, marked)) motion.displacements.push_back(*std::move(p));
+  if (auto p = by_vertices(prediction, marked)) motion.displacements.push_back(*std::move(p));
+  motion.debonds = motion.displacements.empty();
   return motion;
 }
 

@@ -45,8 +45,8 @@ DirichletContinuation::Result PrescribedMotionFollower::follow(const Step& step,
 DirichletContinuation::Result PrescribedMotionFollower::move(const VecX& x, const VecX& places, const Along* along, const Way& way) {
   const VecX none = VecX::Zero(world_.dofs.size());
   const PredictedMotion predicted = predicted_motion(world_, x, places - x, along ? along->full : none, along ? along->drift : none);
-  if (!predicted.lets_go) {
-    const DirichletContinuation::Result straight = go_straight(x, places, predicted.ways, way.step.potential);
+  if (!predicted.debonds) {
+    const DirichletContinuation::Result straight = go_straight(x, places, predicted.displacements, way.step.potential);
     return straight.x.size() > 0 ? straight : walk(x, places, way);
   }
   const DirichletContinuation::Result walked = walk(x, places, way);

@@ -1,4 +1,4 @@
-// Report of one accepted time step; a row of steps.csv.
+// Report of one accepted time step: a row of steps.csv.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ namespace tack {
 struct StepReport {
   int step = 0;          // accepted steps so far, this one included
   double time = 0;       // at the end of the step [s]
-  double step_size = 0;  // h [s]; smaller than the scene's after a failed solve
-  int cutbacks = 0;      // failed solves behind this step
+  double step_size = 0;  // h [s]; smaller than the scene's after a cutback
+  int cutbacks = 0;      // failed solves of this step
   int repeats = 0;       // solves whose error was too large
-  std::optional<double> error;  // m: of the step, if sizes follow it (step_control.hpp)
+  std::optional<double> error;  // of the step, if sizes are adaptive (step_control.hpp) [m]
   MinimizerResult solve;
   bool converged = false;
   double affine_strain = 0;     // largest strain of any affine body
@@ -28,16 +28,16 @@ struct StepReport {
   double tolerated_force = 0;   // its limit [N]
   int contacts = 0;         // active stencils
   int candidates = 0;
-  double min_distance = 0;  // between primitives that may touch [m]; infinity if none are near
+  double min_distance = 0;  // between primitives that may touch [m]; infinity without candidates
   double min_gap = 0;       // between primitives of different objects [m]
   int broad_phase_builds = 0;
-  std::vector<NamedEnergy> energies;  // by name, and kinetic
+  std::vector<NamedEnergy> energies;  // by name, kinetic energy included
   EnergyFlows flows;
-  int lag_iterations = 0;        // solves with updated tangential forces; 0 without friction
-  double friction_residual = 0;  // change by a further update, relative to the largest force
+  int lag_iterations = 0;        // solves with updated lagged forces; 0 without friction
+  double friction_residual = 0;  // change by another update, relative to the largest force
   bool lag_converged = true;     // false: contact.lagging.until was not reached
   std::vector<StepMetric> metrics;  // of the stepper
-  // Found by the exact check in this step's solves; a solve that has any is rolled back.
+  // Counts of the exact check in the solves of this step; a solve with any is rejected.
   int intersections = 0;
   int inverted_tets = 0;
   double wall_seconds = 0;

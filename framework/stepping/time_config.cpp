@@ -31,11 +31,11 @@ void TimeConfig::fields(Fields& f) {
             "also of a step with tunnelling, after which the step is accepted with a warning")
       .range(0, 30);
   f.check("step", [this]() -> std::string {
-    constexpr double least = 1e-100;  // s: incremental potentials are divided by its square
+    constexpr double least = 1e-100;  // s: incremental potentials are divided by the square of the step
     return step >= least ? "" : fmt::format("{:g} s is too short to compute with, its square is no number; take {:g} s or more", step, least);
   });
   f.check("adaptive", [this]() -> std::string {
-    constexpr double finest = 1e-6;  // of the first step: times are told apart down to a thousandth of that
+    constexpr double finest = 1e-6;  // of the first step; times are resolved to a thousandth of this
     if (!adaptive || (step >= smallest_step() && step <= largest_step() && smallest_step() >= finest * step)) return "";
     return fmt::format("time.step, the first, is {0} s: smallest ({1} s) must be between {2} s and that, largest ({3} s) not below it", step,
                        smallest_step(), finest * step, largest_step());

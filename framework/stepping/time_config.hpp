@@ -1,4 +1,4 @@
-// The steps of a simulation, typed: how long, how many, and how each is solved.
+// Configuration of the steps of a simulation: sizes, number and method.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace tack {
 
-// Steps whose sizes follow an error (step_control.hpp).
+// Adaptive step sizes by error control (step_control.hpp).
 struct AdaptiveConfig {
   double error = 1e-4;                      // m
   std::optional<double> smallest, largest;  // s
@@ -17,15 +17,17 @@ struct AdaptiveConfig {
 };
 
 struct TimeConfig {
-  double step = 0.01;     // s; if steps adapt, the first
+  double step = 0.01;     // s; of adaptive steps, the first
   std::optional<AdaptiveConfig> adaptive;
   double duration = 1;    // s
   std::optional<double> wall_limit;  // s of wall time
   int max_cutbacks = 8;
   std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");
   std::unique_ptr<Stepper> stepper = Registry<Stepper>::make("incremental_potential");
-  double smallest_step() const;  // of those that adapt [s]
-  double largest_step() const;   // of all that are tried [s]
+  // Returns the smallest size of adaptive steps [s].
+  double smallest_step() const;
+  // Returns the largest size of all steps [s].
+  double largest_step() const;
   void fields(Fields& f);
 };
 

@@ -24,39 +24,40 @@ class TimeIntegrator : public Component {
     bool inertia = true;
     TermScales scales() const { return {scale, contact_scale}; }
   };
+  // Returns the prediction of a step of size h [s].
   virtual Prediction predict(const State& state, double h) const = 0;
   // Returns velocities and accelerations for the new positions x (3n); the caller sets time and
   // history. contact: the value that State::contact will have.
   virtual void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v,
                       VecX& a) const = 0;
-  // Estimated error of the end x of a step (3n) [m], from a formula of another order, and the power
-  // of h with which it falls.
+  // Error of a step, estimated by a formula of another order.
   struct LocalError {
-    VecX x;
-    int power;
+    VecX x;     // of the positions at the end of the step (3n) [m]
+    int power;  // of h with which the error falls
   };
+  // Returns the estimated error of the end x of a step (3n).
   virtual LocalError local_error(const State& old, const VecX& x, const VecX& /*contact*/,
                                  double h) const {
     return {0.5 * (x - old.x - h * old.v), 2};
   }
-  // Velocity at the end of a step as update() computes it; meaningless without inertia.
+  // Returns the velocity at the end of a step as update() computes it; undefined without inertia.
   virtual EndVelocity end_velocity(const State& state, double h) const { return {1 / h, state.x}; }
   // Returns whether the integrator uses State::contact, which stays empty otherwise.
   virtual bool follows_contact() const { return false; }
-  // Integrator that repeats a step in which energy has grown noticeably without a source
-  // (energy_balance.hpp); null: the step is kept.
+  // Returns the integrator that repeats a step with a noticeable numerical energy gain
+  // (energy_balance.hpp); null: the step is accepted.
   virtual const TimeIntegrator* fallback() const { return nullptr; }
   // Returns whether the integrator brings undriven motion to rest.
   virtual bool damps() const { return false; }
-  // Advice on a numerical gain (`made`) or loss of energy, mostly in steps with `contact` or
+  // Returns advice on a numerical energy gain (`gain`) or loss, mostly in steps with `contact` or
   // without.
-  virtual std::string energy_advice(bool /*made*/, bool /*contact*/) const {
+  virtual std::string energy_advice(bool /*gain*/, bool /*contact*/) const {
     return "refine time.step";
   }
-  // Corrects them for vertices that do not follow from forces, if the above carries velocities over
-  // from step to step.
+  // Corrects velocities and accelerations of vertices with prescribed motion, if update() would carry
+  // velocities over from step to step. fixed: these vertices.
   virtual void update_fixed(const State& /*old*/, const VecX& /*x*/, double /*h*/,
-                           const std::vector<int>& /*held*/, VecX& /*v*/, VecX& /*a*/) const {}
+                           const std::vector<int>& /*fixed*/, VecX& /*v*/, VecX& /*a*/) const {}
 };
 
 }  // namespace tack

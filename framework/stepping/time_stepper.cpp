@@ -203,8 +203,8 @@ void TimeStepper::commit(const VecX& x, double h) {
   stepper_->commit(state_.history);
   world_.participants.load_history(state_.history);
   state_.h_before = h;
-  state_.contact_time_before = impulses_ ? impulses_->acting() : 0;
-  if (state_.contact_time_before > 0) state_.history[owed_friction_name] = impulses_->remembered();
+  state_.contact_time_before = impulses_ ? impulses_->contact_time() : 0;
+  if (state_.contact_time_before > 0) state_.history[friction_account_name] = impulses_->history();
   state_.time += h;
   ++state_.step;
 }
@@ -234,10 +234,10 @@ bool TimeStepper::accept(const SolveResult& result, double h, StepReport& r) {
   balance_.end(result.x);
   commit(result.x, h);
   if (control_) {
-    control_->kept(state_, h);
+    control_->accepted(state_, h);
   } else if (state_.time >= end - 1e-9 * time_.step) {
     ++state_.whole_steps;
-    if (state_.substeps > 1 && ++state_.steady_steps >= calm_enough) {
+    if (state_.substeps > 1 && ++state_.steady_steps >= steady_steps_min) {
       state_.substeps /= 2;
       state_.steady_steps = 0;
     }

@@ -14,7 +14,7 @@ namespace tack {
 // Accelerations have to be set afterwards.
 void TimeStepper::begin_without_history() {
   state_.a = VecX::Zero(state_.x.size());
-  state_.history.erase(owed_friction_name);
+  state_.history.erase(friction_account_name);
   forget_contact_history(state_.history);
   stepper_->erase_history(state_.history);
 }

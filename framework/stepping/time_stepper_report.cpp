@@ -76,7 +76,7 @@ void TimeStepper::warn_of(const SolveResult& result, const StepReport& r) {
                        "far, where it was {:.3g} N s: its normal forces lag by a step; refine time.step, or iterate them "
                        "(contact.lagging: {{iterations: 20, until: 1e-3}})",
                        state_.step, state_.time, world_.bodies[d.objects[0]].name, world_.bodies[d.objects[1]].name,
-                       d.others > 0 ? fmt::format(" (and between {} other two)", d.others) : "", d.given, d.normal)});
+                       d.others > 0 ? fmt::format(" (and between {} other two)", d.others) : "", d.applied, d.normal)});
   }
   if (!result.lag_converged)
     warn_({WarningKind::lagged_friction, fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "

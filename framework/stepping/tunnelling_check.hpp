@@ -5,9 +5,9 @@
 //
 // Two connected components are checked if their relative displacement (moving_components.hpp)
 // exceeds half the size of the smaller one. They tunnel if continuous collision detection finds a
-// hit and they move on by more than that from there. Limitation: smaller displacements, and
-// components that deform as far as they move, are not checked: sliding, rolling and wrapping have
-// curved trajectories.
+// hit and their relative displacement after the hit exceeds that length too. Limitation: smaller
+// displacements, and components that deform as far as they move, are not checked, because sliding,
+// rolling and wrapping have curved trajectories.
 #pragma once
 
 #include <memory>
@@ -21,10 +21,10 @@ class CandidateFinder;
 
 struct Tunnelling {
   int body = 0, obstacle = 0;  // of the world; the body is the one that moved farther
-  double way = 0;              // relative displacement [m]
+  double displacement = 0;     // relative displacement [m]
   double size = 0;             // of the smaller component [m]
   // Number of substeps, a power of two, for which none is longer than half of that size.
-  int parts = 2;
+  int substeps = 2;
 };
 
 class TunnellingCheck {
@@ -37,16 +37,16 @@ class TunnellingCheck {
   ~TunnellingCheck();
 
   // Returns the first tunnelling pair from x to y (3n), if any. Both must be free of intersections.
-  std::optional<Tunnelling> blocked(const VecX& x, const VecX& y);
+  std::optional<Tunnelling> find(const VecX& x, const VecX& y);
 
  private:
   struct Search;
-  std::optional<std::array<int, 2>> blocked_components(
+  std::optional<std::array<int, 2>> find_components(
       const VecX& x, const VecX& y, const std::vector<std::array<int, 2>>& pairs);
 
   const World& world_;
-  MovingComponents parts_;
-  std::unique_ptr<CandidateFinder> finder_;  // made when first needed
+  MovingComponents components_;
+  std::unique_ptr<CandidateFinder> finder_;  // null until first needed
 };
 
 }  // namespace tack

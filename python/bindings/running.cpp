@@ -229,8 +229,8 @@ std::shared_ptr<Problem> Running::problem() {
   convergence_->begin_step(step.potential, h, step.prediction.inertia);
   steps_.emplace(world, simulation_->clock());
   StepPotential& potential = step.potential;
-  MinimizerProblem problem{potential, [this, &potential](const VecX& q, const VecX& p) { return steps_->largest_tried(potential, q, p); }, {}, simulation_->clock()};
-  convergence_->judge(problem);
+  MinimizerProblem problem{potential, [this, &potential](const VecX& q, const VecX& p) { return steps_->largest_requested(potential, q, p); }, {}, simulation_->clock()};
+  convergence_->set_criteria(problem);
   VecX q;
   world.dofs.gather(step.targets, q);
   problem_ = std::make_shared<Problem>(std::move(problem), world, q);

@@ -18,7 +18,7 @@ VecX StepProblem::configuration(const VecX& unknowns) const {
 
 double StepProblem::feasible_step(const VecX& from, const VecX& p) {
   if (path.empty() || path.back() != from) path.push_back(from);
-  return steps.largest_tried(potential, from, p);
+  return steps.largest_requested(potential, from, p);
 }
 
 Convergence StepProblem::convergence(const Minimizer& minimizer) {
@@ -32,7 +32,7 @@ MinimizerResult StepProblem::minimize(Minimizer& minimizer, MinimizerProblem::Ob
   MinimizerProblem problem{
       potential, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); }, {}, clock};
   problem.observer = std::move(observer);
-  judge.judge(problem);
+  judge.set_criteria(problem);
   path.clear();
   const MinimizerResult result = minimizer.minimize(problem, q);
   path.push_back(q);

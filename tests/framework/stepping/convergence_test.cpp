@@ -67,9 +67,9 @@ TEST_CASE("forces that have a cause are the measure of what is not balanced", "[
   step.potential.move_to(step.q);
   const VecX gradient = step.potential.gradient();
   const double ratio = convergence.imbalance(gradient);
-  const Convergence::Balance found = convergence.balance();
-  CHECK(found.unbalanced == Approx(gradient.lpNorm<Eigen::Infinity>() / 1e-4));
-  CHECK(ratio == Approx(found.unbalanced / found.tolerated));
+  const Convergence::ForceResidual found = convergence.force_residual();
+  CHECK(found.residual == Approx(gradient.lpNorm<Eigen::Infinity>() / 1e-4));
+  CHECK(ratio == Approx(found.residual / found.limit));
   // No element is strained at the start: the largest cause is the inertia of an upper corner that is to stop,
   // or the weight of a lower vertex. Contact pushes a hundred times harder.
   double inertia = 0, weight = 0;
@@ -78,7 +78,7 @@ TEST_CASE("forces that have a cause are the measure of what is not balanced", "[
     inertia = std::max(inertia, step.world->mass(v) * std::abs(vertex(step.world->start.v, v).y()) / 0.01);
     weight = std::max(weight, step.world->mass(v) * 9.81);
   }
-  CHECK(found.tolerated == Approx(0.01 * std::max(inertia, weight) + 0.002).epsilon(1e-6));
+  CHECK(found.limit == Approx(0.01 * std::max(inertia, weight) + 0.002).epsilon(1e-6));
   CHECK(step.potential.largest_stencil_force() > 100 * std::max(inertia, weight));
   CHECK(ratio > 1);
 }
@@ -109,7 +109,7 @@ double floor_of(const std::string& yaml) {
   Convergence convergence = step.convergence(*minimizer);
   step.potential.move_to(step.q);
   convergence.imbalance(step.potential.gradient());
-  return convergence.balance().tolerated;
+  return convergence.force_residual().limit;
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ TEST_CASE("steps of what lets go of nothing start where they always did") {
     run.world->participants.move_to(step.state.x);
     const PredictedMotion motion = predicted_motion(*run.world, step.state.x, VecX::Zero(step.state.x.size()), full, drift);
     CHECK_FALSE(full.isZero());
-    CHECK((motion.ways == std::vector{full} && !motion.lets_go));
+    CHECK((motion.displacements == std::vector{full} && !motion.debonds));
   };
   TestRun free_fall(hanging(law, "implicit_euler", 1e-3, 9.81, "body: {type: affine, density: 1000}"));
   unchanged(free_fall);
@@ -159,5 +159,5 @@ TEST_CASE("steps of what lets go of nothing start where they always did") {
   hung.world->dofs.gather(step.h * step.h * step.state.a, full);
   hung.world->participants.move_to(step.state.x);
   const VecX none = VecX::Zero(full.size());
-  CHECK(predicted_motion(*hung.world, step.state.x, VecX::Zero(step.state.x.size()), full, none).ways.front() == none);
+  CHECK(predicted_motion(*hung.world, step.state.x, VecX::Zero(step.state.x.size()), full, none).displacements.front() == none);
 }

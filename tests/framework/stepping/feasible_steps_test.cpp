@@ -95,8 +95,8 @@ TEST_CASE("steps that a minimiser requests reach the observer, other questions d
   const VecX p = plates.motion({0, 0, -2 * gap});
   const double t = steps.largest(plates.x(), p);
   CHECK(seen.empty());
-  CHECK(steps.largest_tried(plates.x(), p) == t);
-  CHECK(steps.largest_tried(plates.x(), 0.1 * p) == 1);
+  CHECK(steps.largest_requested(plates.x(), p) == t);
+  CHECK(steps.largest_requested(plates.x(), 0.1 * p) == 1);
   REQUIRE(seen.size() == 2);
   CHECK(seen[0] == t);
   CHECK(seen[1] == 1);
@@ -110,11 +110,11 @@ TEST_CASE("the blocker is that of the last requested step, until it is reset", "
   CHECK(steps.blocker().empty());
   steps.largest(plates.x(), plates.motion({0, 0, -2 * gap}));
   CHECK(steps.blocker().empty());
-  steps.largest_tried(plates.x(), plates.motion({0, 0, -2 * gap}));
+  steps.largest_requested(plates.x(), plates.motion({0, 0, -2 * gap}));
   CHECK_THAT(steps.blocker(), Catch::StartsWith("; the last step was cut to 0.4") && Catch::Contains("'a'") && Catch::Contains("'b'") && Catch::Contains("0.1 m apart"));
-  steps.largest_tried(plates.x(), plates.motion({0, 0, 1}));
+  steps.largest_requested(plates.x(), plates.motion({0, 0, 1}));
   CHECK(steps.blocker().empty());
-  steps.largest_tried(plates.x(), plates.motion({0, 0, -2 * gap}));
+  steps.largest_requested(plates.x(), plates.motion({0, 0, -2 * gap}));
   steps.reset();
   CHECK(steps.blocker().empty());
 }

@@ -47,15 +47,15 @@ TEST_CASE("a quasi-static body that contact alone holds comes to rest, also from
 TEST_CASE("a quasi-static body that a load lifts off is named, with a remedy", "[stepping]") {
   const std::string error = error_of(cube("0.0505", "250"), 0.99);
   INFO(error);
-  CHECK(contains(error, "nothing holds 'cube' against the force ("));
-  CHECK(contains(error, "hold it (motion, attach)"));
+  CHECK(contains(error, "nothing supports 'cube' against the force ("));
+  CHECK(contains(error, "fix it (motion, attach)"));
 }
 
 TEST_CASE("a quasi-static body that falls past all others is named in its first step", "[stepping]") {
   const std::string beside = "  - {name: other, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [1, 0.5, 0]}, energies: [{type: neo_hookean, young: 1e6}]}\n";
   const std::string error = error_of(cube("0.0505", "50", beside), 0.1);
   INFO(error);
-  CHECK(contains(error, "nothing holds 'other'"));
+  CHECK(contains(error, "nothing supports 'other'"));
 }
 
 TEST_CASE("a quasi-static body that is held in some directions is free in the others", "[stepping]") {
@@ -68,7 +68,7 @@ TEST_CASE("a quasi-static body that is held in some directions is free in the ot
   };
   const std::string slides = error_of(held(", along: [1, 0, 0]"), 0.99);
   INFO(slides);
-  CHECK(contains(slides, "nothing holds 'cube' against the force (0, -1, 0) N"));
+  CHECK(contains(slides, "nothing supports 'cube' against the force (0, -1, 0) N"));
   CHECK(error_of(held(""), 0.99).empty());
   CHECK(error_of(held(", along: [0, 1, 0]"), 0.99).empty());
 }
@@ -83,8 +83,8 @@ TEST_CASE("a body without equilibrium is found before the run", "[checks]") {
   CHECK(check(cube("0.0505", "50")).error.empty());
   const EquilibriumCheck falls = check(cube("0.0505", "50", beside));
   INFO(falls.error);
-  CHECK(contains(falls.error, "nothing holds 'other'"));
-  CHECK(contains(falls.error, "hold it (motion, attach)"));
+  CHECK(contains(falls.error, "nothing supports 'other'"));
+  CHECK(contains(falls.error, "fix it (motion, attach)"));
   // With inertia it falls, and that is that.
   std::string dynamic = cube("0.0505", "50", beside);
   dynamic.replace(dynamic.find("quasi_static"), 12, "implicit_euler");
@@ -106,7 +106,7 @@ TEST_CASE("a torque on a body that nothing holds is told before the run", "[chec
   const std::string turns = only_text(warnings_of("50", "-50"), WarningKind::free_rotation);
   INFO(turns);
   CHECK(contains(turns, "nothing keeps 'cube' from turning under the torque (0, 0, -0.05) N m"));
-  CHECK(contains(turns, "hold it (motion, attach)"));
+  CHECK(contains(turns, "fix it (motion, attach)"));
   CHECK(warnings_of("0", "0").empty());
   CHECK(warnings_of("50", "-50", "    motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]\n").empty());
 }

@@ -80,7 +80,7 @@ TEST_CASE("what friction owes goes through a checkpoint bit for bit", "[stepping
         CHECK((resumed.x == end.x && resumed.v == end.v && resumed.history == end.history));
         CHECK(resumed.contact_time_before == end.contact_time_before);
         State without = states[i];
-        without.history.erase(owed_friction_name);
+        without.history.erase(friction_account_name);
         depends += gone_on(without).x != end.x;
       }
       CHECK(depends > 0);

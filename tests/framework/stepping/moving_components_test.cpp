@@ -18,8 +18,8 @@ struct Points {
     MovingComponent c;
     double squares = 0;
     for (size_t i = 0; i < at.size(); ++i) {
-      c.place.include(at[i]);
-      c.way.include(by[i]);
+      c.box.include(at[i]);
+      c.displacement.include(by[i]);
       c.mean += by[i] / static_cast<double>(at.size());
       squares += by[i].squaredNorm() / static_cast<double>(at.size());
     }
@@ -65,7 +65,7 @@ TEST_CASE("components hang together by edges, tets and frames, and particles are
   made.world.bodies[2].frame = {0, 0, 0, 0};
   const MovingComponents components(made.world);
   CHECK(components.count() == 7);
-  const auto joined = [&](int a, int b) { return components.part_of(a) == components.part_of(b); };
+  const auto joined = [&](int a, int b) { return components.component_of(a) == components.component_of(b); };
   for (int v = 0; v < 9; ++v) CHECK(joined(v, 0));
   CHECK_FALSE(joined(9, 0));
   CHECK(joined(9, 11));
@@ -73,9 +73,9 @@ TEST_CASE("components hang together by edges, tets and frames, and particles are
   CHECK(joined(18, 23));
   CHECK(joined(24, 26));
   CHECK_FALSE(joined(27, 28));
-  CHECK(components[components.part_of(27)].width == 0.5);
-  CHECK(components[components.part_of(27)].object == 4);
-  CHECK(components[components.part_of(24)].width == 0);
+  CHECK(components[components.component_of(27)].width == 0.5);
+  CHECK(components[components.component_of(27)].object == 4);
+  CHECK(components[components.component_of(24)].width == 0);
 }
 
 TEST_CASE("a relative displacement exceeds no relative displacement of two points that differ in motion most", "[stepping][components]") {
@@ -135,11 +135,11 @@ TEST_CASE("motions of components are those of their vertices", "[stepping][compo
     for (int c = 0; c < 3; ++c) {
       Points p;
       for (int v = 3 * c; v < 3 * c + 3; ++v) p.at.push_back(vertex(x, v)), p.by.push_back(vertex(y, v) - vertex(x, v));
-      const MovingComponent expected = p.component(), &found = components[components.part_of(3 * c)];
-      CHECK(found.place.lo == expected.place.lo);
-      CHECK(found.place.hi == expected.place.hi);
-      CHECK(found.way.lo == expected.way.lo);
-      CHECK(found.way.hi == expected.way.hi);
+      const MovingComponent expected = p.component(), &found = components[components.component_of(3 * c)];
+      CHECK(found.box.lo == expected.box.lo);
+      CHECK(found.box.hi == expected.box.hi);
+      CHECK(found.displacement.lo == expected.displacement.lo);
+      CHECK(found.displacement.hi == expected.displacement.hi);
       CHECK((found.mean - expected.mean).norm() < 1e-12);
       CHECK(found.deviation == Approx(expected.deviation).margin(1e-9));
     }

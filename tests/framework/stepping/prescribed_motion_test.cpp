@@ -127,19 +127,19 @@ TEST_CASE("a script that cannot be followed is told by name") {
        "  - {name: far, shape: {type: box, size: [0.02, 0.1, 0.1]}, place: {translate: [3, 0, 0]},\n"
        "     energies: [{type: neo_hookean, young: 1e5}]}\n"
        "contact: {distance: 1 mm}\n",
-       "the script drives 'plate' into 'wall': vertex ");
+       "the prescribed motion drives 'plate' into 'wall': vertex ");
   // through a block that has nowhere to go
   told(plate_and_block("time: {step: 0.5, duration: 1, integrator: quasi_static, max_halvings: 0}\n",
                        "{type: translate, velocity: [0.25, 0, 0]}",
                        "{type: fixed, select: {type: face, direction: [1, 0, 0]}}"),
-       "the script drives 'plate' into 'block': vertex ");
+       "the prescribed motion drives 'plate' into 'block': vertex ");
   // its own elements
   told("time: {step: 0.1, duration: 1, max_halvings: 2}\n"
        "objects: [{name: bar, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 1, 1]},\n"
        "  energies: [{type: neo_hookean, young: 1e5}],\n"
        "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}},\n"
        "    {type: translate, velocity: [-1, 0, 0], select: {type: face, direction: [1, 0, 0]}}]}]\n",
-       "the script deforms 'bar' too far: vertex ");
+       "the prescribed motion deforms 'bar' too far: vertex ");
 }
 
 TEST_CASE("the force that compresses a bar is that of its material") {

@@ -52,7 +52,7 @@ Judged judged(LinearSolver& linear, double tolerance) {
   const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: " + std::to_string(tolerance) + "}");
   Convergence convergence = step.convergence(*minimizer);
   MinimizerProblem problem{step.potential, {}, {}, step.clock};
-  convergence.judge(problem);
+  convergence.set_criteria(problem);
   step.potential.move_to(step.q);
   const BlockMatrix& hessian = step.potential.hessian({Projection::clamp});
   const VecX b = -step.potential.gradient();
