@@ -29,9 +29,9 @@ struct FreeBody : std::runtime_error {
 void check_free_bodies(const World& world, const ForceGroups& groups, const VecX& x,
                        const VecX& gradient);
 
-// Returns a warning for each group without fixed vertices on which a torque acts, although the forces on
-// it balance. Arguments as above.
-std::vector<Warning> turning_bodies(const World& world, const ForceGroups& groups,
-                                        const VecX& x, const VecX& gradient);
+// Returns a warning for each group without fixed vertices on which a torque acts, although the forces
+// on it balance. Arguments as above.
+std::vector<Warning> turning_bodies(const World& world, const ForceGroups& groups, const VecX& x,
+                                    const VecX& gradient);
 
 }  // namespace tack
