@@ -36,10 +36,10 @@ struct Damage {
 template <class Law>
 class DamageLawOf : public BondLawOf<Law> {
  public:
-  using Memory = Damage;
+  using HistoryVariables = Damage;
 
   template <class T>
-  T energy(const T& d, const T& s, const Memory& m, double h) const {
+  T energy(const T& d, const T& s, const HistoryVariables& m, double h) const {
     const T pulled = pull(d, s);
     const double k = value_of(pulled);
     const Reached to = reach(k, m, h);
@@ -47,22 +47,25 @@ class DamageLawOf : public BondLawOf<Law> {
     if (to.damage > m.damage) phi += spent(m, to.damage) + viscous(m, to.damage, h) / 2;
     return chained(pulled, phi, (1 - to.damage) / 2, -to.growth / 2);
   }
-  Memory after(const Memory& m, const BondPlace& at) const {
+  HistoryVariables after(const HistoryVariables& m, const BondState& at) const {
     const double k = pull(at.d, at.s);
-    Memory now{reach(k, m, at.h).damage, m.mixity};
+    HistoryVariables now{reach(k, m, at.h).damage, m.mixity};
     if (law().mixed()) {
       const double least = least_opening * law().envelope(0).opening(0.5);
       if (k > stiffness_ * least * least) now.mixity = across_ * at.s / k;
     }
     return now;
   }
-  double loss(const Memory& before, const Memory& after, const BondPlace& at) const {
+  double loss(const HistoryVariables& before, const HistoryVariables& after,
+              const BondState& at) const {
     return after.damage > before.damage
                ? spent(before, after.damage) + viscous(before, after.damage, at.h)
                : 0;
   }
-  bool gone(const Memory& m, const BondPlace&) const { return m.damage >= law().broken(); }
-  double intensity(const Memory& m) const { return 1 - m.damage; }
+  bool gone(const HistoryVariables& m, const BondState&) const {
+    return m.damage >= law().broken();
+  }
+  double intensity(const HistoryVariables& m) const { return 1 - m.damage; }
 
  protected:
   double stiffness_ = 1e8, across_ = 1e8;  // K, K_T [Pa/m]
@@ -83,15 +86,15 @@ class DamageLawOf : public BondLawOf<Law> {
   T pull(const T& d, const T& s) const {
     return T(stiffness_) * d * d + T(across_) * s;
   }
-  double spent(const Memory& m, double damage) const {
+  double spent(const HistoryVariables& m, double damage) const {
     const auto envelope = law().envelope(m.mixity);
     return envelope.spent(damage) - envelope.spent(m.damage);
   }
-  double viscous(const Memory& m, double damage, double h) const {
+  double viscous(const HistoryVariables& m, double damage, double h) const {
     return viscosity_ > 0 ? viscosity_ / h * (damage - m.damage) * (damage - m.damage) : 0;
   }
 
-  Reached reach(double k, const Memory& m, double h) const {
+  Reached reach(double k, const HistoryVariables& m, double h) const {
     const Reached held{m.damage, 0};
     if (h == 0 || m.damage >= 1 || (law().mixed() && m.mixity < 0)) return held;
     const auto envelope = law().envelope(m.mixity);

@@ -24,29 +24,29 @@ class RccAdhesion : public RccLawOf<RccAdhesion> {
   }
 
   template <class T>
-  T energy(const T& d, const T& s, const Memory& m, double h) const {
+  T energy(const T& d, const T& s, const HistoryVariables& m, double h) const {
     const T pulled = pull(d, s);
     const double k = value_of(pulled), excess = m.beta * k - work_;
     if (h == 0 || !(excess > 0)) return T(m.beta * m.beta / 2) * pulled;
     const double e = viscosity_ / h, b = debonded(m.beta, k, e);
     return chained(pulled, (k * m.beta * (e * m.beta + work_) + work_ * excess) / (2 * (k + e)), b * b / 2, -b * b / (k + e));
   }
-  Memory after(const Memory& m, const BondPlace& at) const {
+  HistoryVariables after(const HistoryVariables& m, const BondState& at) const {
     const double k = pull(at.d, at.s);
     return {m.beta * k > work_ ? std::min(m.beta, debonded(m.beta, k, viscosity_ / at.h)) : m.beta};
   }
-  double loss(const Memory& before, const Memory& after, const BondPlace& at) const {
+  double loss(const HistoryVariables& before, const HistoryVariables& after, const BondState& at) const {
     const double lost = before.beta - after.beta;
     return work_ * lost + viscosity_ * lost * lost / at.h;
   }
-  Memory heal(const Memory& m, const BondPlace& at) const {
+  HistoryVariables heal(const HistoryVariables& m, const BondState& at) const {
     if (!(healing_ * (at.pressure - m.beta * saturation_) > 0)) return m;
     const double x = healing_ * saturation_ * at.h;
     const double gained = x > 0 ? (at.pressure / saturation_ - m.beta) * -std::expm1(-x) : healing_ * at.pressure * at.h;
     return {std::min(m.beta + gained, 1.0)};
   }
-  double kept(const Memory& before, const Memory& healed) const { return before.beta / healed.beta * (before.beta / healed.beta); }
-  bool gone(const Memory& m, const BondPlace& at) const { return m.beta < weak && heal(after(m, at), at).beta <= m.beta; }
+  double kept(const HistoryVariables& before, const HistoryVariables& healed) const { return before.beta / healed.beta * (before.beta / healed.beta); }
+  bool gone(const HistoryVariables& m, const BondState& at) const { return m.beta < weak && heal(after(m, at), at).beta <= m.beta; }
 
  private:
   double debonded(double beta, double k, double e) const { return (work_ + e * beta) / (k + e); }

@@ -19,7 +19,7 @@ struct RccIntensity {
 template <class Law>
 class RccLawOf : public BondLawOf<Law> {
  public:
-  using Memory = RccIntensity;
+  using HistoryVariables = RccIntensity;
 
   void fields(Fields& f) override {
     f.number("normal_stiffness", normal_, units::traction_stiffness,
@@ -52,10 +52,10 @@ class RccLawOf : public BondLawOf<Law> {
   bool bonds_on_contact() const override { return healing_ > 0; }
   bool resists_pressing() const override { return !(healing_ > 0); }
 
-  Memory begin(bool on_contact) const {
+  HistoryVariables begin(bool on_contact) const {
     return {intensity_.value_or(on_contact && healing_ > 0 ? 0 : 1)};
   }
-  double intensity(const Memory& m) const { return m.beta; }
+  double intensity(const HistoryVariables& m) const { return m.beta; }
 
  protected:
   static constexpr double weak = 0.01;

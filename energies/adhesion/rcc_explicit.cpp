@@ -22,20 +22,20 @@ class ExplicitRccAdhesion : public RccLawOf<ExplicitRccAdhesion> {
   double longest_step() const override { return viscosity_ / work_; }
 
   template <class T>
-  T energy(const T& d, const T& s, const Memory& m, double) const {
+  T energy(const T& d, const T& s, const HistoryVariables& m, double) const {
     return T(m.beta * m.beta / 2) * pull(d, s);
   }
-  Memory after(const Memory& m, const BondPlace& at) const {
+  HistoryVariables after(const HistoryVariables& m, const BondState& at) const {
     const bool pressed = at.pressure > normal_ * m.beta * m.beta * at.d;
     const double k = pull(pressed ? 0.0 : at.d, at.s);
     const double bonding = pressed ? healing_ * std::max(at.pressure - m.beta * saturation_, 0.0) : 0;
     const double rate = bonding + std::min(work_ - k * m.beta, 0.0) / viscosity_;
     return {std::clamp(m.beta + at.h * rate, 0.0, 1.0)};
   }
-  double loss(const Memory& before, const Memory& after, const BondPlace& at) const {
+  double loss(const HistoryVariables& before, const HistoryVariables& after, const BondState& at) const {
     return pull(at.d, at.s) * (before.beta - after.beta) * (before.beta + after.beta) / 2;
   }
-  bool gone(const Memory& m, const BondPlace& at) const { return m.beta < weak && after(m, at).beta <= m.beta; }
+  bool gone(const HistoryVariables& m, const BondState& at) const { return m.beta < weak && after(m, at).beta <= m.beta; }
 };
 
 TACK_REGISTER(AdhesionLaw, ExplicitRccAdhesion, "rcc_explicit",

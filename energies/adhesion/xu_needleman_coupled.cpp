@@ -1,5 +1,5 @@
 // Xu and Needleman's potential of opening and slip together, for q = 1: phi = W (1 - (1 + d / l) exp(-d / l - |u|^2 / l_t^2)). The traction
-// peaks at sigma = W / (e l) along the normal, at d = l, and at tau = sqrt(2 / e) W / l_t across, at |u| = l_t / sqrt(2). Without memory: a
+// peaks at sigma = W / (e l) along the normal, at d = l, and at tau = sqrt(2 / e) W / l_t across, at |u| = l_t / sqrt(2). Without history: a
 // bond that comes back holds as before, and is never gone.
 #include <numbers>
 
@@ -10,7 +10,7 @@ namespace tack {
 
 class CoupledXuNeedlemanAdhesion : public BondLawOf<CoupledXuNeedlemanAdhesion> {
  public:
-  struct Memory {};
+  struct HistoryVariables {};
 
   void fields(Fields& f) override {
     f.number("peak_traction", strength_, units::pressure, "sigma: the strength along the normal, at the opening W / (e sigma)").required().positive();
@@ -28,7 +28,7 @@ class CoupledXuNeedlemanAdhesion : public BondLawOf<CoupledXuNeedlemanAdhesion> 
   AdhesionTraits traits() const override { return {.reversible = true, .remembers = false, .normal = true, .tangential = true}; }
 
   template <class T>
-  T energy(const T& d, const T& s, const Memory&, double) const {
+  T energy(const T& d, const T& s, const HistoryVariables&, double) const {
     using std::exp;
     const T x = T(per_opening_) * d;
     return T(work_) * (T(1) - (T(1) + x) * exp(-x - T(per_slip_) * s));

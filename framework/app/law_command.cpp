@@ -85,7 +85,7 @@ void print_curve(const BondStudy& study, double work) {
 // Returns true for a law of initial intensity 1, which has the peak and the work that it states.
 bool is_whole(const BondLaw& law) {
   std::vector<double> memory(law.width());
-  law.fresh(false, memory.data());
+  law.initialize(false, memory.data());
   return law.intensity_of(memory.data()) == 1;
 }
 

@@ -5,11 +5,11 @@
 namespace tack {
 namespace {
 
-constexpr double least_sum = 0.2;  // of two unit normals that have a middle
+constexpr double normal_sum_min = 0.2;  // norm of the sum of two unit normals that have a mean direction
 
 // Stores the unit normal and the barycentric gradients of a side's triangle at x. The triangle's
 // vertices begin at bond.vertices[first].
-void hold_side(Bond& bond, int side, int first, const VecX& x) {
+void lag_side(Bond& bond, int side, int first, const VecX& x) {
   std::array<Vec3, 3> corner;
   for (int j = 0; j < 3; ++j) corner[j] = vertex(x, bond.vertices[first + j]);
   const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);  // twice the area
@@ -21,15 +21,15 @@ void hold_side(Bond& bond, int side, int first, const VecX& x) {
 
 }  // namespace
 
-void hold_frame(Bond& bond, const VecX& x) {
+void lag_frame(Bond& bond, const VecX& x) {
   bond.gradients.fill(Vec3::Zero());
-  hold_side(bond, 1, bond.leading, x);
+  lag_side(bond, 1, bond.site_count, x);
   bond.normal = bond.normals[0] = bond.normals[1];
   double length = 1;
-  if (bond.leading == 3) {
-    hold_side(bond, 0, 0, x);
+  if (bond.site_count == 3) {
+    lag_side(bond, 0, 0, x);
     const Vec3 sum = bond.normals[0] + bond.normals[1];
-    if (const double norm = sum.norm(); norm > least_sum) length = norm, bond.normal = sum / norm;
+    if (const double norm = sum.norm(); norm > normal_sum_min) length = norm, bond.normal = sum / norm;
   }
   const Vec3& n = bond.normal;
   Vec3 r = -bond.lever[0] * bond.normals[0] - bond.lever[1] * bond.normals[1];

@@ -21,10 +21,10 @@ double scale_of(const BondLaw& law) { return law.peak_traction() > 0 ? law.work_
 
 }  // namespace
 
-std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondStep>& way, bool on_contact) {
+std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep>& way, bool on_contact) {
   std::vector<BondPoint> points;
-  std::vector<double> memory(law.width());
-  law.fresh(on_contact, memory.data());
+  std::vector<double> history(law.width());
+  law.initialize(on_contact, history.data());
   double time = 0, dissipated = 0;
   double unstressed_opening = 0, unstressed_slip = 0;  // m; healing moves them
   bool gone = false;
@@ -35,15 +35,15 @@ std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondSte
     if (gone) {
       p.intensity = 0;
     } else {
-      const BondSample sample = law.at(d, s, memory.data(), h);
+      const BondSample sample = law.at(d, s, history.data(), h);
       p.traction = sample.by_d;
       p.shear = 2 * sample.by_s * slip;
-      const BondChange change = law.advance({d, s, h, step.pressure}, memory.data());
+      const BondChange change = law.advance({d, s, h, step.pressure}, history.data());
       const double healed = (1 - change.kept) * std::max(d, 0.0);
       dissipated += change.dissipated;
       gone = change.gone;
-      p.intensity = law.intensity_of(memory.data());
-      p.stored = gone ? 0 : law.stored(d - healed, change.kept * change.kept * s, memory.data());
+      p.intensity = law.intensity_of(history.data());
+      p.stored = gone ? 0 : law.stored(d - healed, change.kept * change.kept * s, history.data());
       unstressed_opening += healed;
       unstressed_slip += (1 - change.kept) * slip;
     }
@@ -74,13 +74,13 @@ std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& 
     }
     from = turn;
   }
-  const std::vector<BondPoint> all = follow_bond(law, way);
+  const std::vector<BondPoint> all = trace_bond(law, way);
   std::vector<BondPoint> kept;
   for (size_t i = between - 1; i < all.size(); i += between) kept.push_back(all[i]);
   return kept;
 }
 
-std::vector<BondPoint> part_slowly(const BondLaw& law, double angle, int points) {
+std::vector<BondPoint> separate_slowly(const BondLaw& law, double angle, int points) {
   const double scale = scale_of(law);
   if (!(scale > 0) || !std::isfinite(scale)) return {};
   // Widens the path until the traction has risen and gone; for brittle, stiff laws it also narrows

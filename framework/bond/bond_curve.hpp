@@ -22,7 +22,7 @@ struct BondStep {
 };
 
 // Returns the states of a new bond at the ends of the steps; the path ends where the bond is gone.
-std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondStep>& way,
+std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep>& way,
                                    bool on_contact = false);
 
 // Pulls a new bond straight to each of the turning points, in about `points` equal steps. turns:
@@ -34,6 +34,6 @@ std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& 
 
 // Separates a bond slowly in that direction until hardly any traction is left. Empty if it never
 // fails.
-std::vector<BondPoint> part_slowly(const BondLaw& law, double angle = 0, int points = 2000);
+std::vector<BondPoint> separate_slowly(const BondLaw& law, double angle = 0, int points = 2000);
 
 }  // namespace tack

@@ -16,9 +16,9 @@ namespace {
 
 const std::string prefix = "contact/bonds/", begun_name = "contact/bonds_begun";
 
-// Place of a bond: triangle (of the object; -1: the vertex of the key), u, v; triangle of the
-// anchor, u, v; area, rest; lever and side of either surface.
-constexpr int place_width = 12;
+// Position of a bond: triangle (of the object; -1: the vertex of the key), u, v; opposite triangle,
+// u, v; area, rest; lever and side of either surface.
+constexpr int position_width = 12;
 
 std::array<int, 2> key_of(const Bond& bond) { return {bond.vertices[0], bond.b}; }
 
@@ -29,8 +29,8 @@ BondList::BondList(const ContactSurface& surface, const PairTable& pairs, const 
 
 void BondList::clear() {
   bonds_.clear();
-  memory_.clear();
-  memory_at_.clear();
+  history_.clear();
+  history_start_.clear();
 }
 
 BondList BondList::none() const {
@@ -40,15 +40,15 @@ BondList BondList::none() const {
   list.table_ = table_;
   list.first_triangle_ = first_triangle_;
   list.bonds_.reserve(bonds_.size());
-  list.memory_.reserve(memory_.size());
-  list.memory_at_.reserve(memory_at_.size());
+  list.history_.reserve(history_.size());
+  list.history_start_.reserve(history_start_.size());
   return list;
 }
 
-void BondList::add(const Bond& bond, const double* memory) {
+void BondList::add(const Bond& bond, const double* history) {
   bonds_.push_back(bond);
-  memory_at_.push_back(memory_.size());
-  memory_.insert(memory_.end(), memory, memory + table_->rules()[bond.rule].law->width());
+  history_start_.push_back(history_.size());
+  history_.insert(history_.end(), history, history + table_->rules()[bond.rule].law->width());
 }
 
 void BondList::sort() {
@@ -56,16 +56,16 @@ void BondList::sort() {
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
     const Bond &p = bonds_[i], &q = bonds_[j];
-    return std::tuple(p.leading, p.rule, key_of(p), p.triangle) < std::tuple(q.leading, q.rule, key_of(q), q.triangle);
+    return std::tuple(p.site_count, p.rule, key_of(p), p.triangle) < std::tuple(q.site_count, q.rule, key_of(q), q.triangle);
   });
   BondList sorted = none();
-  for (const int i : order) sorted.add(bonds_[i], memory(i));
+  for (const int i : order) sorted.add(bonds_[i], variables(i));
   bonds_ = std::move(sorted.bonds_);
-  memory_ = std::move(sorted.memory_);
-  memory_at_ = std::move(sorted.memory_at_);
+  history_ = std::move(sorted.history_);
+  history_start_ = std::move(sorted.history_start_);
 }
 
-void BondList::place(Bond& bond, const double* entry, const std::array<int, 2>& key) const {
+void BondList::set_position(Bond& bond, const double* entry, const std::array<int, 2>& key) const {
   const auto& [own, u, v] = std::tie(entry[0], entry[1], entry[2]);
   const std::vector<int>& object = surface_->mesh.vertex_object;
   const auto refuse = [] {
@@ -81,7 +81,7 @@ void BondList::place(Bond& bond, const double* entry, const std::array<int, 2>& 
     return t;
   };
   if (own < 0) {
-    bond.leading = 1;
+    bond.site_count = 1;
     bond.vertices[0] = key[0];
     bond.c[0] = 1;
   } else {
@@ -90,12 +90,12 @@ void BondList::place(Bond& bond, const double* entry, const std::array<int, 2>& 
     std::copy(t.begin(), t.end(), bond.vertices.begin());
     bond.c = {1 - u - v, u, v};
   }
-  bond.anchor = triangle_of(bond.b, entry[3]);
-  const Triangle& t = surface_->mesh.triangles[bond.anchor];
-  std::copy(t.begin(), t.end(), bond.vertices.begin() + bond.leading);
+  bond.opposite_triangle = triangle_of(bond.b, entry[3]);
+  const Triangle& t = surface_->mesh.triangles[bond.opposite_triangle];
+  std::copy(t.begin(), t.end(), bond.vertices.begin() + bond.site_count);
   bond.rule = rule_of(bond, *table_, *pairs_, surface_->mesh);
   const std::array<double, 3> c = {1 - entry[4] - entry[5], entry[4], entry[5]};
-  for (int i = 0; i < 3; ++i) bond.c[bond.leading + i] = -c[i];
+  for (int i = 0; i < 3; ++i) bond.c[bond.site_count + i] = -c[i];
   bond.area = entry[6];
   bond.rest = entry[7];
   bond.lever = {entry[8], entry[9]};
@@ -110,13 +110,13 @@ bool BondList::read(const History& history) {
     for (int i = 0; i < array.entries(); ++i) {
       Bond bond;
       const double* entry = &array.values[static_cast<size_t>(i) * array.width];
-      place(bond, entry, array.keys[i]);
+      set_position(bond, entry, array.keys[i]);
       // History of pairs that bond by another law here is skipped.
       if (bond.rule < 0 || table_->rules()[bond.rule].type != type) continue;
-      if (array.width != place_width + table_->rules()[bond.rule].law->width())
+      if (array.width != position_width + table_->rules()[bond.rule].law->width())
         throw InputError(fmt::format("bonds of the law '{}' are remembered by {} numbers, and it has {}; it is another law of that name: begin the run anew", type,
-                                     array.width - place_width, table_->rules()[bond.rule].law->width()));
-      add(bond, entry + place_width);
+                                     array.width - position_width, table_->rules()[bond.rule].law->width()));
+      add(bond, entry + position_width);
     }
   }
   sort();
@@ -129,21 +129,21 @@ void BondList::write(History& history) const {
   for (const BondRule& rule : table_->rules()) types.insert(rule.type);
   for (const std::string& type : types) {
     std::vector<int> of_type;
-    int width = place_width;
+    int width = position_width;
     for (int i = 0; i < size(); ++i)
       if (table_->rules()[bonds_[i].rule].type == type) of_type.push_back(i);
     for (const BondRule& rule : table_->rules())
-      if (rule.type == type) width = place_width + rule.law->width();
+      if (rule.type == type) width = position_width + rule.law->width();
     std::stable_sort(of_type.begin(), of_type.end(), [&](int i, int j) { return key_of(bonds_[i]) < key_of(bonds_[j]); });
     HistoryArray& array = history[prefix + type] = {width, {}, {}};
     for (const int i : of_type) {
       const Bond& b = bonds_[i];
       const bool in_triangle = b.triangle >= 0;
       array.keys.push_back(key_of(b));
-      const int anchor = b.anchor - first_triangle_[b.b], own = in_triangle ? b.triangle - first_triangle_[b.a] : -1;
-      array.values.insert(array.values.end(), {double(own), in_triangle ? b.c[1] : 0.0, in_triangle ? b.c[2] : 0.0, double(anchor), -b.c[b.leading + 1],
-                                               -b.c[b.leading + 2], b.area, b.rest, b.lever[0], b.lever[1], b.side[0], b.side[1]});
-      array.values.insert(array.values.end(), memory(i), memory(i) + width - place_width);
+      const int opposite = b.opposite_triangle - first_triangle_[b.b], own = in_triangle ? b.triangle - first_triangle_[b.a] : -1;
+      array.values.insert(array.values.end(), {double(own), in_triangle ? b.c[1] : 0.0, in_triangle ? b.c[2] : 0.0, double(opposite), -b.c[b.site_count + 1],
+                                               -b.c[b.site_count + 2], b.area, b.rest, b.lever[0], b.lever[1], b.side[0], b.side[1]});
+      array.values.insert(array.values.end(), variables(i), variables(i) + width - position_width);
     }
   }
 }

@@ -21,14 +21,14 @@ class BondList {
   // Bonds of 4 vertices before bonds of 6; each of these sorted by rule.
   const std::vector<Bond>& bonds() const { return bonds_; }
   std::vector<Bond>& bonds() { return bonds_; }
-  double* memory(int bond) { return memory_.data() + memory_at_[bond]; }
-  const double* memory(int bond) const { return memory_.data() + memory_at_[bond]; }
+  double* variables(int bond) { return history_.data() + history_start_[bond]; }
+  const double* variables(int bond) const { return history_.data() + history_start_[bond]; }
   int size() const { return static_cast<int>(bonds_.size()); }
 
   void clear();
-  // Returns a list of the same scene without bonds, with room for as many.
+  // Returns an empty list of the same scene, with memory reserved for as many bonds.
   BondList none() const;
-  void add(const Bond& bond, const double* memory);
+  void add(const Bond& bond, const double* history);
   // To be called after the last add().
   void sort();
   // Sets the bonds to those of the history. Returns whether it has any, that is, whether the run
@@ -40,15 +40,15 @@ class BondList {
 
  private:
   BondList() = default;
-  void place(Bond& bond, const double* entry, const std::array<int, 2>& key) const;
+  void set_position(Bond& bond, const double* entry, const std::array<int, 2>& key) const;
 
   const ContactSurface* surface_ = nullptr;
   const PairTable* pairs_ = nullptr;
   const BondTable* table_ = nullptr;
   std::vector<int> first_triangle_;  // of each object, and the end
   std::vector<Bond> bonds_;
-  std::vector<double> memory_;
-  std::vector<size_t> memory_at_;
+  std::vector<double> history_;
+  std::vector<size_t> history_start_;
 };
 
 }  // namespace tack

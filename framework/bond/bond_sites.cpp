@@ -63,8 +63,8 @@ void add_vertices(const ContactSystem& system, const BondTable& table, const std
     if (point.kind() != PointKind::vertex || !(point.area > 0) || !table.bonds(point.object, point.opposite)) return;
     if (point.object != point.opposite && !held.topology().thin(point.point)) return;
     const std::span<const int> faced(point.vertices.begin() + 1, point.vertices.end());
-    const int anchor = triangle_at(held.topology(), held, system.surface().mesh, faced, point.normal);
-    if (anchor >= 0) sites.push_back({-1, Vec3::UnitX(), point.point, anchor, point.opposite, point.area, false});
+    const int opposite = triangle_at(held.topology(), held, system.surface().mesh, faced, point.normal);
+    if (opposite >= 0) sites.push_back({-1, Vec3::UnitX(), point.point, opposite, point.opposite, point.area, false});
   });
 }
 
@@ -81,21 +81,21 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
   const CollisionMesh& mesh = system.surface().mesh;
   Bond bond;
   bond.triangle = site.triangle;
-  bond.leading = site.triangle < 0 ? 1 : 3;
+  bond.site_count = site.triangle < 0 ? 1 : 3;
   bond.a = mesh.vertex_object[site.vertex];
   bond.b = site.object;
   const double offset = system.pairs().offset(bond.a, bond.b);
   const Vec3 p = site.triangle < 0 ? Vec3(vertex(x, site.vertex)) : point_inside(x, mesh.triangles[site.triangle], site.inside);
 
   std::vector<int> near;
-  if (site.anchor >= 0) near.push_back(site.anchor);
+  if (site.opposite_triangle >= 0) near.push_back(site.opposite_triangle);
   else system.triangles_near(mesh.triangles[site.triangle], site.inside, near);
   double closest = std::numeric_limits<double>::infinity();
   for (const int t : near) {
     if (mesh.vertex_object[mesh.triangles[t][0]] != bond.b) continue;
     const auto [t0, t1, t2] = corners(x, mesh.triangles[t]);
     const double squared = point_triangle_distance(p, t0, t1, t2);
-    if (squared < closest || (squared == closest && t < bond.anchor)) closest = squared, bond.anchor = t;
+    if (squared < closest || (squared == closest && t < bond.opposite_triangle)) closest = squared, bond.opposite_triangle = t;
   }
   if (std::isinf(closest)) return std::nullopt;
   bond.vertices[0] = site.vertex;
@@ -104,15 +104,15 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
   const BondRule& rule = table.rules()[bond.rule];
   if (!(std::sqrt(closest) <= offset + rule.distance * (1 + rounding))) return std::nullopt;
 
-  const Triangle& anchor = mesh.triangles[bond.anchor];
-  const auto [t0, t1, t2] = corners(x, anchor);
+  const Triangle& opposite = mesh.triangles[bond.opposite_triangle];
+  const auto [t0, t1, t2] = corners(x, opposite);
   Vec3 n = (t1 - t0).cross(t2 - t0).normalized();
   if (n.dot(p - t0) < 0) n = -n, bond.side[1] = -1;
   const double height = n.dot(p - t0);
   bond.rest = rule.from_touching ? offset : height;
   // The point of the interface, straight before the place.
   Vec3 interface = p;
-  if (bond.leading == 3) {
+  if (bond.site_count == 3) {
     const auto [p0, p1, p2] = corners(x, mesh.triangles[site.triangle]);
     Vec3 own = (p1 - p0).cross(p2 - p0).normalized();
     if (own.dot(n) < 0) own = -own, bond.side[0] = -1;
@@ -121,13 +121,13 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
   }
   bond.lever[1] = rule.from_touching ? offset - bond.lever[0] : n.dot(interface - t0);
   const PlaneProjection at = project_onto_triangle(interface, t0, t1, t2);
-  for (int i = 0; i < bond.leading; ++i) {
-    bond.vertices[i] = bond.leading == 1 ? site.vertex : mesh.triangles[site.triangle][i];
+  for (int i = 0; i < bond.site_count; ++i) {
+    bond.vertices[i] = bond.site_count == 1 ? site.vertex : mesh.triangles[site.triangle][i];
     bond.c[i] = site.inside[i];
   }
-  std::copy(anchor.begin(), anchor.end(), bond.vertices.begin() + bond.leading);
+  std::copy(opposite.begin(), opposite.end(), bond.vertices.begin() + bond.site_count);
   const Vec3 closest_point(1 - at.u - at.v, at.u, at.v);
-  for (int i = 0; i < 3; ++i) bond.c[bond.leading + i] = -closest_point[i];
+  for (int i = 0; i < 3; ++i) bond.c[bond.site_count + i] = -closest_point[i];
   bond.area = site.area;
   return bond;
 }

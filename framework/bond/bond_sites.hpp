@@ -1,5 +1,5 @@
-// Bond sites: places where bonds can be made at the start of a step, triangle by triangle of the
-// overlap of two surfaces.
+// Bond sites: points of a surface at which a step may make bonds. They are found at its start, for
+// each triangle of the overlap of two surfaces.
 //   - Overlapping triangle: three sites, at its Gauss points.
 //   - Partly overlapping triangle: its samples (contact/surface_overlap.hpp).
 //   - Rods, particles, and a surface that meets itself: each vertex in contact
@@ -15,17 +15,19 @@
 
 namespace tack {
 
+/// A point at which a bond may be made.
 struct BondSite {
-  int triangle;  // of the contact surface; -1: it is a vertex
-  Vec3 inside;   // barycentric coordinates
-  int vertex;    // global; of a triangle, its first one
-  int anchor;    // the triangle opposite; -1: the closest one
-  int object;    // opposite
-  double area;   // m^2
-  bool whole;    // whether the triangle overlaps as a whole
+  int triangle;           // of the contact surface; -1: the site is a vertex
+  Vec3 inside;            // barycentric coordinates
+  int vertex;             // global index; the first vertex of a triangle
+  int opposite_triangle;  // -1: the closest one
+  int object;             // the opposite object
+  double area;            // m^2
+  bool whole;             // the whole triangle overlaps
 };
 
-// Returns the sites of all pairs that bond. The system must have begun the step at x, and be there.
+// Returns the sites of all pairs that bond. The system must have begun the step at x and still be
+// at x.
 // barriers: the barrier of each law of its pairs.
 std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table,
                                  const std::vector<PairLaw>& barriers, const VecX& x);

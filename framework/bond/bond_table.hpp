@@ -15,15 +15,17 @@
 
 namespace tack {
 
+/// Law and conditions of the bonds of a pair.
 struct BondRule {
   std::shared_ptr<const BondLaw> law;  // prepared
-  std::string type;                    // that it is registered by
-  bool on_contact = false;             // whenever surfaces meet, else at the start of a run
-  double distance = 0;                 // to bond, surfaces are no farther apart than this [m]
-  bool from_touching = false;          // unstressed: where the surfaces touch, else as they bonded
-  PairLaw barrier;                     // that presses where bonds may heal
+  std::string type;                    // registered name of the law
+  bool on_contact = false;     // true: bonds form whenever surfaces meet, else at the start alone
+  double distance = 0;         // largest distance at which surfaces bond [m]
+  bool from_touching = false;  // true: unstressed if the surfaces touch, else as they bonded
+  PairLaw barrier;             // its pressure heals bonds
 };
 
+/// Bond rules by pair of objects.
 class BondTable {
  public:
   // offsets: of the contact surface of each object from its mesh [m].
@@ -38,20 +40,20 @@ class BondTable {
     rule_[classes_.index(a, b)] = rule_[classes_.index(b, a)] = rule;
   }
   // Sets the rules of the regions of two objects (PairTable::region_pair), in their order.
-  void set_parts(int a, int b, const std::vector<int>& rules) {
-    of_parts_.resize(classes_.entries());
-    of_parts_[classes_.index(a, b)] = of_parts_[classes_.index(b, a)] = rules;
+  void set_regions(int a, int b, const std::vector<int>& rules) {
+    of_regions_.resize(classes_.entries());
+    of_regions_[classes_.index(a, b)] = of_regions_[classes_.index(b, a)] = rules;
   }
   // Returns the rule of a region of two objects, -1: they do not bond there. part: -1 for no
   // region.
   int between(int a, int b, int part) const {
-    return part < 0 ? rule_[classes_.index(a, b)] : of_parts_[classes_.index(a, b)][part];
+    return part < 0 ? rule_[classes_.index(a, b)] : of_regions_[classes_.index(a, b)][part];
   }
   // Returns whether the two objects bond in any region.
   bool bonds(int a, int b) const {
     if (rule_[classes_.index(a, b)] >= 0) return true;
-    if (of_parts_.empty()) return false;
-    const std::vector<int>& parts = of_parts_[classes_.index(a, b)];
+    if (of_regions_.empty()) return false;
+    const std::vector<int>& parts = of_regions_[classes_.index(a, b)];
     return std::any_of(parts.begin(), parts.end(), [](int rule) { return rule >= 0; });
   }
   const std::vector<BondRule>& rules() const { return rules_; }
@@ -63,17 +65,18 @@ class BondTable {
   std::vector<double> offsets_;
   std::vector<BondRule> rules_;
   std::vector<int> rule_;
-  std::vector<std::vector<int>> of_parts_;  // empty without any
+  std::vector<std::vector<int>> of_regions_;  // empty without any
 };
 
-// Returns the rule of a bond, given its objects, triangle or first vertex, and anchor; -1: none.
+// Returns the rule of a bond, given its objects, triangle or first vertex, and opposite triangle;
+// -1: none.
 inline int rule_of(const Bond& bond, const BondTable& table, const PairTable& pairs,
                    const CollisionMesh& mesh) {
-  const Triangle& anchor = mesh.triangles[bond.anchor];
+  const Triangle& other = mesh.triangles[bond.opposite_triangle];
   return table.between(bond.a, bond.b,
                        bond.triangle < 0
-                           ? pairs.region_pair(bond.a, bond.b, std::array{bond.vertices[0]}, anchor)
-                           : pairs.region_pair(bond.a, bond.b, mesh.triangles[bond.triangle], anchor));
+                           ? pairs.region_pair(bond.a, bond.b, std::array{bond.vertices[0]}, other)
+                           : pairs.region_pair(bond.a, bond.b, mesh.triangles[bond.triangle], other));
 }
 
 }  // namespace tack

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "framework/bond/bond_anchor.hpp"
+#include "framework/bond/bond_attachment.hpp"
 #include "framework/bond/bond_fields.hpp"
 #include "framework/bond/bond_sites.hpp"
 #include "framework/contact/lagged_surface.hpp"
@@ -73,7 +73,7 @@ void write_blocks(const Bond& bond, const Opening& o, const Mat3& h, const Vec3&
 }  // namespace
 
 BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table)
-    : Term("bonds"), system_(system), normal_(normal), table_(std::move(table)), list_(system.surface(), system.pairs(), table_), remembered_(list_) {}
+    : Term("bonds"), system_(system), normal_(normal), table_(std::move(table)), list_(system.surface(), system.pairs(), table_), stored_(list_) {}
 
 void BondTerm::publish(Records& records) const {
   Term::publish(records);
@@ -94,9 +94,9 @@ void BondTerm::publish(Records& records) const {
 void BondTerm::load_history(const History& history) {
   h_ = 0;
   pressures_.clear();
-  begun_ = remembered_.read(history);
-  system_.hold_sides(remembered_.pairs());
-  list_ = remembered_;
+  begun_ = stored_.read(history);
+  system_.hold_sides(stored_.pairs());
+  list_ = stored_;
   framed_ = false;
   make_blocks();
 }
@@ -115,8 +115,8 @@ void BondTerm::make_bonds(const VecX& x) {
   if (begun_ && !any_on_contact) return;
   std::map<std::array<int, 3>, std::vector<const Bond*>> bonded;  // by triangle, or else vertex, and other object
   const auto whose = [](int triangle, int vertex, int other) { return std::array{triangle, triangle < 0 ? vertex : -1, other}; };
-  for (const Bond& b : remembered_.bonds()) bonded[whose(b.triangle, b.vertices[0], b.b)].push_back(&b);
-  const auto before = remembered_.pairs();
+  for (const Bond& b : stored_.bonds()) bonded[whose(b.triangle, b.vertices[0], b.b)].push_back(&b);
+  const auto before = stored_.pairs();
   std::vector<BondSite> sites = bond_sites(system_, table_, normal_.laws(LawTerm::barrier), x);
   const std::vector<int>& object = system_.surface().mesh.vertex_object;
   const auto may_bond = [&](int rule, int a, int b) {
@@ -138,13 +138,13 @@ void BondTerm::make_bonds(const VecX& x) {
   });
   std::vector<std::optional<Bond>> made(sites.size());
   for_each(static_cast<int>(sites.size()), [&](int i) { made[i] = make_bond(sites[i], system_, table_, x); });
-  std::vector<double> memory;
+  std::vector<double> variables;
   for (const auto& bond : made) {
     if (!bond || !may_bond(bond->rule, bond->a, bond->b)) continue;
     const BondRule& rule = table_.rules()[bond->rule];
-    memory.assign(rule.law->width(), 0.0);
-    rule.law->fresh(begun_, memory.data());
-    list_.add(*bond, memory.data());
+    variables.assign(rule.law->width(), 0.0);
+    rule.law->initialize(begun_, variables.data());
+    list_.add(*bond, variables.data());
   }
   list_.sort();
   if (begun_) return;
@@ -159,13 +159,13 @@ void BondTerm::make_blocks() {
   const std::vector<Bond>& bonds = list_.bonds();
   for (int i = 0; i < list_.size(); ++i) {
     const bool fits = !blocks_.empty() && blocks_.back().last - blocks_.back().first < most_in_block &&
-                      bonds[i].rule == bonds[blocks_.back().first].rule && bonds[i].leading == bonds[blocks_.back().first].leading;
+                      bonds[i].rule == bonds[blocks_.back().first].rule && bonds[i].site_count == bonds[blocks_.back().first].site_count;
     if (!fits) blocks_.push_back({i, i});
     blocks_.back().last = i + 1;
   }
   for (auto& vertices : batch_vertices_) vertices.clear();
   for (const Bond& b : bonds) {
-    auto& vertices = batch_vertices_[b.leading == 1 ? 0 : 1];
+    auto& vertices = batch_vertices_[b.site_count == 1 ? 0 : 1];
     vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.begin() + b.count());
   }
 }
@@ -173,32 +173,32 @@ void BondTerm::make_blocks() {
 void BondTerm::lag(const VecX& x) {
   if (begins_) {
     begins_ = false;
-    list_ = remembered_;
+    list_ = stored_;
     make_bonds(x);
     make_blocks();
   }
-  hold_frames(x);
+  lag_frames(x);
 }
 
-void BondTerm::hold_frames(const VecX& x) const {
+void BondTerm::lag_frames(const VecX& x) const {
   framed_ = true;
-  for_each(list_.size(), [&](int i) { hold_frame(list_.bonds()[i], x); });
+  for_each(list_.size(), [&](int i) { lag_frame(list_.bonds()[i], x); });
 }
 
-// Between steps everything is asked for where the state is, and frames are those of there.
-void BondTerm::frame_at(const VecX& x) const {
-  if (!framed_) hold_frames(x);
+// Between steps, callers evaluate at the state; the frames are taken there when first needed.
+void BondTerm::ensure_frames(const VecX& x) const {
+  if (!framed_) lag_frames(x);
 }
 
 std::vector<Opening> BondTerm::openings(const VecX& x) const {
-  frame_at(x);
+  ensure_frames(x);
   std::vector<Opening> openings;
   for (const Bond& b : list_.bonds()) openings.push_back(opening_of(b, x));
   return openings;
 }
 
 double BondTerm::value(const VecX& x) const {
-  frame_at(x);
+  ensure_frames(x);
   return sum_chunks(static_cast<int>(blocks_.size()), [&](int begin, int end) {
     double sum = 0;
     for (int k = begin; k < end; ++k) {
@@ -209,7 +209,7 @@ double BondTerm::value(const VecX& x) const {
         d[i - first] = o.d;
         s[i - first] = o.s;
       }
-      table_.rules()[list_.bonds()[first].rule].law->add_values(last - first, d.data(), s.data(), list_.memory(first), h_, phi.data());
+      table_.rules()[list_.bonds()[first].rule].law->add_values(last - first, d.data(), s.data(), list_.variables(first), h_, phi.data());
       for (int i = first; i < last; ++i) sum += list_.bonds()[i].area * phi[i - first];
     }
     return sum;
@@ -222,7 +222,7 @@ std::vector<StencilBatch> BondTerm::batches() const {
 }
 
 void BondTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
-  frame_at(x);
+  ensure_frames(x);
   const size_t fours = batch_vertices_[0].size() / 4;
   const auto slot = [&](size_t i, size_t of_four, size_t of_six) { return i < fours ? of_four * i : of_four * fours + of_six * (i - fours); };
   for_each(static_cast<int>(blocks_.size()), [&](int k) {
@@ -235,7 +235,7 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
       d[i - first] = openings[i - first].d;
       s[i - first] = openings[i - first].s;
     }
-    table_.rules()[list_.bonds()[first].rule].law->add_samples(last - first, d.data(), s.data(), list_.memory(first), h_, samples.data());
+    table_.rules()[list_.bonds()[first].rule].law->add_samples(last - first, d.data(), s.data(), list_.variables(first), h_, samples.data());
     for (int i = first; i < last; ++i) {
       const Bond& bond = list_.bonds()[i];
       const Opening& o = openings[i - first];
@@ -250,39 +250,39 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
   });
 }
 
-BondPlace BondTerm::place_of(int i, const VecX& x) const {
+BondState BondTerm::state_of(int i, const VecX& x) const {
   const Bond& bond = list_.bonds()[i];
   const Opening o = opening_of(bond, x);
   const BondRule& rule = table_.rules()[bond.rule];
   double pressure = pressures_.empty() ? std::max(0.0, -rule.barrier.at(o.d + bond.rest).slope) : pressures_[i];
-  if (o.d < 0) pressure -= rule.law->at(o.d, o.s, list_.memory(i), h_).by_d;
+  if (o.d < 0) pressure -= rule.law->at(o.d, o.s, list_.variables(i), h_).by_d;
   return {o.d, o.s, h_, pressure};
 }
 
-BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& memory) const {
-  memory.assign(list_.memory(bond), list_.memory(bond) + law_of(bond).width());
-  const BondPlace at = place_of(bond, x);
-  BondChange change = law_of(bond).advance(at, memory.data());
+BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& variables) const {
+  variables.assign(list_.variables(bond), list_.variables(bond) + law_of(bond).width());
+  const BondState at = state_of(bond, x);
+  BondChange change = law_of(bond).advance(at, variables.data());
   if (!change.gone && slid_off(list_.bonds()[bond], x)) {
     change.gone = true;
-    change.dissipated += law_of(bond).stored(at.d > 0 ? change.kept * at.d : at.d, change.kept * change.kept * at.s, memory.data());
+    change.dissipated += law_of(bond).stored(at.d > 0 ? change.kept * at.d : at.d, change.kept * change.kept * at.s, variables.data());
   }
   return change;
 }
 
-// Returns whether the place has slid off the surface of its anchor, which it no longer faces. Slips
-// up to the width of the bond's area are not examined.
+// Returns whether the site has slid off the opposite surface and no longer faces it. Slips up to the
+// width of the bond's area are not examined.
 bool BondTerm::slid_off(const Bond& bond, const VecX& x) const {
   if (opening_of(bond, x).s <= bond.area) return false;
-  return !facing_triangle(system_.held().topology(), system_.surface().mesh, x, bond.anchor, place_at(bond, x));
+  return !facing_triangle(system_.held().topology(), system_.surface().mesh, x, bond.opposite_triangle, site_position(bond, x));
 }
 
 BondTerm::Changes BondTerm::changes(const VecX& x) const {
   Changes sum;
-  std::vector<double> memory;
+  std::vector<double> variables;
   for (int i = 0; i < list_.size(); ++i) {
     const double area = list_.bonds()[i].area;
-    const BondChange change = advance(i, x, memory);
+    const BondChange change = advance(i, x, variables);
     sum.dissipated += area * change.dissipated;
     sum.healed += area * change.healed;
   }
@@ -290,21 +290,21 @@ BondTerm::Changes BondTerm::changes(const VecX& x) const {
 }
 
 void BondTerm::visit_changes(const VecX& x, const EnergyVisitor& visit) const {
-  std::vector<double> memory;
+  std::vector<double> variables;
   for (int i = 0; i < list_.size(); ++i) {
     const Bond& bond = list_.bonds()[i];
-    const BondChange change = advance(i, x, memory);
+    const BondChange change = advance(i, x, variables);
     visit(std::span(bond.vertices).first(bond.count()), bond.area * (change.dissipated + change.healed));
   }
 }
 
 bool BondTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
-  frame_at(x);
+  ensure_frames(x);
   for (int i = 0; i < list_.size(); ++i) {
     const Bond& bond = list_.bonds()[i];
     const Opening o = opening_of(bond, x);
     double energy = 0;
-    law_of(i).add_values(1, &o.d, &o.s, list_.memory(i), h_, &energy);
+    law_of(i).add_values(1, &o.d, &o.s, list_.variables(i), h_, &energy);
     visit(std::span(bond.vertices).first(bond.count()), bond.area * energy);
   }
   return true;
@@ -312,27 +312,27 @@ bool BondTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
 
 void BondTerm::commit(const VecX& x, History& history) const {
   BondList kept = list_.none();
-  std::vector<double> memory;
+  std::vector<double> variables;
   for (int i = 0; i < list_.size(); ++i) {
-    const BondChange change = advance(i, x, memory);
+    const BondChange change = advance(i, x, variables);
     if (change.gone) continue;
     Bond bond = list_.bonds()[i];
     if (change.kept < 1) {
-      hold_frame(bond, x);
-      renew_anchor(bond, system_.held().topology(), system_.surface().mesh, x, change.kept);
+      lag_frame(bond, x);
+      move_attachment(bond, system_.held().topology(), system_.surface().mesh, x, change.kept);
     }
-    kept.add(bond, memory.data());
+    kept.add(bond, variables.data());
   }
   kept.write(history);
 }
 
-std::vector<Vec3> BondTerm::pulls(const VecX& x, LawTerm part) const {
-  frame_at(x);
+std::vector<Vec3> BondTerm::site_forces(const VecX& x, LawTerm part) const {
+  ensure_frames(x);
   std::vector<Vec3> pulls(list_.size());
   for_each(list_.size(), [&](int i) {
     const Bond& bond = list_.bonds()[i];
     const Opening o = opening_of(bond, x);
-    const BondSample sample = table_.rules()[bond.rule].law->at(o.d, o.s, list_.memory(i), h_);
+    const BondSample sample = table_.rules()[bond.rule].law->at(o.d, o.s, list_.variables(i), h_);
     const Vec3 all = traction(sample, bond, o), pressing = o.d < 0 ? Vec3(sample.by_d * bond.normal) : Vec3(Vec3::Zero());
     pulls[i] = -bond.area * (part == LawTerm::all ? all : part == LawTerm::barrier ? pressing : Vec3(all - pressing));
   });
@@ -341,7 +341,7 @@ std::vector<Vec3> BondTerm::pulls(const VecX& x, LawTerm part) const {
 
 VecX BondTerm::forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
-  const std::vector<Vec3> pulled = pulls(x, part);
+  const std::vector<Vec3> pulled = site_forces(x, part);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     if (only && !b.between(only->a, only->b)) continue;
@@ -352,17 +352,17 @@ VecX BondTerm::forces(const VecX& x, LawTerm part, std::optional<ObjectPair> onl
 
 VecX BondTerm::compressions(const VecX& x, LawTerm part) const {
   VecX pressed = VecX::Zero(x.size());
-  const std::vector<Vec3> pulled = pulls(x, part);
+  const std::vector<Vec3> pulled = site_forces(x, part);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
-    for (int i = 0; i < b.count(); ++i) pressed(3 * b.vertices[i]) += (i < b.leading ? b.c[i] : -b.c[i]) * pulled[k].dot(b.normal);
+    for (int i = 0; i < b.count(); ++i) pressed(3 * b.vertices[i]) += (i < b.site_count ? b.c[i] : -b.c[i]) * pulled[k].dot(b.normal);
   }
   return pressed;
 }
 
 Vec3 BondTerm::force_between(const VecX& x, LawTerm part, ObjectPair pair) const {
   Vec3 sum = Vec3::Zero();
-  const std::vector<Vec3> pulled = pulls(x, part);
+  const std::vector<Vec3> pulled = site_forces(x, part);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     if (b.between(pair.a, pair.b)) sum += b.a == pair.a ? pulled[k] : Vec3(-pulled[k]);

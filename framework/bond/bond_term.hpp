@@ -4,11 +4,11 @@
 //     B_i = c_i I + v_i n_S^T  for a vertex i of the side S,
 //     H = phi_dd n n^T + 2 phi_ds (n u^T + u n^T) + 4 phi_ss u u^T + 2 phi_s (I - n n^T),
 // which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. The levers
-// of each side S add terms with the factor l_S (f . n_S) to the Hessian. At d < 0 bonds press
+// of each side S add terms with the factor l_S (f . n_S) to the Hessian. Bonds with d < 0 push
 // (bond_law.hpp), beside the barrier. Friction counts the pressure of the barrier alone.
 // One term covers both directions, as both change the same history variables.
-// Bonds are history: a step begins with the stored bonds and the new ones that its start allows;
-// the resulting bonds are stored when the step is kept.
+// Bonds are history variables: a step begins with the stored bonds and the new ones that its start
+// allows. When the step is accepted, its bonds are stored.
 #pragma once
 
 #include "framework/bond/bond_list.hpp"
@@ -39,7 +39,7 @@ class BondTerm : public Term {
 
   // Sets the contact pressure at each bond of the list in this step [Pa], for steppers that know
   // it; otherwise the barrier gives it.
-  void press(std::vector<double> pressures) { pressures_ = std::move(pressures); }
+  void set_pressures(std::vector<double> pressures) { pressures_ = std::move(pressures); }
 
   // Energies of the step to x [J]: dissipation by debonding; energy that healing takes from the
   // bonds (below zero: puts in).
@@ -52,9 +52,9 @@ class BondTerm : public Term {
   bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override;
   void publish(Records& records) const override;
 
-  // Returns the force of each bond of the list on its place [N]. The opposite force acts on the
-  // anchor. Forces that press belong to the barrier, all others to adhesion.
-  std::vector<Vec3> pulls(const VecX& x, LawTerm part = LawTerm::all) const;
+  // Returns the force of each bond of the list on its site [N]. The opposite force acts on the
+  // attachment point. Compressive forces belong to the barrier, all others to adhesion.
+  std::vector<Vec3> site_forces(const VecX& x, LawTerm part = LawTerm::all) const;
   // Returns the bond forces on every vertex (3n) [N]; with a pair, of its bonds only.
   VecX forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only = std::nullopt) const;
   // Returns forces like ContactTerm::compressions; below zero where bonds pull.
@@ -69,7 +69,7 @@ class BondTerm : public Term {
   const std::vector<int>& unbonded() const { return unbonded_; }
   const BondTable& table() const { return table_; }
   const BondLaw& law_of(int bond) const { return *table_.rules()[list_.bonds()[bond].rule].law; }
-  double intensity(int bond) const { return law_of(bond).intensity_of(list_.memory(bond)); }
+  double intensity(int bond) const { return law_of(bond).intensity_of(list_.variables(bond)); }
 
  private:
   // A few bonds of one rule with equal numbers of vertices.
@@ -78,12 +78,13 @@ class BondTerm : public Term {
   };
   static constexpr int most_in_block = 32;
   void make_blocks();
-  void hold_frames(const VecX& x) const;
-  void frame_at(const VecX& x) const;
+  void lag_frames(const VecX& x) const;
+  void ensure_frames(const VecX& x) const;
   void make_bonds(const VecX& x);
-  BondPlace place_of(int bond, const VecX& x) const;
-  // Returns the effect of the step to x on a bond, and advances its history variables in `memory`.
-  BondChange advance(int bond, const VecX& x, std::vector<double>& memory) const;
+  BondState state_of(int bond, const VecX& x) const;
+  // Returns the effect of the step to x on a bond, and writes its history variables at the end of
+  // the step into `variables`.
+  BondChange advance(int bond, const VecX& x, std::vector<double>& variables) const;
   bool slid_off(const Bond& bond, const VecX& x) const;
 
   ContactSystem& system_;
@@ -91,7 +92,7 @@ class BondTerm : public Term {
   BondTable table_;
   mutable BondList list_;  // frames are taken when they are first needed
   mutable bool framed_ = false;
-  BondList remembered_;
+  BondList stored_;
   bool begun_ = false;   // the run has: bonds of the start are made
   bool begins_ = false;  // a step
   double h_ = 0;  // 0 between steps

@@ -44,7 +44,7 @@ double length_of(const Opening& o) { return std::hypot(std::max(o.d, 0.0), std::
 }  // namespace
 
 void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
-  frame_at(from);
+  ensure_frames(from);
   constexpr int blocks_at_once = 8;
   for_each(static_cast<int>(blocks_.size()), [&](int k) {
     // No structured binding: the lambda below would capture it, which Clang 14 does not support.
@@ -62,14 +62,14 @@ void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char
       if (widens(i)) d[i] = paths[i].d(length), s[i] = paths[i].s(length);
     }
     const BondLaw& law = law_of(first);
-    law.add_samples(last - first, d.data(), s.data(), list_.memory(first), h_, ends.data());
+    law.add_samples(last - first, d.data(), s.data(), list_.variables(first), h_, ends.data());
     for (int i = 0; i < last - first; ++i) {
       if (!widens(i)) continue;
       const Path& path = paths[i];
       const AlongOpening end = path.along(ends[i], path.length);
       if (end.traction > 0 && !softens(end, path.length)) continue;
       // Few bonds are past their peak. Those that were there before go on as they did.
-      const auto at = [&](double opening) { return path.along(law.at(path.d(opening), path.s(opening), list_.memory(first + i), h_), opening); };
+      const auto at = [&](double opening) { return path.along(law.at(path.d(opening), path.s(opening), list_.variables(first + i), h_), opening); };
       const double soon = std::min(at_limit * length_before[i], path.length);
       if (!(at(length_before[i]).stiffness > 0) || softens(at(soon), soon)) continue;
       const Bond& bond = list_.bonds()[first + i];

@@ -41,7 +41,7 @@ std::vector<Pulled> pulled_places(const BondLaw& law) {
   for (const double past : {0.0, 0.4, 1.1, 2.3})
     for (const double past_angle : {0.0, 0.7, 1.5}) {
       std::vector<double> memory(law.width());
-      law.fresh(false, memory.data());
+      law.initialize(false, memory.data());
       const double d = past * scale * std::cos(past_angle), u = past * scale * std::sin(past_angle);
       if (past > 0 && law.advance({d, u * u, BondCheck::h, 0}, memory.data()).gone) continue;
       for (const double way : {0.031, 0.13, 0.52, 0.87, 1.7, 3.1, 9.7})
@@ -119,11 +119,11 @@ void check_energy(const BondLaw& law, const std::vector<Pulled>& all, LawCheck& 
 
 void check_statements(const BondLaw& law, LawCheck& check) {
   std::vector<double> memory(law.width());
-  law.fresh(false, memory.data());
+  law.initialize(false, memory.data());
   if (law.intensity_of(memory.data()) < 1) return;
   double peak = 0, work = 0;
   BondPoint before;
-  for (const BondPoint& p : part_slowly(law)) {
+  for (const BondPoint& p : separate_slowly(law)) {
     peak = std::max(peak, p.traction);
     work += (p.traction + before.traction) / 2 * (p.opening - before.opening);
     before = p;

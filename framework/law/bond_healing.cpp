@@ -21,7 +21,7 @@ std::vector<BondStep> pressing_path(double time, double pressure) {
   return path;
 }
 
-double intensity_after(const BondLaw& law, double time, double pressure) { return follow_bond(law, pressing_path(time, pressure), true).back().intensity; }
+double intensity_after(const BondLaw& law, double time, double pressure) { return trace_bond(law, pressing_path(time, pressure), true).back().intensity; }
 
 // Returns the largest traction [Pa] of a bond that is pressed for a time [s] and then opened to
 // `opening_end` [m]. It opens too slowly for viscosity to count, unless the law limits the step.
@@ -32,7 +32,7 @@ double strength_after(const BondLaw& law, double time, double pressure, double o
   const int steps = any_step ? opening_steps : 10 * opening_steps;
   for (int i = 1; i <= steps; ++i) path.push_back({time + h * i, opening_end * i / steps, 0});
   double strength = 0;
-  for (const BondPoint& p : follow_bond(law, path, true)) strength = std::max(strength, p.traction);
+  for (const BondPoint& p : trace_bond(law, path, true)) strength = std::max(strength, p.traction);
   return strength;
 }
 

@@ -148,14 +148,14 @@ BondStudy study_bond_law(const StudiedLaw& studied, const StudySettings& setting
   BondStudy study;
   auto& f = study.quantities;
   std::vector<double> history(law.width());
-  law.fresh(false, history.data());
+  law.initialize(false, history.data());
   const BondSample new_bond = law.at(0, 0, history.data(), 0);
   f.push_back({"peak traction", law.peak_traction(), "Pa", "stated by the law, along the normal"});
   f.push_back({"work of adhesion", law.work_of_adhesion(), "J/m^2", "stated by the law, along the normal"});
   SofteningRange softening;
   double normal_peak_opening = 0;  // m
   for (const double angle : directions) {
-    BondPath slow{"slow", angle, 0, 0, part_slowly(law, angle, fine)};
+    BondPath slow{"slow", angle, 0, 0, separate_slowly(law, angle, fine)};
     if (slow.points.empty()) {
       f.push_back({"peak " + direction_name(angle), 0, "Pa", "no traction in this direction"});
       continue;

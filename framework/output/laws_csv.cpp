@@ -32,7 +32,7 @@ std::string rows_of(const std::string& pair, const PairLaw& law, double peak) {
 // Writes the law of bonds under slow opening.
 std::string rows_of(const std::string& pair, const BondLaw& law) {
   std::string rows;
-  for (const BondPoint& p : part_slowly(law, 0, law_samples)) rows += fmt::format("{},{},{},{},{}\n", csv_cell(pair), p.opening, p.traction, 0, p.traction);
+  for (const BondPoint& p : separate_slowly(law, 0, law_samples)) rows += fmt::format("{},{},{},{},{}\n", csv_cell(pair), p.opening, p.traction, 0, p.traction);
   return rows;
 }
 

@@ -346,7 +346,7 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& re
     table_.add_region_roles(b, a, {second, first, own.second, own.edge, own.codimensional});
     rules_of_roles.insert(rules_of_roles.end(), a == b ? 2 : 1, rules[i]);
   }
-  if (integral.bonds && !regions.empty()) bonds_.set_parts(a, b, rules_of_roles);
+  if (integral.bonds && !regions.empty()) bonds_.set_regions(a, b, rules_of_roles);
 }
 
 }  // namespace tack

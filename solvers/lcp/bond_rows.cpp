@@ -11,7 +11,7 @@ namespace tack {
 BondStiffness bond_stiffness(const BondTerm& bonds, int i, const Vec3& at, double h) {
   const BondLaw& law = bonds.law_of(i);
   const double d = law.resists_pressing() ? at[0] : std::max(at[0], 0.0), area = bonds.list().bonds()[i].area;
-  const BondSample sample = law.at(d, at.tail<2>().squaredNorm(), bonds.list().memory(i), h);
+  const BondSample sample = law.at(d, at.tail<2>().squaredNorm(), bonds.list().variables(i), h);
   return {area * (d != 0 ? sample.by_d / d : sample.by_dd), area * 2 * sample.by_s};
 }
 
@@ -54,7 +54,7 @@ std::vector<double> bond_pressures(const BondTerm& bonds, const std::vector<Cont
   std::vector<double> pressures;
   for (const Bond& bond : bonds.list().bonds()) {
     double pressure = 0;
-    for (int v = 0; v < bond.leading; ++v) {
+    for (int v = 0; v < bond.site_count; ++v) {
       auto at = std::lower_bound(all.begin(), all.end(), bond.vertices[v], [](const Pushed& p, int vertex) { return p.vertex < vertex; });
       double force = 0;
       for (; at != all.end() && at->vertex == bond.vertices[v]; ++at)

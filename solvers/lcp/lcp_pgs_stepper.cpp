@@ -117,7 +117,7 @@ void LcpPgsStepper::solve(const Step& step, const VecX* /*guess*/, SolveResult& 
   step_->solve(step, result);
   const bool solved = result.minimizer.status == MinimizerStatus::converged || result.minimizer.status == MinimizerStatus::iteration_limit;
   if (solved && world_->contact) {
-    if (world_->bonds) world_->bonds->press(bond_pressures(*world_->bonds, step_->contacts(), *world_->contact));
+    if (world_->bonds) world_->bonds->set_pressures(bond_pressures(*world_->bonds, step_->contacts(), *world_->contact));
     const PhaseScope scope(*clock_, Phase::check);
     const ContactSystem& contact = *world_->contact;
     crossings_ = static_cast<int>(find_intersections(contact.surface().mesh, result.x, contact.colliding(), most_crossings).size());

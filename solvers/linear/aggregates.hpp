@@ -10,8 +10,8 @@
 namespace tack {
 
 struct Aggregates {
-  // Builds the groups. Requires `positions` and `component` of the matrix, and depends on these and the
-  // pattern only.
+  // Builds the groups from the pattern, `positions` and `component` of the matrix, which must be
+  // there.
   void build(const BlockMatrix& matrix);
 
   int count() const { return static_cast<int>(start.size()) - 1; }

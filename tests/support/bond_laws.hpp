@@ -24,7 +24,7 @@ class PulledBond {
  public:
   explicit PulledBond(const BondLaw& law, bool on_contact = false)
       : law_(law), memory_(law.width()) {
-    law.fresh(on_contact, memory_.data());
+    law.initialize(on_contact, memory_.data());
   }
 
   // A step that ends at the opening d and the slip u; without pressure if it is none.

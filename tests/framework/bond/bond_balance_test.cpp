@@ -72,13 +72,13 @@ TEST_CASE("bonds over levers: neither force nor moment in all, and either side i
       CHECK(total(f).norm() < 1e-11 * f.cwiseAbs().sum());
       CHECK(total_moment(x, f).norm() < 1e-11 * f.cwiseAbs().sum());
       // About the interface, of each bond alone.
-      const std::vector<Vec3> pulls = bonded.term().pulls(x);
+      const std::vector<Vec3> pulls = bonded.term().site_forces(x);
       double off = 0, unequal = 0, couples = 0, size = 0;
       for (int k = 0; k < bonded.term().list().size(); ++k) {
         const Bond& b = bonded.term().list().bonds()[k];
         const Opening o = opening_of(b, x);
         std::array<Vec3, 2> point{-b.lever[0] * b.normals[0], b.lever[1] * b.normals[1]};
-        for (int i = 0; i < b.count(); ++i) point[b.side_of(i)] += (i < b.leading ? b.c[i] : -b.c[i]) * vertex(x, b.vertices[i]);
+        for (int i = 0; i < b.count(); ++i) point[b.side_of(i)] += (i < b.site_count ? b.c[i] : -b.c[i]) * vertex(x, b.vertices[i]);
         std::array<Vec3, 2> moment{Vec3::Zero(), Vec3::Zero()}, force = moment;
         for_each_vertex(b, o, pulls[k], [&](int i, const Vec3& share) {
           force[b.side_of(i)] += share;
@@ -87,7 +87,7 @@ TEST_CASE("bonds over levers: neither force nor moment in all, and either side i
         CHECK((force[0] - pulls[k]).norm() < 1e-9 * pulls[k].norm());
         off += (moment[0] + moment[1]).norm();
         size += pulls[k].norm();
-        if (b.leading == 1) continue;
+        if (b.site_count == 1) continue;
         for (int side = 0; side < 2; ++side) moment[side] -= point[side].cross(force[side]);
         unequal += (moment[0] - moment[1]).norm();
         couples += moment[0].norm() + moment[1].norm();

@@ -38,7 +38,7 @@ TEST_CASE("what is integrated explicitly is led in steps that it bears", "[bond_
     const auto law = bond_law(std::string("{type: rcc_explicit, normal_stiffness: 1e8, work_of_adhesion: 1, viscosity: ") + eta + "}");
     CHECK(law->longest_step() == Approx(std::stod(eta)));
     double peak = 0;
-    for (const BondPoint& p : part_slowly(*law)) peak = std::max(peak, p.traction);
+    for (const BondPoint& p : separate_slowly(*law)) peak = std::max(peak, p.traction);
     CHECK(peak == Approx(1e4).epsilon(0.01));
     CHECK(pull_bond(*law, {2e-4}, 0, 400).back().intensity == Approx(0.25).epsilon(0.02));
   }
@@ -49,7 +49,7 @@ TEST_CASE("a bond is parted until nothing holds, whatever its scale; where none 
                            "{type: bonded, peak_traction: 1e6}", "{type: exponential, peak_traction: 10, work_of_adhesion: 1e-9}"}) {
     INFO(yaml);
     const auto law = bond_law(yaml);
-    const auto parted = part_slowly(*law);
+    const auto parted = separate_slowly(*law);
     REQUIRE(!parted.empty());
     double peak = 0;
     for (const BondPoint& p : parted) peak = std::max(peak, p.traction);
@@ -57,6 +57,6 @@ TEST_CASE("a bond is parted until nothing holds, whatever its scale; where none 
     CHECK(parted.back().traction <= 1e-3 * peak);
     CHECK(parted.back().dissipated == Approx(law->work_of_adhesion()).epsilon(0.01));
   }
-  CHECK(part_slowly(*bond_law("{type: rcc, normal_stiffness: 1e8, work_of_adhesion: 1}"), std::numbers::pi / 2).empty());
-  CHECK(part_slowly(*bond_law("{type: rcc, normal_stiffness: 1e8, work_of_adhesion: 0}")).empty());
+  CHECK(separate_slowly(*bond_law("{type: rcc, normal_stiffness: 1e8, work_of_adhesion: 1}"), std::numbers::pi / 2).empty());
+  CHECK(separate_slowly(*bond_law("{type: rcc, normal_stiffness: 1e8, work_of_adhesion: 0}")).empty());
 }

@@ -220,7 +220,7 @@ TEST_CASE("bonds of rods, particles, sheets and of a sheet with itself", "[bonds
                   " energies: [{type: string, young: 1e6}]}\n" + contact("between: [rod, plate], " + rcc));
     CHECK(bonded.term().list().size() > 15);
     CHECK(bonded.area() == Approx(0.02 * 1e-3).epsilon(0.1));
-    CHECK(bonded.term().list().bonds()[0].leading == 1);
+    CHECK(bonded.term().list().bonds()[0].site_count == 1);
     CHECK((dense_gradient(bonded.term(), bonded.moved("rod", {0, 1e-4, 0}))).norm() > 0);
   }
   SECTION("particles on a plate: their cross-sections") {

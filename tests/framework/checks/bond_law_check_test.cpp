@@ -13,7 +13,7 @@ namespace {
 // As docs/extending.md has it: damage D = k / (4 W) dissipates W D^2. What it states may be wrong by factors.
 class Fading : public BondLawOf<Fading> {
  public:
-  struct Memory {
+  struct HistoryVariables {
     double damage = 0;
   };
   Fading(double slope, double curvature, double loss, double peak, double work = 1) : slope_(slope), curvature_(curvature), loss_(loss), peak_(peak), work_(work) {}
@@ -21,17 +21,17 @@ class Fading : public BondLawOf<Fading> {
   double peak_traction() const override { return peak_ * 4 * std::sqrt(1e8 / 27); }
   double work_of_adhesion() const override { return work_; }
   template <class T>
-  T energy(const T& d, const T& s, const Memory& m, double h) const {
+  T energy(const T& d, const T& s, const HistoryVariables& m, double h) const {
     const T pulled = T(1e8) * (d * d + s);
     const double k = value_of(pulled), damage = h > 0 ? std::clamp(k / 4, m.damage, 1.0) : m.damage;
     const bool grows = damage > m.damage && damage < 1;
     return chained(pulled, (1 - damage) * k / 2 + damage * damage - m.damage * m.damage, slope_ * (1 - damage) / 2, grows ? -curvature_ / 8 : 0);
   }
-  Memory after(const Memory& m, const BondPlace& at) const { return {std::clamp(1e8 * (at.d * at.d + at.s) / 4, m.damage, 1.0)}; }
-  double loss(const Memory& before, const Memory& after, const BondPlace&) const {
+  HistoryVariables after(const HistoryVariables& m, const BondState& at) const { return {std::clamp(1e8 * (at.d * at.d + at.s) / 4, m.damage, 1.0)}; }
+  double loss(const HistoryVariables& before, const HistoryVariables& after, const BondState&) const {
     return loss_ * (after.damage * after.damage - before.damage * before.damage);
   }
-  bool gone(const Memory& m, const BondPlace&) const { return m.damage == 1; }
+  bool gone(const HistoryVariables& m, const BondState&) const { return m.damage == 1; }
 
  private:
   double slope_, curvature_, loss_, peak_, work_;

@@ -48,7 +48,7 @@ void check_same(const State& a, const State& b) {
   CHECK(a.h_before == b.h_before);
   CHECK(a.contact_time_before == b.contact_time_before);
   CHECK((a.x == b.x && a.v == b.v && a.a == b.a));
-  CHECK((a.anchor == b.anchor && a.x_before == b.x_before && a.v_before == b.v_before));
+  CHECK((a.x_motion_start == b.x_motion_start && a.x_before == b.x_before && a.v_before == b.v_before));
   CHECK((a.contact == b.contact && a.contact_before == b.contact_before));
   CHECK(a.history == b.history);
   CHECK(a.energy.open == b.energy.open);

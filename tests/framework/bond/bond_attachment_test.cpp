@@ -1,5 +1,5 @@
 // Bonds whose site slides along the surface of their anchor: off it, and while they heal.
-#include "framework/bond/bond_anchor.hpp"
+#include "framework/bond/bond_attachment.hpp"
 
 #include <fmt/format.h>
 
