@@ -11,8 +11,8 @@
 namespace tack {
 
 // Returns the triangle that contains the projection of p onto the surface of the triangle `from`.
-// The search starts there and crosses smooth edges only (surface_topology.hpp). Returns nothing if p
-// lies beyond the boundary or a crease of the surface.
+// The search starts there and crosses smooth edges only (surface_topology.hpp). Returns nothing if
+// p lies beyond the boundary or a crease of the surface.
 std::optional<int> facing_triangle(const SurfaceTopology& topology, const CollisionMesh& mesh,
                                    const VecX& x, int from, const Vec3& p);
 

@@ -73,10 +73,10 @@ class BondTable {
 inline int rule_of(const Bond& bond, const BondTable& table, const PairTable& pairs,
                    const CollisionMesh& mesh) {
   const Triangle& other = mesh.triangles[bond.opposite_triangle];
-  return table.between(bond.a, bond.b,
-                       bond.triangle < 0
-                           ? pairs.region_pair(bond.a, bond.b, std::array{bond.vertices[0]}, other)
-                           : pairs.region_pair(bond.a, bond.b, mesh.triangles[bond.triangle], other));
+  const int region = bond.triangle < 0
+                         ? pairs.region_pair(bond.a, bond.b, std::array{bond.vertices[0]}, other)
+                         : pairs.region_pair(bond.a, bond.b, mesh.triangles[bond.triangle], other);
+  return table.between(bond.a, bond.b, region);
 }
 
 }  // namespace tack
