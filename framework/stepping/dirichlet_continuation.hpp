@@ -36,27 +36,26 @@ class DirichletContinuation {
     VecX x;                 // 3n; feasible
     std::string failure;    // "" if all prescribed vertices are exactly at their targets in x
   };
-  // Moves from x, which is feasible, to a feasible configuration in which all vertices that are not
-  // free and differ between x and places (3n) are at their positions in `places`. Every iteration
-  // notifies `observer`.
-  Result run(const VecX& x, const VecX& places, const TimeIntegrator::Prediction& prediction,
+  // Moves from x, which is feasible, to a feasible configuration in which all prescribed vertices are
+  // at their positions in `targets` (3n). Every iteration notifies `observer`.
+  Result run(const VecX& x, const VecX& targets, const TimeIntegrator::Prediction& prediction,
              const MinimizerProblem::Observer& observer = {});
 
  private:
-  struct Pull;
-  void prepare(const VecX& x, const VecX& places);
-  std::vector<FixedDirections> held_directions() const;  // of the continuation
-  VecX masses(double pull, bool inertia) const;
+  struct Stage;
+  void prepare(const VecX& x, const VecX& targets);
+  std::vector<FixedDirections> fixed_directions() const;
+  VecX masses(double stiffness, bool inertia) const;
   double stiffness(const VecX& x, const TimeIntegrator::Prediction& prediction);
-  void minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer);
-  bool arrive(const VecX& places, VecX& x) const;
-  std::string failure(const VecX& x, const VecX& places) const;
+  void minimize(Stage& stage, Result& result, const MinimizerProblem::Observer& observer);
+  bool move_to_targets(const VecX& targets, VecX& x) const;
+  std::string failure(const VecX& x, const VecX& targets) const;
 
   World& world_;
-  std::unique_ptr<Minimizer> minimizer_;  // its stored factors are those of these unknowns
+  std::unique_ptr<Minimizer> minimizer_;  // with stored factors of these unknowns
   PhaseClock& clock_;
   FeasibleSteps& steps_;
-  std::vector<int> moving_;  // the prescribed vertices that have to move
+  std::vector<int> moving_;  // prescribed vertices that have to move
   DofMap dofs_;              // the free and the moving vertices
   std::optional<StepPotential> potential_;
 };

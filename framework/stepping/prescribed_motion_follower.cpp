@@ -9,7 +9,7 @@ namespace tack {
 namespace {
 
 // Largest fraction of the feasible step of free vertices that is used: the rest would leave no gap.
-constexpr double most_of_it = 0.9;
+constexpr double usable_fraction = 0.9;
 
 }  // namespace
 
@@ -17,81 +17,79 @@ DirichletContinuation::Result PrescribedMotionFollower::follow(const Step& step,
                                           const MinimizerProblem::Observer& observer) {
   const State& state = step.state;
   const TimeIntegrator::Prediction& prediction = step.prediction;
-  const int parts = step.fixed.rotation_substeps(state.time, step.h);
-  Along along;
+  const int substeps = step.fixed.rotation_substeps(state.time, step.h);
+  FreeMotion free_motion;
   if (prediction.inertia) {
-    world_.dofs.gather(step.h / parts * (state.v + step.h * state.a), along.full);
-    world_.dofs.gather(step.h / parts * state.v, along.drift);
+    world_.dofs.gather(step.h / substeps * (state.v + step.h * state.a), free_motion.full);
+    world_.dofs.gather(step.h / substeps * state.v, free_motion.uniform);
   }
-  const Way way{step, check, observer};
+  const Context context{step, check, observer};
   DirichletContinuation::Result result{{}, state.x, ""};
-  for (int i = 1; i <= parts; ++i) {
-    VecX places = result.x;
-    step.fixed.set_positions(state.time + step.h * i / parts, places);
-    step.potential.begin_step(places, prediction.x, prediction.scales(), prediction.inertia);
+  for (int i = 1; i <= substeps; ++i) {
+    VecX targets = result.x;
+    step.fixed.set_positions(state.time + step.h * i / substeps, targets);
+    step.potential.begin_step(targets, prediction.x, prediction.scales(), prediction.inertia);
     if (i > 1) world_.participants.move_to(result.x);
     const MinimizerResult before = result.solve;
-    result = move(result.x, places, prediction.inertia ? &along : nullptr, way);
+    result = move(result.x, targets, prediction.inertia ? &free_motion : nullptr, context);
     result.solve.add_work(before);
     if (!result.failure.empty() || result.solve.status != MinimizerStatus::converged) break;
   }
   return result;
 }
 
-// Moves from x to the target positions of the prescribed vertices. The trajectory is linear, with
-// the free vertices moving as predicted. If that is blocked, or takes bonds or adhesion past their
-// peaks, it is a Dirichlet continuation. If these let go in the continuation too, they are being
-// torn off, and the trajectory may be linear.
-DirichletContinuation::Result PrescribedMotionFollower::move(const VecX& x, const VecX& places, const Along* along, const Way& way) {
+// Moves from x to the target positions of the prescribed vertices: along linear trajectories, with the
+// predicted motion of the free vertices, or by Dirichlet continuation if these are blocked or debond
+// stencils. If the continuation cannot avoid debonding either, linear trajectories are used again.
+DirichletContinuation::Result PrescribedMotionFollower::move(const VecX& x, const VecX& targets, const FreeMotion* free_motion, const Context& context) {
   const VecX none = VecX::Zero(world_.dofs.size());
-  const PredictedMotion predicted = predicted_motion(world_, x, places - x, along ? along->full : none, along ? along->drift : none);
+  const PredictedMotion predicted = predicted_motion(world_, x, targets - x, free_motion ? free_motion->full : none, free_motion ? free_motion->uniform : none);
   if (!predicted.debonds) {
-    const DirichletContinuation::Result straight = go_straight(x, places, predicted.displacements, way.step.potential);
-    return straight.x.size() > 0 ? straight : walk(x, places, way);
+    const DirichletContinuation::Result linear = move_linearly(x, targets, predicted.displacements, context.step.potential);
+    return linear.x.size() > 0 ? linear : run_continuation(x, targets, context);
   }
-  const DirichletContinuation::Result walked = walk(x, places, way);
-  if (walked.failure.empty()) return walked;
-  DirichletContinuation::Result straight = go_straight(x, places, {along ? along->full : none}, way.step.potential);
-  if (straight.x.size() == 0) return walked;
-  straight.solve.add_work(walked.solve);
-  return straight;
+  const DirichletContinuation::Result continued = run_continuation(x, targets, context);
+  if (continued.failure.empty()) return continued;
+  DirichletContinuation::Result linear = move_linearly(x, targets, {free_motion ? free_motion->full : none}, context.step.potential);
+  if (linear.x.size() == 0) return continued;
+  linear.solve.add_work(continued.solve);
+  return linear;
 }
 
-// Moves along linear trajectories, with the free vertices on the best of these paths as far as is
-// feasible, or at rest. The result has no x if that is blocked.
-DirichletContinuation::Result PrescribedMotionFollower::go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential) {
-  const VecX scripted = places - x;
-  VecX q;
+// Moves along linear trajectories. The free vertices follow the displacement of lowest potential,
+// truncated to be feasible, or rest. The result has no x if the trajectories are blocked.
+DirichletContinuation::Result PrescribedMotionFollower::move_linearly(const VecX& x, const VecX& targets, const std::vector<VecX>& displacements, StepPotential& potential) {
+  const VecX prescribed = targets - x;
+  VecX q, free = VecX::Zero(x.size());  // free: displacement of the free vertices
   DirichletContinuation::Result best{{}, VecX(), ""};
   double lowest = std::numeric_limits<double>::infinity();
-  const auto reach_of = [&](const VecX& along, double part) {
-    const VecX p = scripted + part * along;
+  const auto feasible_fraction = [&](double fraction) {
+    const VecX p = prescribed + fraction * free;
     const double t = steps_.largest(x, p);
     if (t < 1) return t;
     world_.dofs.gather(x + p, q);
     potential.move_to(q);
     if (potential.value() < lowest) {
       lowest = potential.value();
-      best.x = places;
+      best.x = targets;
       world_.dofs.scatter(q, best.x);
     }
     return t;
   };
-  VecX along = VecX::Zero(x.size());
-  for (const VecX& way : ways) {
-    if (way.isZero()) continue;
-    world_.dofs.scatter(way, along);
-    const double t = reach_of(along, 1);
-    if (t > 0 && t < 1) reach_of(along, most_of_it * t);
+  for (const VecX& displacement : displacements) {
+    if (displacement.isZero()) continue;
+    world_.dofs.scatter(displacement, free);
+    const double t = feasible_fraction(1);
+    if (t > 0 && t < 1) feasible_fraction(usable_fraction * t);
   }
-  reach_of(along, 0);
+  feasible_fraction(0);
   return best;
 }
 
-DirichletContinuation::Result PrescribedMotionFollower::walk(const VecX& x, const VecX& places, const Way& way) {
-  if (!walk_) walk_.emplace(world_, like_, clock_, steps_);
-  if (way.check) way.check->begin(way.step.state.step + 1, "the walk of what the script moves");
-  return walk_->run(x, places, way.step.prediction, way.observer);
+DirichletContinuation::Result PrescribedMotionFollower::run_continuation(const VecX& x, const VecX& targets, const Context& context) {
+  if (!continuation_) continuation_.emplace(world_, like_, clock_, steps_);
+  if (context.check) context.check->begin(context.step.state.step + 1, "the Dirichlet continuation of the prescribed motion");
+  return continuation_->run(x, targets, context.step.prediction, context.observer);
 }
 
 }  // namespace tack

@@ -1,6 +1,6 @@
-// Follows a prescribed motion: brings its vertices to their target positions at the end of a step,
-// before the minimisation. They move along linear trajectories if nothing is in the way and no bond
-// or adhesion lets go (predicted_motion.hpp), otherwise by Dirichlet continuation
+// Follower of prescribed motion: moves prescribed vertices to their target positions at the end of a
+// step, before the minimisation. They move along linear trajectories if these are feasible and debond
+// no stencils (predicted_motion.hpp), otherwise by Dirichlet continuation
 // (dirichlet_continuation.hpp).
 #pragma once
 
@@ -17,36 +17,39 @@ class PrescribedMotionFollower {
   PrescribedMotionFollower(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
       : world_(world), like_(like), clock_(clock), steps_(steps) {}
 
-  // Called when other vertices are fixed.
-  void reset() { walk_.reset(); }
+  // Called if other vertices are fixed than before.
+  void reset() { continuation_.reset(); }
 
   // Moves the prescribed vertices from the state of the step to their target positions, in substeps
-  // that rotate nothing too far. Returns a feasible start of the step, and begins the potential of
-  // the step anew there. check: may be null.
+  // of limited rotation. Returns a feasible start of the step, at which the potential of the step
+  // has begun again. check: may be null.
   DirichletContinuation::Result follow(const Step& step, IterateCheck* check,
                                        const MinimizerProblem::Observer& observer);
 
  private:
-  struct Way {
+  struct Context {
     const Step& step;
     IterateCheck* check;
     const MinimizerProblem::Observer& observer;
   };
-  // along: h v + h^2 a and h v of the unknowns, of a part of the step; null without inertia.
-  struct Along {
-    VecX full, drift;
+  // Displacements of the unknowns in a substep: h v + h^2 a and h v.
+  struct FreeMotion {
+    VecX full, uniform;
   };
-  DirichletContinuation::Result move(const VecX& x, const VecX& places, const Along* along,
-                                     const Way& way);
-  DirichletContinuation::Result go_straight(const VecX& x, const VecX& places,
-                                 const std::vector<VecX>& ways, StepPotential& potential);
-  DirichletContinuation::Result walk(const VecX& x, const VecX& places, const Way& way);
+  // free_motion: null without inertia.
+  DirichletContinuation::Result move(const VecX& x, const VecX& targets,
+                                     const FreeMotion* free_motion, const Context& context);
+  DirichletContinuation::Result move_linearly(const VecX& x, const VecX& targets,
+                                              const std::vector<VecX>& displacements,
+                                              StepPotential& potential);
+  DirichletContinuation::Result run_continuation(const VecX& x, const VecX& targets,
+                                                 const Context& context);
 
   World& world_;
   const Minimizer& like_;
   PhaseClock& clock_;
   FeasibleSteps& steps_;
-  std::optional<DirichletContinuation> walk_;  // made when it is first needed
+  std::optional<DirichletContinuation> continuation_;  // empty until first needed
 };
 
 }  // namespace tack
