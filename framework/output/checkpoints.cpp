@@ -30,7 +30,7 @@ void check_meshes(const fs::path& path, const StateFile& file, const World& worl
     const std::string what = there == file.file_meshes.end() ? "it has none there" : difference(there->second, here);
     if (what.empty()) continue;
     throw InputError(fmt::format("{}: object '{}' had another mesh ({}); resume with the mesh file of that run, or start "
-                                 "anew without --resume", path.string(), object, what));
+                                 "again without --resume", path.string(), object, what));
   }
 }
 
@@ -38,7 +38,7 @@ void check_plugins(const fs::path& path, const StateFile& file) {
   for (const auto& [plugin, checksum] : plugin_checksums()) {
     const auto there = file.plugins.find(plugin);
     if (there == file.plugins.end() || there->second == checksum) continue;
-    throw InputError(fmt::format("{}: plugin '{}' was built anew since then; resume with the library of that run, or start anew without "
+    throw InputError(fmt::format("{}: plugin '{}' was rebuilt since then; resume with the library of that run, or start again without "
                                  "--resume", path.string(), plugin));
   }
 }
@@ -47,7 +47,7 @@ void check_files(const fs::path& path, const StateFile& file, const std::map<std
   for (const auto& [name, digest] : files) {
     const auto there = file.files.find(name);
     if (there == file.files.end() || there->second == digest) continue;
-    throw InputError(fmt::format("{}: file '{}' has changed since that run read it; resume with the file as it was, or start anew without --resume",
+    throw InputError(fmt::format("{}: file '{}' has changed since that run read it; resume with the old file, or start again without --resume",
                                  path.string(), name));
   }
 }
@@ -88,11 +88,11 @@ StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, c
   const fs::path newest = newest_checkpoint_in(folder.checkpoints());
   if (newest.empty())
     throw InputError(fmt::format("{}: there is no checkpoint to resume from; run with output.checkpoint_interval, "
-                                 "or start anew without --resume", folder.checkpoints().string()));
+                                 "or start again without --resume", folder.checkpoints().string()));
   StateFile file = read_state_file(newest, StateFile::Kind::checkpoint);
   if (file.scene != scene)
     throw InputError(fmt::format("{}: is of another scene ({}); resume with the scene of that run ({}), or start "
-                                 "anew without --resume", newest.string(), first_difference(file.scene, scene),
+                                 "again without --resume", newest.string(), first_difference(file.scene, scene),
                                  folder.scene().string()));
   check_meshes(newest, file, world);
   check_plugins(newest, file);

@@ -30,7 +30,7 @@ void refuse_duplicates(const fs::path& path, std::vector<std::string> columns) {
   const auto twice = std::adjacent_find(columns.begin(), columns.end());
   if (twice == columns.end()) return;
   throw InputError(
-      fmt::format("{}: two columns are called '{}'; rename one of them", path.string(), *twice));
+      fmt::format("{}: two columns are named '{}'; rename one of them", path.string(), *twice));
 }
 
 // Returns true for a text that spreadsheets would read as a formula, with or without apostrophes in
@@ -61,7 +61,7 @@ void for_each_line(const fs::path& path, const Act& act) {
     if (columns == 0) columns = cells.size();
     if (cells.size() != columns) {
       throw InputError(
-          fmt::format("{}: {} cells, but the header names {} columns; mend or remove "
+          fmt::format("{}: {} cells, but the header names {} columns; correct or remove "
                       "this line",
                       where, cells.size(), columns));
     }
@@ -74,7 +74,7 @@ std::vector<double> numbers(const std::vector<std::string>& cells, const std::st
   std::vector<double> row;
   for (const std::string& cell : cells) {
     const auto number = csv_number(cell);
-    if (!number) throw InputError(fmt::format("{}: '{}' is no number; mend or remove this line", where, cell));
+    if (!number) throw InputError(fmt::format("{}: '{}' is not a number; correct or remove this line", where, cell));
     row.push_back(*number);
   }
   return row;
@@ -143,7 +143,7 @@ CsvTexts read_csv_texts(const fs::path& path) {
 
 CsvTable rows_until(CsvTable table, double last_time, const std::string& name) {
   const auto time = table.column("time");
-  if (!time) throw InputError(name + ": a table without a column 'time' cannot be continued; start anew");
+  if (!time) throw InputError(name + ": a table without a column 'time' cannot be continued; start again");
   std::erase_if(table.rows, [&](const auto& row) { return !(row[*time] <= last_time); });
   return table;
 }

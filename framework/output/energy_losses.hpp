@@ -16,41 +16,41 @@
 namespace tack {
 
 struct EnergyLosses {
-  static constexpr double tolerated = 0.03;  // of what is at play
+  static constexpr double tolerated_fraction = 0.03;  // of the reference energy
   // Damping integrators bring slow prescribed motion and loading to rest, jumps included, as
   // intended. Their losses are reported if at least this fraction of the reference energy is
   // motion.
-  static constexpr double motion = 0.25;
+  static constexpr double moving_fraction_min = 0.25;
 
   // Sums of dissipated_numerics or dissipated_areas of one cause.
   struct Cause {
-    double lost = 0, made = 0;      // the most that was in any stretch of steps [J]
-    double losing = 0, making = 0;  // in the stretch up to now [J]
-    double sum = 0, in_contact = 0;  // lost less made [J]: in all steps, and in those with contact
-    TimeHistogram when;             // the same over time
+    double lost = 0, gained = 0;     // largest loss and gain in successive steps [J]
+    double losing = 0, gaining = 0;  // loss and gain in the present run of steps [J]
+    double sum = 0, in_contact = 0;  // net loss [J]: of all steps, and of those with contact
+    TimeHistogram over_time;         // net loss over time
 
     void add(const StepReport& report, double dissipated, double jerk, bool contact);
   };
   // Losses of a group of bodies.
   struct Group {
-    Cause integrator, repeated;         // areas of contact count with them
+    Cause integrator, repeated;  // include areas of contact
     double reference_energy = 0, moving = 0, noise = 0;
-    bool met_another = false;  // the group has met another one, and its own energy is not known
+    bool met_another = false;  // the group has met another one, so that its energy is unknown
 
     void add(const StepReport& report, const GroupFlow& flow);
   };
-  Cause areas;       // contact's areas, taken anew
-  Cause integrator;  // the rule of time integration
-  Cause repeated;    // implicit Euler, in steps that were done again with it
+  Cause areas;       // re-evaluated areas of contact
+  Cause integrator;  // time integration
+  Cause repeated;    // implicit Euler, in steps that were repeated with it
 
   double reference_energy = 0, moving = 0;  // J (core/reference_energy.hpp); its kinetic part
   double noise = 0;    // changes by solver tolerance, squared and summed [J^2]
   std::vector<Group> groups;  // empty: all bodies are one group
 
   void add(const StepReport& report);
-  // A line for each cause that made or lost more than is tolerated, the largest first; of groups
-  // with these names where there are several and none has met another.
-  std::vector<Warning> told(const TimeIntegrator& rule,
+  // Returns a warning for each cause that gained or lost more than is tolerated, the largest first.
+  // They are by group if there are several groups with these names and none has met another.
+  std::vector<Warning> warnings(const TimeIntegrator& rule,
                             const std::vector<std::string>& group_names = {}) const;
 
   // Calls act(name, cause) for each.

@@ -30,7 +30,7 @@ std::string owner(int file) {
 }
 
 // Attempts to lock; a failed one may only be due to another process that checks the lock.
-constexpr int looks = 3;
+constexpr int attempts = 3;
 
 bool lock(int file) { return ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
 
@@ -59,7 +59,7 @@ FolderLock::FolderLock(const fs::path& folder) {
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0) throw InputError(write_failure(path));
   bool locked = lock(file_);
-  for (int again = 0; !locked && again < looks; ++again) {
+  for (int again = 0; !locked && again < attempts; ++again) {
     ::usleep(1000);
     locked = lock(file_);
   }

@@ -41,26 +41,27 @@ std::vector<FrameFieldInfo> frame_fields() {
 
 namespace {
 
-struct OfForces {
+// A field of frames that is made of published forces.
+struct ForceField {
   const char* name;
   ForceDirection direction;
   std::string_view part;
-  enum { force, pressure, traction } what;
+  enum { force, pressure, traction } quantity;
 };
-constexpr OfForces of_forces[] = {{"contact_force", ForceDirection::normal, "", OfForces::force},
-                                  {"adhesion_force", ForceDirection::normal, "adhesion", OfForces::force},
-                                  {"friction_force", ForceDirection::tangential, "", OfForces::force},
-                                  {"contact_pressure", ForceDirection::normal, "", OfForces::pressure},
-                                  {"adhesion_pressure", ForceDirection::normal, "adhesion", OfForces::pressure},
-                                  {"friction_traction", ForceDirection::tangential, "", OfForces::traction}};
+constexpr ForceField force_fields[] = {{"contact_force", ForceDirection::normal, "", ForceField::force},
+                                  {"adhesion_force", ForceDirection::normal, "adhesion", ForceField::force},
+                                  {"friction_force", ForceDirection::tangential, "", ForceField::force},
+                                  {"contact_pressure", ForceDirection::normal, "", ForceField::pressure},
+                                  {"adhesion_pressure", ForceDirection::normal, "adhesion", ForceField::pressure},
+                                  {"friction_traction", ForceDirection::tangential, "", ForceField::traction}};
 
-VecX values_of(const OfForces& field, const World& world, const VecX& x) {
+VecX values_of(const ForceField& field, const World& world, const VecX& x) {
   if (!world.records.has_forces(field.direction)) return {};
   VecX forces = VecX::Zero(x.size());
   world.records.add_forces(field.direction, x, field.part, forces);
   world.collect_on_meshes(forces);
-  if (field.what == OfForces::force) return forces;
-  if (field.what == OfForces::traction) return tangential_tractions(world, x, forces);
+  if (field.quantity == ForceField::force) return forces;
+  if (field.quantity == ForceField::traction) return tangential_tractions(world, x, forces);
   return (field.part.empty() ? 1 : -1) * normal_pressures(world, x, forces, field.part);
 }
 
@@ -81,7 +82,7 @@ VecX published(const std::string& name, const World& world, const VecX& x) {
 
 // Returns a field by its name; empty if the scene has none.
 VecX values_of(const std::string& name, const World& world, const State& state) {
-  for (const OfForces& field : of_forces)
+  for (const ForceField& field : force_fields)
     if (field.name == name) return values_of(field, world, state.x);
   if (name == "velocity") return state.v;
   if (name == "displacement") return state.x - world.rest;

@@ -40,7 +40,7 @@ void OutputConfig::fields(Fields& f) {
   f.check("gradients", [this]() -> std::string {
     std::vector<std::string> names;
     for (const GradientConfig& g : gradients) {
-      if (std::find(names.begin(), names.end(), g.name()) != names.end()) return "two of them are called '" + g.name() + "'; give one another name (as)";
+      if (std::find(names.begin(), names.end(), g.name()) != names.end()) return "two of them are named '" + g.name() + "'; rename one of them (as)";
       names.push_back(g.name());
     }
     return "";

@@ -29,7 +29,7 @@ ProbesCsv ProbesCsv::continued(std::filesystem::path path, const std::vector<std
   if (before.columns == expected.columns) return ProbesCsv(std::move(path), std::move(before));
   throw InputError(
       fmt::format("{}: has other columns than this scene's probes ({}); resume with the "
-                  "scene of that run, or start anew",
+                  "scene of that run, or start again",
                   path.string(), fmt::join(expected.columns, ", ")));
 }
 

@@ -75,7 +75,7 @@ PvdFile PvdFile::continued(std::filesystem::path path, double last_time) {
     const char* end = time_text ? time_text->data() + time_text->size() : nullptr;
     if (!file || !time_text || std::from_chars(time_text->data(), end, time).ptr != end) {
       throw InputError(
-          fmt::format("{}: '{}' is no frame of a run; start the run anew instead of "
+          fmt::format("{}: '{}' is not a frame of a run; start the run again instead of "
                       "resuming it",
                       list.path_.string(), line));
     }

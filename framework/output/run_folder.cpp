@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Moving the working directory would break relative paths.
-bool holds_working_directory(const fs::path& folder) {
+bool contains_working_directory(const fs::path& folder) {
   const fs::path here = fs::weakly_canonical(fs::current_path());
   const auto differing = std::mismatch(folder.begin(), folder.end(), here.begin(), here.end());
   return differing.first == folder.end();
@@ -48,12 +48,13 @@ fs::path real_path(const fs::path& root) {
       fmt::format("{}: {}; choose another results folder with -o", root.string(), why));
 }
 
-std::optional<fs::path> make_way(const fs::path& root) {
-  if (holds_working_directory(root)) refuse_folder(root, "is the working directory or holds it");
+// Moves an earlier run at the path aside. Throws InputError for other contents.
+std::optional<fs::path> clear_path(const fs::path& root) {
+  if (contains_working_directory(root)) refuse_folder(root, "is the working directory or contains it");
   if (!fs::exists(root)) return std::nullopt;
   if (!fs::is_directory(root)) refuse_folder(root, "is a file");
   if (FolderLock::marked(root)) return move_aside(root);
-  if (!fs::is_empty(root)) refuse_folder(root, "holds something other than a run of tack");
+  if (!fs::is_empty(root)) refuse_folder(root, "contains other files than those of a run of tack");
   return std::nullopt;
 }
 
@@ -62,7 +63,7 @@ std::optional<fs::path> make_way(const fs::path& root) {
 RunFolder RunFolder::create(const fs::path& root) {
   try {
     RunFolder made(real_path(root));
-    made.moved_aside_ = make_way(made.root_);
+    made.moved_aside_ = clear_path(made.root_);
     fs::create_directories(made.root_);
     made.lock_ = std::make_shared<FolderLock>(made.root_);
     return made;
@@ -85,10 +86,10 @@ RunFolder RunFolder::open(const fs::path& root) {
 
 fs::path RunFolder::default_root(std::string_view scene_name) {
   std::string name(scene_name);
-  const auto troubles = [](unsigned char c) {
+  const auto is_unsafe = [](unsigned char c) {
     return c < 0x80 && !std::isalnum(c) && c != '-' && c != '_' && c != '.';
   };
-  std::replace_if(name.begin(), name.end(), troubles, '_');
+  std::replace_if(name.begin(), name.end(), is_unsafe, '_');
   if (name.empty()) name = "scene";
   if (name.front() == '.') name.front() = '_';
   return fs::path("results") / name;

@@ -12,7 +12,7 @@ std::string check_window(const std::vector<double>& over) {
 
 std::string check_abscissa(const SpecifiedStatistic& e) {
   const bool at = e.query.statistic == Statistic::at;
-  if (at && !e.where) return "statistic 'at' needs where, the value of along at which to look";
+  if (at && !e.where) return "statistic 'at' needs where, the value of along at which it is taken";
   if (!at && e.where) return "only statistic 'at' uses it; remove it or change the statistic";
   return "";
 }

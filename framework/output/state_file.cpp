@@ -127,7 +127,7 @@ void read_history(const Json& json, History& history) {
     array.at("values").get_to(read.values);
     array.at("keys").get_to(read.keys);
     if (read.width < 1 || read.values.size() % read.width != 0)
-      throw InputError(fmt::format("its history '{}' is of no shape", name));
+      throw InputError(fmt::format("its history '{}' has no valid shape", name));
   }
 }
 
@@ -235,7 +235,7 @@ FlowedMesh flowed_of(const Json& json) {
       return std::all_of(e.begin(), e.end(), [&](int v) { return v >= 0 && v < vertices; });
     });
   };
-  if (volumes.size() != n || shapes.size() != 9 * n || !fits(flowed.mesh.tets) || !fits(flowed.surface)) throw InputError("the mesh of an object that flowed is of no shape");
+  if (volumes.size() != n || shapes.size() != 9 * n || !fits(flowed.mesh.tets) || !fits(flowed.surface)) throw InputError("the mesh of a remeshed object is invalid");
   for (size_t t = 0; t < n; ++t) flowed.references.push_back({Eigen::Map<const Mat3>(&shapes[9 * t]), volumes[t]});
   return flowed;
 }
@@ -275,15 +275,15 @@ Json content_of(const std::filesystem::path& path) {
   if (text.starts_with(format)) std::from_chars(text.data() + format.size(), text.data() + text.size(), number);
   // Version 1 was a map without header line, with the format's name inside.
   else if (text.find("tack state") != text.npos && text.find("whole_steps") != text.npos) number = 1;
-  if (number == 0) refuse_file(path, "is not a whole file of `tack run --dump-problem` or output.checkpoint_interval; "
-                               "write it anew");
+  if (number == 0) refuse_file(path, "is not a complete file of `tack run --dump-problem` or output.checkpoint_interval; "
+                               "write it again");
   if (number != version)
-    refuse_file(path, fmt::format("has version {} of the format, and this program reads version {}; write it anew",
+    refuse_file(path, fmt::format("has version {} of the format, and this program reads version {}; write it again",
                                   number, version));
   const std::string_view content = std::string_view(text).substr(line_end + 1);
   if (line_end == text.npos ||
       text.substr(0, line_end + 1) != head_of(version, crc32_of(content.data(), content.size()), content.size()))
-    refuse_file(path, "is damaged or cut short (its checksum is not that of its content); write it anew");
+    refuse_file(path, "is damaged or cut short (its checksum is not that of its content); write it again");
   return Json::from_cbor(content);
 }
 
@@ -336,7 +336,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
       for (const auto& [object, flowed] : json["flowed"].items()) file.flowed[object] = flowed_of(flowed);
     if (json.contains("remeshings")) file.remeshings = remeshings_of(json["remeshings"]);
   } catch (const Json::exception& error) {
-    refuse_file(path, fmt::format("is damaged ({}); write it anew", error.what()));
+    refuse_file(path, fmt::format("is damaged ({}); write it again", error.what()));
   }
   return file;
 }
@@ -345,11 +345,11 @@ void check_size(const StateFile& file, Eigen::Index vertices, const std::string&
   const State& s = file.state;
   for (const VecX* field : {&s.x, &s.v, &s.a})
     if (field->size() != 3 * vertices)
-      refuse_file(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it anew",
+      refuse_file(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it again",
                                field->size(), vertices));
   for (const VecX* field : {&s.x_motion_start, &s.x_before, &s.v_before, &s.contact, &s.contact_before, &s.energy.gradient})
     if (field->size() != 0 && field->size() != 3 * vertices)
-      refuse_file(name, "its state does not fit its scene; write it anew");
+      refuse_file(name, "its state does not fit its scene; write it again");
 }
 
 }  // namespace tack

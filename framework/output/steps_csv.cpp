@@ -80,7 +80,7 @@ void StepsCsv::open(const StepReport& first) {
   if (!before_.columns.empty() && before_.columns != columns) {
     throw InputError(
         fmt::format("{}: has other columns than this scene writes ({}); resume with "
-                    "the scene of that run, or start anew",
+                    "the scene of that run, or start again",
                     path_.string(), fmt::join(columns, ", ")));
   }
   before_.columns = columns;

@@ -83,7 +83,7 @@ OrderedJson energy_json(const RunSummary& s) {
   json["at_play"] = finite(s.losses.reference_energy);
   OrderedJson& causes = json["causes"] = OrderedJson::object();
   EnergyLosses::for_each(s.losses, [&](const char* name, const EnergyLosses::Cause& cause) {
-    causes[name] = {{"lost", finite(cause.lost)}, {"made", finite(cause.made)}, {"sum", finite(cause.sum)}, {"in_contact", finite(cause.in_contact)}};
+    causes[name] = {{"lost", finite(cause.lost)}, {"made", finite(cause.gained)}, {"sum", finite(cause.sum)}, {"in_contact", finite(cause.in_contact)}};
   });
   OrderedJson& groups = json["groups"] = OrderedJson::array();
   for (size_t g = 0; g < std::min(s.losses.groups.size(), s.group_names.size()); ++g) {
@@ -91,7 +91,7 @@ OrderedJson energy_json(const RunSummary& s) {
     groups.push_back({{"objects", s.group_names[g]},
                       {"at_play", finite(group.reference_energy)},
                       {"lost", finite(std::max(group.integrator.lost, group.repeated.lost))},
-                      {"made", finite(std::max(group.integrator.made, group.repeated.made))}});
+                      {"made", finite(std::max(group.integrator.gained, group.repeated.gained))}});
   }
   json["damped_steps"] = s.damped_steps;
   json["refined_steps"] = s.refined_steps;

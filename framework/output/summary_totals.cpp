@@ -9,8 +9,8 @@
 namespace tack {
 namespace {
 
-const std::string of_stepper = "stepper_";
-const std::string of_group = "group_";  // of bodies, by number
+const std::string stepper_prefix = "stepper_";
+const std::string group_prefix = "group_";  // of bodies, by number
 
 // Calls act(name, number) for every sum over the steps of a run.
 template <class Summary, class Act>
@@ -46,18 +46,18 @@ void for_each_total(Summary& s, const Act& act) {
   const auto of_cause = [&](const std::string& cause, auto& c) {
     const auto part = [&](const char* name, auto& number) { act(fmt::format("energy_{}_{}", cause, name), number); };
     part("lost", c.lost);
-    part("made", c.made);
+    part("made", c.gained);
     part("losing", c.losing);
-    part("making", c.making);
+    part("making", c.gaining);
     part("sum", c.sum);
     part("in_contact", c.in_contact);
-    part("bin", c.when.width);
-    for (std::size_t i = 0; i < c.when.sums.size(); ++i) act(fmt::format("energy_{}_in_bin_{}", cause, i), c.when.sums[i]);
+    part("bin", c.over_time.width);
+    for (std::size_t i = 0; i < c.over_time.sums.size(); ++i) act(fmt::format("energy_{}_in_bin_{}", cause, i), c.over_time.sums[i]);
   };
   EnergyLosses::for_each(s.losses, of_cause);
   for (std::size_t g = 0; g < s.losses.groups.size(); ++g) {
     auto& group = s.losses.groups[g];
-    const std::string name = fmt::format("{}{}_", of_group, g);
+    const std::string name = fmt::format("{}{}_", group_prefix, g);
     of_cause(name + "integrator", group.integrator);
     of_cause(name + "repeated", group.repeated);
     act("energy_" + name + "at_play", group.reference_energy);
@@ -74,12 +74,12 @@ void for_each_total(Summary& s, const Act& act) {
 std::map<std::string, double> totals_of(const RunSummary& summary) {
   std::map<std::string, double> totals;
   for_each_total(summary, [&](const std::string& name, auto number) { totals[name] = static_cast<double>(number); });
-  for (const auto& [name, number] : summary.stepper) totals[of_stepper + name] = number;
+  for (const auto& [name, number] : summary.stepper) totals[stepper_prefix + name] = number;
   return totals;
 }
 
 void set_totals(RunSummary& summary, const std::map<std::string, double>& totals) {
-  const std::string prefix = "energy_" + of_group;
+  const std::string prefix = "energy_" + group_prefix;
   for (const auto& [name, total] : totals)
     if (name.starts_with(prefix)) summary.losses.groups.resize(std::max(summary.losses.groups.size(), std::stoul(name.substr(prefix.size())) + 1));
   // Flows that a stepper publishes are unknown before the stepper exists.
@@ -92,7 +92,7 @@ void set_totals(RunSummary& summary, const std::map<std::string, double>& totals
     if (const auto found = totals.find(name); found != totals.end()) number = static_cast<Number>(found->second);
   });
   for (const auto& [name, number] : totals)
-    if (name.starts_with(of_stepper)) summary.stepper[name.substr(of_stepper.size())] = number;
+    if (name.starts_with(stepper_prefix)) summary.stepper[name.substr(stepper_prefix.size())] = number;
 }
 
 }  // namespace tack

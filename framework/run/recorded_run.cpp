@@ -369,7 +369,7 @@ void RecordedRun::finish(const ProbeSeries* series) {
   finish_dump();
   if (gradients_)
     for (const Warning& warning : gradients_->warnings()) warn(warning);
-  for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator, summary_.group_names)) warn(warning);
+  for (const Warning& warning : summary_.losses.warnings(*experiment_.time.integrator, summary_.group_names)) warn(warning);
   warn_of_resolution();
   add_up_phases();
   for (const double s : summary_.phases) summary_.wall_seconds += s;

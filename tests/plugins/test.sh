@@ -170,5 +170,5 @@ sed -i "s|\[build/libunoptimised.so, [^]]*\]|[changing.so]|" "$scene"
 echo >>changing.so
 code=0
 message=$("${run[@]}" --resume 2>&1) || code=$?
-((code == 2)) && grep -q "plugin '$scratch/elsewhere/changing.so' was built anew since then" <<<"$message" || fail "a plugin that was built anew: $code: $message"
+((code == 2)) && grep -q "plugin '$scratch/elsewhere/changing.so' was rebuilt since then" <<<"$message" || fail "a rebuilt plugin: $code: $message"
 rm -rf "$scratch"

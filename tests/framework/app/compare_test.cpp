@@ -136,7 +136,7 @@ TEST_CASE("mistakes in a comparison are reported with their location, and nothin
   CHECK(contains(error_of("name: weak", "name: clamp"), "two solvers are named 'clamp'"));
   CHECK(contains(error_of("base: scene.yaml", "base: nowhere.yaml"), "nowhere.yaml"));
   CHECK(contains(error_of("base: scene.yaml\n", ""), "give an experiment (base, bases) or stored steps (problems)"));
-  CHECK(contains(error_of("base: scene.yaml", "problems: [scene.yaml]"), "is not a whole file of `tack run --dump-problem`"));
+  CHECK(contains(error_of("base: scene.yaml", "problems: [scene.yaml]"), "is not a complete file of `tack run --dump-problem`"));
   CHECK(contains(error_of("5 ms", "7 ms"), "tiny: a time step of 0.007 s does not divide the 0.03 s"));
 }
 

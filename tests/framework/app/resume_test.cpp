@@ -297,7 +297,7 @@ TEST_CASE("a run is not resumed once a file that its scene reads has changed") {
     const ProgramResult refused = go({"--resume"});
     INFO(refused.out << refused.err);
     CHECK(refused.exit_code == 2);
-    CHECK(contains(refused.err, (folder.path() / name).string() + "' has changed since that run read it; resume with the file as it was"));
+    CHECK(contains(refused.err, (folder.path() / name).string() + "' has changed since that run read it; resume with the old file"));
     write_file(folder.path() / name, contents[0]);
   }
   CHECK(go({"--resume"}).exit_code == 0);

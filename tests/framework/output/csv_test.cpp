@@ -50,7 +50,7 @@ TEST_CASE("csv numbers read back as the same bits") {
   CHECK_FALSE(table.column("none"));
 }
 
-TEST_CASE("an interrupted last line is left out, a broken line is an error") {
+TEST_CASE("an interrupted last line is skipped, and a malformed line is an error") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "t.csv";
   std::ofstream(path) << "time,a\r\n0,1\r\n1,2\n2,";
@@ -61,20 +61,20 @@ TEST_CASE("an interrupted last line is left out, a broken line is an error") {
   std::ofstream(path) << "time,a\n0,1\n1\n";
   CHECK_THROWS_WITH(read_csv(path), Catch::StartsWith(path.string() + ":3: 1 cells"));
   std::ofstream(path) << "time,a\n0,x\n";
-  CHECK_THROWS_WITH(read_csv(path), Catch::StartsWith(path.string() + ":2: 'x' is no number"));
+  CHECK_THROWS_WITH(read_csv(path), Catch::StartsWith(path.string() + ":2: 'x' is not a number"));
   std::ofstream(path) << "";
   CHECK_THROWS_AS(read_csv(path), InputError);
   CHECK_THROWS_AS(read_csv(folder.path() / "none.csv"), InputError);
   CHECK_THROWS_WITH(rows_until({{"a"}, {}}, 1, "t.csv"), Catch::StartsWith("t.csv: "));
 }
 
-TEST_CASE("a csv file names what is wrong") {
+TEST_CASE("errors of csv files name the cause") {
   const TemporaryFolder folder;
   const auto nowhere = folder.path() / "none" / "t.csv";
   CHECK_THROWS_WITH(CsvFile(nowhere, {{"a"}, {}}),
                     Catch::StartsWith(nowhere.string() + ": cannot be written"));
   CHECK_THROWS_WITH(CsvFile(folder.path() / "t.csv", {{"b", "a", "b"}, {}}),
-                    Catch::Contains("two columns are called 'b'"));
+                    Catch::Contains("two columns are named 'b'"));
   CsvFile file(folder.path() / "t.csv", {{"a", "b"}, {}});
   CHECK_THROWS_AS(file.add(std::vector<double>{1}), std::logic_error);
 }
@@ -93,7 +93,7 @@ TEST_CASE("a csv file of texts is read without its quotes") {
   CHECK_FALSE(csv_number("2.5 m"));
 }
 
-TEST_CASE("texts that spreadsheets take for formulas are marked in the file, and come back as they were") {
+TEST_CASE("texts like formulas are escaped in the file and read back unchanged") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "t.csv";
   const std::vector<std::string> texts = {"=cmd|'/C calc'!A0", "+1 kg", "-x, or y", "@sum", "'=1", "''-2", "'plain", "-5", "-1e-3", "a=b", "", "'",
@@ -110,7 +110,7 @@ TEST_CASE("texts that spreadsheets take for formulas are marked in the file, and
   for (const std::string& one : texts) CHECK((csv_number(one) || std::string("=+-@").find(csv_cell(one)[0]) == std::string::npos || one.empty()));
 }
 
-TEST_CASE("a cell of several lines that was cut off ends the table") {
+TEST_CASE("a truncated cell of several lines ends the table") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "t.csv";
   std::ofstream(path) << "a,b\n1,\"x\ny\"\n2,\"cut\n";

@@ -12,7 +12,7 @@ using namespace tack;
 
 namespace {
 
-// A held plate of 6 tets between two blocks of 6 and 12, the last one of two energies.
+// A fixed plate of 6 tets between two blocks of 6 and 12, the last one of two energies.
 std::string scene_of(const std::string& elements) {
   return "objects:\n"
     "  - {name: soft, shape: {type: box, size: [1, 1, 1]}, elements: " + elements + ", energies: [{type: stvk_hencky, young: 1e5, poisson: 0.25}]}\n"
@@ -23,7 +23,7 @@ std::string scene_of(const std::string& elements) {
 
 }  // namespace
 
-TEST_CASE("von Mises stress and plastic strain of every element, where there are any") {
+TEST_CASE("von Mises stress and plastic strain of every element that has them") {
   const std::string elements = GENERATE("linear", "composite", "patches");
   INFO(elements);
   TestScene s(scene_of(elements));

@@ -1,4 +1,4 @@
-// Messages at the end of a run about the energy that it gained or lost numerically.
+// Warnings at the end of a run about numerical energy gains and losses.
 #include "framework/output/energy_losses.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 const auto newmark = Registry<TimeIntegrator>::make("newmark"), euler = Registry<TimeIntegrator>::make("implicit_euler");
 
-// Step k of 10 ms of a run in which up to 2 J, 1 J of it kinetic, are at play.
+// Returns step k of 10 ms of a run with a reference energy of 2 J, 1 J of it kinetic.
 StepReport step(int k, double areas, double numerics) {
   StepReport r;
   r.step = k;
@@ -30,26 +30,26 @@ StepReport step(int k, double areas, double numerics) {
 
 }  // namespace
 
-TEST_CASE("losses: what is little of what was at play in the run is not told, however much it was at first", "[losses]") {
+TEST_CASE("losses: small losses are not reported, even if they were large at the beginning", "[losses]") {
   EnergyLosses losses;
-  losses.add(step(1, -1e-3, 0));  // all that is at play
-  for (int k = 2; k <= 20; ++k) losses.add(step(k, 0, k % 2 ? 0.05 : -0.05));  // which comes back
+  losses.add(step(1, -1e-3, 0));  // all of the present reference energy
+  for (int k = 2; k <= 20; ++k) losses.add(step(k, 0, k % 2 ? 0.05 : -0.05));  // alternating: the sum is zero
   CHECK(losses.reference_energy == 2);
-  CHECK(losses.told(*newmark).empty());
+  CHECK(losses.warnings(*newmark).empty());
 }
 
-TEST_CASE("losses: cause, amount and time are told, the largest first", "[losses]") {
+TEST_CASE("losses: warnings have cause, amount and time, the largest first", "[losses]") {
   EnergyLosses losses;
   for (int k = 1; k <= 40; ++k) losses.add(step(k, k == 7 ? -0.1 : 0, k > 30 ? 0.02 : 0.0001));
-  const auto told = losses.told(*newmark);
+  const auto told = losses.warnings(*newmark);
   REQUIRE(told.size() == 2);
   CHECK(told[0].kind == WarningKind::energy_integration);
-  CHECK(contains(first_text(told, WarningKind::energy_integration), "time integration lost 0.203 J, 10% of the most that was at play (2 J), most of it from t = 0.3 to 0.39 s: what turns"));
-  CHECK(contains(first_text(told, WarningKind::energy_areas), "areas of contact made 0.1 J, 5% of the most that was at play (2 J), most of it from t = 0.06 to 0.07 s: covered areas"));
+  CHECK(contains(first_text(told, WarningKind::energy_integration), "time integration lost 0.203 J, 10% of the reference energy (2 J), mainly from t = 0.3 to 0.39 s: what turns"));
+  CHECK(contains(first_text(told, WarningKind::energy_areas), "areas of contact gained 0.1 J, 5% of the reference energy (2 J), mainly from t = 0.06 to 0.07 s: covered areas"));
   CHECK(losses.areas.sum == Approx(-0.1));
 }
 
-TEST_CASE("losses: repeated steps, contact and scripts that set in with a jerk are told apart", "[losses]") {
+TEST_CASE("losses: repeated steps, contact and jerks of prescribed motions count separately", "[losses]") {
   EnergyLosses losses;
   for (int k = 1; k <= 4; ++k) {
     StepReport r = step(k, 0, 0.1);
@@ -58,13 +58,13 @@ TEST_CASE("losses: repeated steps, contact and scripts that set in with a jerk a
     losses.add(r);
   }
   CHECK(losses.repeated.lost == Approx(0.2));
-  first_text(losses.told(*newmark), WarningKind::energy_repeats);
+  first_text(losses.warnings(*newmark), WarningKind::energy_repeats);
   CHECK(losses.integrator.lost == Approx(0.2));
   CHECK(losses.integrator.in_contact == Approx(0.1));
   StepReport jerk = step(5, 0, -0.5);
   jerk.flows.jerk = 0.5;
   losses.add(jerk);
-  CHECK(losses.integrator.made == 0);
+  CHECK(losses.integrator.gained == 0);
 }
 
 TEST_CASE("losses: three groups are named, the others counted", "[losses]") {
@@ -78,23 +78,23 @@ TEST_CASE("losses: three groups are named, the others counted", "[losses]") {
     report.flows.groups.push_back(flow);
   }
   losses.add(report);
-  const auto told = losses.told(*newmark, names);
+  const auto told = losses.warnings(*newmark, names);
   REQUIRE(told.size() == 4);
   for (const int i : {0, 1, 2}) CHECK(told[i].subject == names[4 - i]);
   CHECK(contains(first_text(told, WarningKind::energy_further_groups), "2 more groups"));
 }
 
-TEST_CASE("losses: where hardly anything moves, integrators that damp may", "[losses]") {
+TEST_CASE("losses: losses of damping integrators are accepted if hardly anything moves", "[losses]") {
   EnergyLosses losses;
   for (int k = 1; k <= 4; ++k) losses.add(step(k, 0, 0.5));
-  CHECK(losses.told(*newmark).size() == 1);
-  CHECK(losses.told(*euler).size() == 1);
+  CHECK(losses.warnings(*newmark).size() == 1);
+  CHECK(losses.warnings(*euler).size() == 1);
   losses.moving = 0.1;
-  CHECK(losses.told(*newmark).size() == 1);
-  CHECK(losses.told(*euler).empty());
+  CHECK(losses.warnings(*newmark).size() == 1);
+  CHECK(losses.warnings(*euler).empty());
 }
 
-TEST_CASE("losses: a run's sums go on where its checkpoint was", "[losses]") {
+TEST_CASE("losses: sums continue from a checkpoint", "[losses]") {
   RunSummary whole, first, second;
   for (int k = 1; k <= 200; ++k) {
     const StepReport r = step(k, k % 3 - 1.1, 0.1 * k);
@@ -103,8 +103,8 @@ TEST_CASE("losses: a run's sums go on where its checkpoint was", "[losses]") {
     if (k == 90) set_totals(second, totals_of(first));
   }
   CHECK(totals_of(second) == totals_of(whole));
-  REQUIRE(whole.losses.told(*newmark).size() == 2);
-  for (int i : {0, 1}) CHECK(second.losses.told(*newmark)[i].text == whole.losses.told(*newmark)[i].text);
+  REQUIRE(whole.losses.warnings(*newmark).size() == 2);
+  for (int i : {0, 1}) CHECK(second.losses.warnings(*newmark)[i].text == whole.losses.warnings(*newmark)[i].text);
 }
 
 TEST_CASE("losses: a histogram of time grows with the run", "[losses]") {
@@ -120,13 +120,13 @@ TEST_CASE("losses: a histogram of time grows with the run", "[losses]") {
   CHECK(when.densest(1).second == Approx(64 * 0.16));  // there is none
 }
 
-// Runs without a message, and runs that need one.
-TEST_CASE("losses: a run is judged by what was at play in all of it", "[losses]") {
+// Runs with and without a warning.
+TEST_CASE("losses: the reference energy is that of the whole run", "[losses]") {
   const auto told = [](const std::string& yaml, double duration) {
     TestRun run(yaml);
     RunSummary summary;
     while (run.state().time < duration * (1 - 1e-9)) summary.add(run.step());
-    std::vector<Warning> warnings = summary.losses.told(*run.config.time.integrator);
+    std::vector<Warning> warnings = summary.losses.warnings(*run.config.time.integrator);
     std::copy_if(run.warnings.begin(), run.warnings.end(), std::back_inserter(warnings), [](const Warning& w) { return w.kind == WarningKind::energy_growth; });
     return warnings;
   };
@@ -141,7 +141,7 @@ TEST_CASE("losses: a run is judged by what was at play in all of it", "[losses]"
   SECTION("a block in free flight") {
     CHECK(told("time: {step: 2 ms, duration: 1, integrator: newmark}\n" + solver + "gravity: [0, -9.81, 0]\nobjects:\n" + block, 0.02).empty());
   }
-  // It meets the range of adhesion with next to no energy, and leaves with all of it.
+  // The plate enters the range of adhesion with hardly any energy, and leaves it with all of it.
   SECTION("plates that meet and part") {
     CHECK(told("time: {step: 10 ms, duration: 1}\n" + solver + "objects:\n" + floor +
                    "  - {name: plate, shape: {type: box, size: [0.02, 0.005, 0.02], cells: [3, 1, 3]}, place: {translate: [0, 8.5 mm, 0]},\n"

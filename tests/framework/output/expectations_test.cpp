@@ -51,7 +51,7 @@ TEST_CASE("an expectation is read from a scene file") {
         "p: integral along x");
 }
 
-TEST_CASE("the echo of an expectation binds to the same expectation") {
+TEST_CASE("a written expectation reads back as the same expectation") {
   for (const char* yaml : {"{probe: p, statistic: mean, over: [1, 2], target: 3, within: 5 %}",
                            "{probe: p, statistic: at, along: q, where: 0, at_least: 1e-3}"}) {
     Expectation e = expectation(yaml);
@@ -76,7 +76,7 @@ TEST_CASE("a target is met within an absolute or a relative tolerance, ends incl
   CHECK_FALSE(judged(exact, 0.1 + 1e-17 * 4).pass);
 }
 
-TEST_CASE("the result of a target tells value, target, tolerance and interval") {
+TEST_CASE("the result of a target has value, target, tolerance and interval") {
   const ExpectationResult r =
       judged("{name: pull, probe: p, statistic: max, target: 20, within: 10%}", 17);
   CHECK(r.name == "pull");
@@ -108,7 +108,7 @@ TEST_CASE("bounds may be open on one side") {
   CHECK(std::isnan(judged(both, 1).tolerance));
 }
 
-TEST_CASE("nothing passes without a number to compare") {
+TEST_CASE("an expectation without a finite value fails") {
   const double nan_value = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const std::string least = "{probe: p, statistic: max, at_least: 2}";
@@ -133,7 +133,7 @@ TEST_CASE("columns are checked before the run") {
   CHECK_THROWS_AS(check_columns(e, {"time", "gap"}), InputError);
 }
 
-TEST_CASE("numbers of an expectation may carry a unit of their column's kind") {
+TEST_CASE("numbers of an expectation may have a unit of their column's dimension") {
   const Expectation e = expectation("{probe: p, statistic: at, along: time, where: 20 ms, target: 1.5 kN, within: 5 N}");
   CHECK(double(*e.where) == 0.02);
   CHECK(double(*e.target) == 1500);
@@ -146,7 +146,7 @@ TEST_CASE("numbers of an expectation may carry a unit of their column's kind") {
   CHECK(double(*work.at_most) == Approx(2e-3));
 }
 
-TEST_CASE("units of another kind than the column's are refused before the run") {
+TEST_CASE("units of another dimension than the column's are refused before the run") {
   const std::vector<std::string> columns = {"time", "p", "x", "n"};
   const std::vector<Unit> units = {units::time, units::force, units::length, units::none};
   const auto wrong = [&](const std::string& yaml) -> std::string {
@@ -176,7 +176,7 @@ TEST_CASE("units of another kind than the column's are refused before the run") 
              Catch::Contains("at_least: expects an integral (N m), got '1 N', which is a force"));
 }
 
-TEST_CASE("an expectation must say in one way what is accepted") {
+TEST_CASE("an expectation must have exactly one criterion") {
   const auto with = [](const std::string& rest) {
     return bind_error("{probe: p, statistic: max" + rest + "}");
   };
@@ -191,7 +191,7 @@ TEST_CASE("an expectation must say in one way what is accepted") {
   CHECK_THAT(with(", target: 1, within: [1, 2]"), Catch::Contains("got a list of 2"));
 }
 
-TEST_CASE("an expectation refuses what its statistic does not use") {
+TEST_CASE("keys that a statistic does not use are refused") {
   CHECK_THAT(bind_error("{probe: p, at_most: 1}"), Catch::Contains("missing key 'statistic'"));
   CHECK_THAT(bind_error("{statistic: max, at_most: 1}"), Catch::Contains("missing key 'probe'"));
   CHECK_THAT(bind_error("{probe: p, statistic: at, at_most: 1}"),
@@ -230,7 +230,7 @@ class Measured {
 
 }  // namespace
 
-TEST_CASE("a run is held against a measured curve") {
+TEST_CASE("a run is compared with a measured curve") {
   const Measured file("q [mm], p [N]\n500, 5\n1000, 8\n2000, 5\n");
   const ExpectationResult mean = file.judged("deviation");
   CHECK(mean.value == Approx(0.25 / 3));
@@ -244,7 +244,7 @@ TEST_CASE("a run is held against a measured curve") {
   CHECK(name_of(expectation("{probe: p, statistic: deviation, along: q, at_most: 1, follows: {file: /a/load.csv}}")) == "p: deviation from load.csv along q");
 }
 
-TEST_CASE("measured data that a run does not cover, or that are gone, are no deviation of zero") {
+TEST_CASE("unreached points and missing files of measured data fail the expectation") {
   const Measured beyond("q [mm], p [N]\n500, 5\n3100, 0\n");
   CHECK_FALSE(beyond.judged("deviation").pass);
   CHECK_THAT(beyond.judged("deviation").text, Catch::Contains("does not pass 1 of 2 measured points, the first at") && Catch::Contains("load.csv:3 (q = 3.1): q goes from 0 to 3"));

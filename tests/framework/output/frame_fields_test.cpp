@@ -47,7 +47,7 @@ struct Framed {
   double law(const std::string& name, double gap) const {
     const PairTable& pairs = scene.world->contact->pairs();
     const int a = scene.world->body_index(name);
-    const int law = body(name).triangles.empty() ? pairs.thin(a, 0).law : pairs.point(a, 0).law;
+    const int law = body(name).triangles.empty() ? pairs.codimensional(a, 0).law : pairs.point(a, 0).law;
     return -pairs.laws()[law].at(gap).slope;
   }
   // Vertices of a body at the height y.
@@ -69,7 +69,7 @@ const std::string block = "  - {name: block, shape: {type: box, size: [1, 1, 1],
 
 }  // namespace
 
-TEST_CASE("a block that is pressed evenly has one contact pressure, to its rim", "[fields]") {
+TEST_CASE("an evenly pressed block has uniform contact pressure up to its edges", "[fields]") {
   Framed f(block, "pairs: []");
   const VecX pressure = f.field("contact_pressure"), force = f.field("contact_force", 3);
   double total = 0;
@@ -84,7 +84,7 @@ TEST_CASE("a block that is pressed evenly has one contact pressure, to its rim",
   for (const int v : f.at_height("block", 0.501)) CHECK(std::isnan(pressure(v)) == (std::hypot(f.state.x(3 * v), f.state.x(3 * v + 2)) < 0.4));
 }
 
-TEST_CASE("adhesion pulls with a positive pressure of its own, and counts as negative in that of contact", "[fields]") {
+TEST_CASE("adhesion pressure is positive in tension, and contact pressure is then negative", "[fields]") {
   std::string far = block;
   far.replace(far.find("0.501"), 5, "0.503");  // beyond the barrier
   Framed f(far, "pairs: [{between: [block, floor], adhesion: {type: fang, peak_traction: 3 kPa}}]");
@@ -100,7 +100,7 @@ TEST_CASE("adhesion pulls with a positive pressure of its own, and counts as neg
   }
 }
 
-TEST_CASE("what has no inside is pulled with a positive pressure of adhesion as well", "[fields]") {
+TEST_CASE("adhesion pressure of sheets, rods and particles is positive in tension", "[fields]") {
   Framed f("  - {name: rod, shape: {type: segment, length: 1, edges: 4}, rod: {radius: 5 mm}, place: {translate: [0, 0.003, 1]}, energies: [{type: elastic_rod, young: 1e9}]}\n"
            "  - {name: dust, shape: {type: points, size: [1, 0, 1], counts: [2, 1, 2]}, particle: {radius: 5 mm}, place: {translate: [0, 0.003, -1]}, energies: [particle]}\n"
            "  - {name: sheet, shape: {type: grid, size: [1, 1], cells: [4, 4]}, shell: {thickness: 1 mm}, place: {translate: [1.3, 0.003, 0]}, energies: [{type: stvk_membrane, young: 1e6}]}\n"
@@ -120,7 +120,7 @@ TEST_CASE("what has no inside is pulled with a positive pressure of adhesion as 
   }
 }
 
-TEST_CASE("friction's traction is mu times the pressure of what slides", "[fields]") {
+TEST_CASE("friction traction of sliding surfaces is mu times the pressure", "[fields]") {
   Framed f(block, "pairs: []");
   VecX moved = f.state.x;
   for (int v = f.body("block").first_vertex; v < f.body("block").first_vertex + f.body("block").vertex_count; ++v) moved(3 * v) += 1e-4;
@@ -158,7 +158,7 @@ TEST_CASE("rods, particles, sheets and affine bodies have pressures and gaps", "
   check("stone", 0.001, 0.25);
 }
 
-TEST_CASE("stretches and stresses of elements by their strains", "[fields]") {
+TEST_CASE("stretches and stresses of elements agree with prescribed strains", "[fields]") {
   TestScene s(
       "objects:\n"
       "  - {name: solid, shape: {type: box, size: [1, 1, 1]}, energies: [{type: stvk_hencky, young: 1e5, poisson: 0}]}\n"
@@ -192,7 +192,7 @@ TEST_CASE("stretches and stresses of elements by their strains", "[fields]") {
   CHECK(std::isnan(fields[0].values(3 * (tets + triangles) + 1)));
 }
 
-TEST_CASE("a field that is not there is refused with the nearest name", "[fields]") {
+TEST_CASE("an unknown field is refused with the nearest name", "[fields]") {
   OutputConfig config;
   const Fields fields = fields_of(config);
   const auto told = [&] {

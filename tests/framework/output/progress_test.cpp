@@ -9,7 +9,7 @@ using namespace tack;
 
 namespace {
 
-// A run of 10 s told to strings, by a clock set by hand.
+// A run of 10 s whose progress goes to strings, with a clock set by the test.
 struct Told {
   std::ostringstream out;
   std::ostringstream log;
@@ -39,7 +39,7 @@ const std::string line_120 =
 
 }  // namespace
 
-TEST_CASE("a step is told in one line") {
+TEST_CASE("a step is reported in one line") {
   Told told(Verbosity::verbose);
   told.now += 60;
   told.progress.step(report(120, 4));
@@ -47,7 +47,7 @@ TEST_CASE("a step is told in one line") {
   CHECK(told.log.str() == line_120 + "\n");
 }
 
-TEST_CASE("the line of a step tells trouble and leaves out what is unknown") {
+TEST_CASE("the line of a step reports cutbacks and non-convergence, and omits unknown values") {
   Told told(Verbosity::verbose);
   StepReport r = report(1, 0);
   r.solve.iterations = 1;
@@ -68,7 +68,7 @@ TEST_CASE("progress shows the self-distance of an object if no other object is n
   CHECK(told.out.str() == "step 1  t 0 s (0%)  4 iterations  310 contacts  self-distance 1e-05 m\n");
 }
 
-TEST_CASE("the time that is left is told in fitting units") {
+TEST_CASE("the remaining time is shown in suitable units") {
   Told told(Verbosity::verbose);
   told.now += 4;
   told.progress.step(report(1, 5));
@@ -78,7 +78,7 @@ TEST_CASE("the time that is left is told in fitting units") {
   CHECK_THAT(told.out.str(), Catch::EndsWith("  2h00m left\n"));
 }
 
-TEST_CASE("without a terminal a run takes at most twenty lines, the log has all") {
+TEST_CASE("without a terminal a run prints at most twenty lines, and the log has all") {
   Told told(Verbosity::normal);
   for (int step = 1; step <= 1000; ++step) told.progress.step(report(step, step * 0.01));
   const std::string out = told.out.str();
@@ -90,7 +90,7 @@ TEST_CASE("without a terminal a run takes at most twenty lines, the log has all"
   CHECK(std::count(log.begin(), log.end(), '\n') == 1000);
 }
 
-TEST_CASE("verbosity decides what the terminal shows, not what the log holds") {
+TEST_CASE("verbosity controls the terminal and not the log") {
   for (const Verbosity v : {Verbosity::quiet, Verbosity::normal, Verbosity::verbose}) {
     Told told(v);
     told.progress.message("m");
@@ -126,7 +126,7 @@ TEST_CASE("the live line is rewritten at most ten times a second") {
   CHECK(told.log.str().find('\r') == std::string::npos);
 }
 
-TEST_CASE("the live line gives way to messages and to the end") {
+TEST_CASE("messages and the end erase the live line") {
   Told told(Verbosity::normal, 120);
   told.now += 60;
   told.progress.step(report(120, 4));
@@ -147,7 +147,7 @@ TEST_CASE("the live line never wraps") {
   CHECK(told.out.str() == "\r" + line_120.substr(0, 20) + "\x1b[K");
 }
 
-TEST_CASE("a step that takes long tells an iteration after every five seconds of silence") {
+TEST_CASE("a long step shows an iteration after every five seconds without output") {
   const std::string line = "step 8  t 4 s (40%)  iteration 31  residual 12.5";
   for (const Verbosity v : {Verbosity::quiet, Verbosity::normal, Verbosity::verbose}) {
     Told told(v);
@@ -167,14 +167,14 @@ TEST_CASE("a step that takes long tells an iteration after every five seconds of
   }
 }
 
-TEST_CASE("an iteration takes the live line of a terminal") {
+TEST_CASE("on a terminal an iteration is shown in the live line") {
   Told told(Verbosity::normal, 120);
   told.now += 6;
   told.progress.iteration(8, 4, 31, 12.5);
   CHECK(told.out.str() == "\rstep 8  t 4 s (40%)  iteration 31  residual 12.5\x1b[K");
 }
 
-TEST_CASE("a run without a log and one of no duration work") {
+TEST_CASE("runs without a log and of zero duration work") {
   std::ostringstream out;
   Progress progress(out, nullptr);
   progress.begin(1, 1);

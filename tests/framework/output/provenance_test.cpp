@@ -20,7 +20,7 @@ Build built(bool changed, int untracked) {
 
 }  // namespace
 
-TEST_CASE("a commit tells when the sources were others than its own") {
+TEST_CASE("a revision shows that sources differ from its commit") {
   CHECK(built(false, 0).revision() == "abc");
   CHECK(built(true, 0).revision() == "abc-dirty");
   CHECK(built(false, 1).revision() == "abc-dirty");
@@ -32,7 +32,7 @@ TEST_CASE("a commit tells when the sources were others than its own") {
   CHECK(Build{}.sources() == "no git checkout");
 }
 
-TEST_CASE("what runs now knows its build, its machine and the time") {
+TEST_CASE("provenance of a program has its build, machine and time") {
   const Provenance p = provenance_of("tack run a.yaml", 3);
   CHECK_FALSE(p.build.version.empty());
   CHECK(p.build.compiler.find('.') != std::string::npos);
@@ -47,7 +47,7 @@ TEST_CASE("what runs now knows its build, its machine and the time") {
   CHECK(p.directory == std::filesystem::current_path().string());
 }
 
-TEST_CASE("provenance as JSON has exactly the documented keys, and null for what is not known") {
+TEST_CASE("provenance as JSON has exactly the documented keys, and null for unknown values") {
   Provenance p;
   std::vector<std::string> keys;
   const nlohmann::ordered_json unknown = to_json(p);
@@ -66,7 +66,7 @@ TEST_CASE("provenance as JSON has exactly the documented keys, and null for what
   CHECK(to_json(p)["untracked_sources"] == 2);
 }
 
-TEST_CASE("a command line can be given to a shell again") {
+TEST_CASE("a shell splits a recorded command line into the same words") {
   CHECK(shell_line({"tack", "run", "a.yaml"}) == "tack run a.yaml");
   CHECK(shell_line({"a b", "it's", "", "x=[1,2]"}) == "'a b' 'it'\\''s' '' 'x=[1,2]'");
   CHECK(shell_line({}) == "");

@@ -50,7 +50,7 @@ TEST_CASE("run.pvd is continued from a given time") {
                   "part=\"0\" file=\"frames/c.vtu\"/>\n  </Collection>") != std::string::npos);
 }
 
-TEST_CASE("a run.pvd with other content is not continued") {
+TEST_CASE("a run.pvd with other content is refused") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "run.pvd";
   std::ofstream(path) << "<DataSet timestep=\"soon\" file=\"a.vtu\"/>\n";

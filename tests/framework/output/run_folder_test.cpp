@@ -19,7 +19,7 @@ std::string text_of(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("a run gets its folder, and others in it once there is something to put there") {
+TEST_CASE("a run gets its folder; inner folders are made on first use") {
   const TemporaryFolder folder;
   const RunFolder run = RunFolder::create(folder.path() / "results" / "tape");
   CHECK(run.root() == folder.path() / "results" / "tape");
@@ -31,7 +31,7 @@ TEST_CASE("a run gets its folder, and others in it once there is something to pu
   CHECK(run.root() / RunFolder::frame(12) == run.frames() / "frame_000012.vtu");
 }
 
-TEST_CASE("an earlier run is moved aside, never lost") {
+TEST_CASE("an earlier run is moved aside") {
   const TemporaryFolder folder;
   const fs::path root = folder.path() / "tape";
   for (int i = 0; i < 3; ++i) {
@@ -45,7 +45,7 @@ TEST_CASE("an earlier run is moved aside, never lost") {
   CHECK(RunFolder::open(folder.path() / "tape.1").log() == folder.path() / "tape.1" / "log.txt");
 }
 
-TEST_CASE("a run behind a link is moved aside where it lies") {
+TEST_CASE("a run behind a link is moved aside in its own folder") {
   const TemporaryFolder folder;
   const fs::path disk = folder.path() / "disk" / "tape";
   touch(RunFolder::create(disk).log(), "old");
@@ -67,7 +67,7 @@ TEST_CASE("an empty folder is used, anything else is refused") {
   touch(thesis / "scene.yaml");
   CHECK_THROWS_WITH(RunFolder::create(thesis),
                     thesis.string() +
-                        ": holds something other than a run of tack; choose another "
+                        ": contains other files than those of a run of tack; choose another "
                         "results folder with -o");
   CHECK(fs::exists(thesis / "scene.yaml"));
   CHECK_THROWS_AS(RunFolder::open(thesis), InputError);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A sticky block that slides, is let go of by a motion in the middle of the run, and meets friction.
+// A sliding adhesive block with friction, which a motion releases in the middle of the run.
 const std::string scene_text = R"(
 time: {step: 0.01 s, duration: 0.2 s, integrator: bdf2}
 gravity: [0, -9.81, 0]
@@ -55,7 +55,7 @@ void check_same(const State& a, const State& b) {
   CHECK((a.energy.kinetic == b.energy.kinetic && a.energy.gravity == b.energy.gravity));
   CHECK((a.energy.elastic == b.energy.elastic && a.energy.contact == b.energy.contact));
   CHECK(a.energy.dissipated == b.energy.dissipated);
-  CHECK((a.energy.gradient == b.energy.gradient && a.energy.unexplained == b.energy.unexplained));
+  CHECK((a.energy.gradient == b.energy.gradient && a.energy.numerical_gain == b.energy.numerical_gain));
   CHECK((a.energy.numerical_gain_low == b.energy.numerical_gain_low && a.energy.reference_energy == b.energy.reference_energy));
 }
 
@@ -82,13 +82,13 @@ TEST_CASE("a step from a problem's file has the bits of the run", "[state_file]"
   }
 }
 
-TEST_CASE("a file of a program that knew neither contact's past nor a balance of energy is read", "[state_file]") {
+TEST_CASE("a file of an old program without contact history and energy balance is read", "[state_file]") {
   const State read = read_state_file(TACK_TEST_DATA "/problems/sliding.problem", StateFile::Kind::problem).state;
   CHECK((read.contact.size() == 0 && !read.energy.open));
   CHECK((read.x.size() > 0 && read.v.size() == read.x.size()));
 }
 
-TEST_CASE("a problem carries the meshes that its scene reads from files", "[state_file]") {
+TEST_CASE("a problem contains the meshes that its scene reads from files", "[state_file]") {
   const TemporaryFolder folder;
   const fs::path mesh = folder.path() / "tets.msh", path = folder.path() / "a.problem";
   fs::copy_file(TACK_TEST_DATA "/meshes/two_tets_41_ascii.msh", mesh);
@@ -109,7 +109,7 @@ TEST_CASE("a problem carries the meshes that its scene reads from files", "[stat
   CHECK_THROWS_WITH(check_size(read, 3, "a"), Catch::Contains("a: its state has"));
 }
 
-TEST_CASE("what is no such file is refused with the reason", "[state_file]") {
+TEST_CASE("other files are refused with the reason", "[state_file]") {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "a.problem";
   const auto error_of = [&](StateFile::Kind kind) -> std::string {
@@ -122,7 +122,7 @@ TEST_CASE("what is no such file is refused with the reason", "[state_file]") {
   };
   CHECK(contains(error_of(StateFile::Kind::problem), "a.problem: cannot read this file"));
   write_file(path, "name: a scene\n");
-  CHECK(contains(error_of(StateFile::Kind::problem), "is not a whole file of `tack run --dump-problem`"));
+  CHECK(contains(error_of(StateFile::Kind::problem), "is not a complete file of `tack run --dump-problem`"));
 
   TestScene scene(scene_text);
   StateFile file = state_file_of(StateFile::Kind::checkpoint, scene.config);
@@ -155,7 +155,7 @@ TEST_CASE("what is no such file is refused with the reason", "[state_file]") {
   CHECK(contains(error_of(StateFile::Kind::checkpoint), "is damaged"));
 }
 
-TEST_CASE("every bit of a stored state counts", "[state_file]") {
+TEST_CASE("a damaged bit of a stored state is detected", "[state_file]") {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "a.problem";
   TestScene scene(scene_text);

@@ -52,7 +52,7 @@ TEST_CASE("statistics of the samples in a window, ends included") {
   CHECK(value(Statistic::mean, over(1, 1)).value == 4);
 }
 
-TEST_CASE("a window forgives the rounding of summed steps") {
+TEST_CASE("a window tolerates rounding errors of summed steps") {
   const ProbeSeries series{{"time", "p"}, {{0.1 + 0.2, 5}, {0.31, 6}}};
   StatisticQuery query = over(0, 0.3);
   query.probe = "p";
@@ -86,7 +86,7 @@ TEST_CASE("the value where a column first passes a number") {
   CHECK(value(Statistic::at, query).value == Approx(-2));
 }
 
-TEST_CASE("a number that is never reached is a problem") {
+TEST_CASE("a value that is never reached is a problem") {
   StatisticQuery query;
   query.along = "gap";
   query.where = 7;
@@ -95,7 +95,7 @@ TEST_CASE("a number that is never reached is a problem") {
   CHECK(result.problem == "gap never reaches 7; it stays between 1 and 4");
 }
 
-TEST_CASE("no samples, one sample, samples that are no numbers") {
+TEST_CASE("series without samples, with one sample, and with invalid samples") {
   CHECK(value(Statistic::mean, over(1.2, 1.8)).problem == "there are no samples");
   CHECK(value(Statistic::integral, over(1, 1)).problem ==
         "an integral needs two samples, there is one");
@@ -112,14 +112,14 @@ TEST_CASE("no samples, one sample, samples that are no numbers") {
   }
 }
 
-TEST_CASE("an abscissa that is no number matters only where it is used") {
+TEST_CASE("an invalid abscissa matters only where it is used") {
   const ProbeSeries series{{"time", "p", "s"}, {{0, 1, 0}, {1, 2, nan_value}}};
   CHECK(evaluate(StatisticQuery{Statistic::max, "p", "s", 0, {}}, series).value == 2);
   CHECK(evaluate(StatisticQuery{Statistic::integral, "p", "s", 0, {}}, series).problem ==
         "s is not a number at t = 1 s");
 }
 
-TEST_CASE("infinite samples are left to the statistics that stay finite") {
+TEST_CASE("infinite samples are accepted by statistics that stay finite") {
   const ProbeSeries series{{"time", "p"}, {{0, infinity}, {1, 3}}};
   CHECK(evaluate(StatisticQuery{Statistic::min, "p", "time", 0, {}}, series).value == 3);
   CHECK(evaluate(StatisticQuery{Statistic::max, "p", "time", 0, {}}, series).problem == "the max is not finite");

@@ -114,7 +114,7 @@ TEST_CASE("summary.json holds the expectations, without a number as null") {
   CHECK(expect[1]["at_most"] == 3.0);
 }
 
-TEST_CASE("a summary counts the steps in") {
+TEST_CASE("a summary adds up its steps") {
   RunSummary s;
   s.add(report(true, 5, 0.2));
   s.add(report(false, 9, infinity));
@@ -138,7 +138,7 @@ TEST_CASE("a summary counts the steps in") {
   CHECK(json["intersections"] == 3);
 }
 
-TEST_CASE("a summary has the first warning of each kind, and how many there were") {
+TEST_CASE("a summary has the first warning of each kind with its count") {
   RunSummary s;
   CHECK(s.add({WarningKind::coarse_adhesion, "coarse"}));
   CHECK(s.add({WarningKind::step_cutback, "step 3: rolled back"}));
@@ -155,14 +155,14 @@ TEST_CASE("a summary has the first warning of each kind, and how many there were
                                                          {{"kind", "joint_play"}, {"text", "step 5: b by 2 mm"}, {"times", 2}}}));
 }
 
-TEST_CASE("every status has its words") {
+TEST_CASE("every status has a text") {
   CHECK(to_string(RunStatus::done) == "done");
   CHECK(to_string(RunStatus::expectation_failed) == "expectation failed");
   CHECK(to_string(RunStatus::simulation_failed) == "simulation failed");
   CHECK(to_string(RunStatus::interrupted) == "interrupted");
 }
 
-TEST_CASE("text that is not UTF-8 does not cost the summary") {
+TEST_CASE("text that is not UTF-8 does not prevent the summary") {
   RunSummary s;
   s.error = "bad \xff byte";
   CHECK(written(s)["error"] == "bad \xEF\xBF\xBD byte");
@@ -172,7 +172,7 @@ TEST_CASE("a summary that cannot be written is an error") {
   CHECK_THROWS_AS(write_summary("/nonexistent/summary.json", {}), InputError);
 }
 
-TEST_CASE("the phase table shows shares, longest first") {
+TEST_CASE("the phase table shows percentages, longest phase first") {
   CHECK(phase_table(filled()) ==
         "phase            seconds      %\n"
         "assembly           3.000   75.0  ##############################\n"

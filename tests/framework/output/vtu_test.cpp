@@ -49,7 +49,7 @@ std::string bytes(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("a frame keeps every vertex bit for bit, and its time") {
+TEST_CASE("a frame has the exact vertices and the time") {
   const TemporaryFolder folder;
   const VecX x = coordinates();
   write_vtu(folder.path() / "f.vtu", mixed(), x, 0.1 + 0.2, {});
@@ -63,7 +63,7 @@ TEST_CASE("a frame keeps every vertex bit for bit, and its time") {
   CHECK(time->GetTuple1(0) == 0.1 + 0.2);
 }
 
-TEST_CASE("a frame has numbers of cells, and cells without one") {
+TEST_CASE("a frame has fields of cells, also with missing values") {
   const TemporaryFolder folder;
   VecX values(5);
   values << 1.0 / 3, 2, std::nan(""), -4, 0;
@@ -97,7 +97,7 @@ TEST_CASE("a frame has tets, triangles, edges and points, each with its object")
   }
 }
 
-TEST_CASE("a frame keeps fields and their units") {
+TEST_CASE("a frame has fields with units") {
   const TemporaryFolder folder;
   const VecX speed = VecX::LinSpaced(18, -1, 1e-30);
   const VecX gap = VecX::LinSpaced(6, 0, 0.7);
@@ -116,7 +116,7 @@ TEST_CASE("a frame keeps fields and their units") {
   for (int i = 0; i < 6; ++i) CHECK(gaps->GetTuple1(i) == gap[i]);
 }
 
-TEST_CASE("the same frame gives the same bytes, and nothing else stays in the folder") {
+TEST_CASE("equal frames give equal bytes, and no other file is left in the folder") {
   const TemporaryFolder folder;
   for (const char* name : {"a.vtu", "b.vtu"}) {
     write_vtu(folder.path() / name, mixed(), coordinates(), 1, {});

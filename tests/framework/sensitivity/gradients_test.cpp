@@ -286,7 +286,7 @@ TEST_CASE("parameters without sensitivities are refused", "[sensitivity]") {
   refused(drawn, "objects.block.energies.0.poisson", "is zero");
   refused(drawn, "objects.block.shape.type", "not a number");
   refused(drawn, "objects.block.shape.cells.0", "whole");
-  CHECK_THROWS_WITH(scene(drawn + "output: {gradients: [{key: a}, {key: a}]}\n"), Contains("two of them are called 'a'"));
+  CHECK_THROWS_WITH(scene(drawn + "output: {gradients: [{key: a}, {key: a}]}\n"), Contains("two of them are named 'a'"));
   const Simulation asked(scene(drawn));
   GradientConfig config;
   config.key = "time.step";

@@ -29,7 +29,7 @@ Told told(const std::string& objects, int steps) {
   RunSummary summary;
   for (int i = 0; i < steps; ++i) summary.add(run.step());
   Told told{{}, summary.losses.integrator.lost, summary.losses.reference_energy};
-  told.warnings = summary.losses.told(*run.config.time.integrator, run.stepper.energy_groups());
+  told.warnings = summary.losses.warnings(*run.config.time.integrator, run.stepper.energy_groups());
   return told;
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("a small body that loses energy beside a heavy one that bounces is war
   for (const Warning& warning : beside.warnings) CHECK(warning.subject == "'block'");
   CHECK(only_heavy.warnings == std::vector<Warning>{});
   // Sabotage: by the sum of the scene it would pass.
-  CHECK(beside.scene_loss < EnergyLosses::tolerated * beside.reference_energy);
+  CHECK(beside.scene_loss < EnergyLosses::tolerated_fraction * beside.reference_energy);
 }
 
 // Every way in which energy is stored, fed and dissipated is told apart by groups.
