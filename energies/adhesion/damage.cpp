@@ -26,7 +26,7 @@ class EnvelopeAdhesion : public DamageLawOf<EnvelopeAdhesion> {
     law->prepare(opening);
     const auto& adhesion = dynamic_cast<const AdhesionLaw&>(*law);
     note_ = adhesion.note();
-    doubts_ = adhesion.doubts();
+    doubts_ = adhesion.warnings();
     strength_ = adhesion.peak_traction();
     work_ = adhesion.work_of_adhesion();
     sampled_ = SampledEnvelope([&](double x) { return law->at(x).slope; }, law->range(), "adhesion damage: envelope");
@@ -37,7 +37,7 @@ class EnvelopeAdhesion : public DamageLawOf<EnvelopeAdhesion> {
   double peak_traction() const override { return strength_; }
   double work_of_adhesion() const override { return work_; }
   std::string note() const override { return note_; }
-  std::vector<std::string> doubts() const override { return doubts_; }
+  std::vector<std::string> warnings() const override { return doubts_; }
 
   bool mixed() const { return false; }
   double broken() const { return 1; }

@@ -24,7 +24,7 @@ class ExpressionAdhesion : public CurveAdhesion<ExpressionAdhesion> {
   std::string note() const override {
     return fmt::format("expression: followed by {} knots to within {:.2g} of its peak", knots_, error_);
   }
-  std::vector<std::string> doubts() const override {
+  std::vector<std::string> warnings() const override {
     if (error_ <= AdaptiveCurve::tolerance) return {};
     return {fmt::format("expression: {} knots follow it to within {:.2g} of its peak only, {:.0g} is the aim: it is rough somewhere", knots_, error_,
                         AdaptiveCurve::tolerance)};

@@ -18,7 +18,7 @@ class TableAdhesion : public CurveAdhesion<TableAdhesion> {
     set(std::move(read.curve));
   }
   std::string note() const override { return fmt::format("table: {} rows of {}", rows_, table_.file); }
-  std::vector<std::string> doubts() const override { return doubts_; }
+  std::vector<std::string> warnings() const override { return doubts_; }
 
  private:
   TractionTable table_;

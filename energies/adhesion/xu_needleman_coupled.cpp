@@ -25,7 +25,7 @@ class CoupledXuNeedlemanAdhesion : public BondLawOf<CoupledXuNeedlemanAdhesion> 
   }
   double peak_traction() const override { return strength_; }
   double work_of_adhesion() const override { return work_; }
-  AdhesionTraits traits() const override { return {.reversible = true, .remembers = false, .normal = true, .tangential = true}; }
+  AdhesionTraits traits() const override { return {.reversible = true, .history_dependent = false, .normal = true, .tangential = true}; }
 
   template <class T>
   T energy(const T& d, const T& s, const HistoryVariables&, double) const {

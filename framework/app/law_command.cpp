@@ -165,7 +165,7 @@ int law_command(const LawOptions& o) {
       const BondStudy study = study_bond_law(law, settings);
       print_quantities(study.quantities);
       LawCheck check = check_law(*law.bond);
-      for (const std::string& doubt : law.bond->doubts()) check.warnings.emplace_back(WarningKind::law_data, doubt);
+      for (const std::string& doubt : law.bond->warnings()) check.warnings.emplace_back(WarningKind::law_data, doubt);
       if (const std::string note = law.bond->note(); !note.empty()) check.notes.push_back(note);
       right = print_check(check, !study.slow.empty() && is_whole(*law.bond)) && right;
       print_curve(study, law.bond->work_of_adhesion());

@@ -124,7 +124,7 @@ class BondLawOf : public BondLaw {
  public:
   std::unique_ptr<BondLaw> clone() const override { return std::make_unique<Law>(law()); }
   AdhesionTraits traits() const override {
-    return {.reversible = false, .remembers = width() > 0, .normal = true, .tangential = true};
+    return {.reversible = false, .history_dependent = width() > 0, .normal = true, .tangential = true};
   }
   int width() const override {
     using HistoryVariables = typename Law::HistoryVariables;

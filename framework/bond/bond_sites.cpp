@@ -22,37 +22,37 @@ void add_triangles(const ContactSystem& system, const BondTable& table, std::vec
   const auto add = [&](int t, const Vec3& inside, int object, double area, bool whole) {
     sites.push_back({t, inside, mesh.triangles[t][0], -1, object, area, whole});
   };
-  for (const OverlapFacets& pair : system.overlap().parts()) {
+  for (const OverlapFacets& pair : system.overlap().facets()) {
     if (!table.bonds(pair.a, pair.b)) continue;
     const double share = system.pairs().point(pair.a, pair.b).area_factor;
-    for (const OverlapTriangle& t : pair.whole)
+    for (const OverlapTriangle& t : pair.full_triangles)
       for (int i = 0; i < 3; ++i) {
         Vec3 inside = Vec3::Constant(1.0 / 6);
         inside[i] = 2.0 / 3;
         add(t.triangle, inside, pair.b, share * t.area / 3, true);
       }
   }
-  for (const ContactSample& s : system.overlap().samples()) {
+  for (const InteriorPoint& s : system.overlap().interior_points()) {
     const int a = mesh.vertex_object[mesh.triangles[s.triangle][0]];
     if (table.bonds(a, s.object)) add(s.triangle, s.inside, s.object, system.pairs().point(a, s.object).area_factor * s.area, false);
   }
 }
 
 // Returns the triangle at all these vertices that faces the normal most; -1: none.
-int triangle_at(const SurfaceTopology& topology, const LaggedSurface& held, const CollisionMesh& mesh, std::span<const int> vertices, const Vec3& normal) {
+int triangle_at(const SurfaceTopology& topology, const LaggedSurface& lagged, const CollisionMesh& mesh, std::span<const int> vertices, const Vec3& normal) {
   int found = -1;
   double most = 0;
   for (const int t : topology.triangles_at(vertices[0])) {
     const Triangle& corners = mesh.triangles[t];
     const bool all = std::all_of(vertices.begin(), vertices.end(), [&](int v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); });
-    const double facing = topology.two_sided(t) ? std::abs(held.normal(t).dot(normal)) : held.normal(t).dot(normal);
+    const double facing = topology.two_sided(t) ? std::abs(lagged.normal(t).dot(normal)) : lagged.normal(t).dot(normal);
     if (all && facing > most) most = facing, found = t;
   }
   return found;
 }
 
 void add_vertices(const ContactSystem& system, const BondTable& table, const std::vector<PairLaw>& barriers, const VecX& x, std::vector<BondSite>& sites) {
-  const LaggedSurface& held = system.held();
+  const LaggedSurface& lagged = system.lagged_surface();
   std::vector<char> wanted(barriers.size(), 0);
   const PairTable& pairs = system.pairs();
   for (const auto& [a, b] : pairs.classes().examples())
@@ -61,9 +61,9 @@ void add_vertices(const ContactSystem& system, const BondTable& table, const std
   const ContactPoints points = contact_points({system, barriers, wanted, x});
   for_each_record(points, [&](const auto& point) {
     if (point.kind() != PointKind::vertex || !(point.area > 0) || !table.bonds(point.object, point.opposite)) return;
-    if (point.object != point.opposite && !held.topology().thin(point.point)) return;
+    if (point.object != point.opposite && !lagged.topology().is_codimensional(point.point)) return;
     const std::span<const int> faced(point.vertices.begin() + 1, point.vertices.end());
-    const int opposite = triangle_at(held.topology(), held, system.surface().mesh, faced, point.normal);
+    const int opposite = triangle_at(lagged.topology(), lagged, system.surface().mesh, faced, point.normal);
     if (opposite >= 0) sites.push_back({-1, Vec3::UnitX(), point.point, opposite, point.opposite, point.area, false});
   });
 }

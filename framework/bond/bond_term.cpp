@@ -95,7 +95,7 @@ void BondTerm::load_history(const History& history) {
   h_ = 0;
   pressures_.clear();
   begun_ = stored_.read(history);
-  system_.hold_sides(stored_.pairs());
+  system_.keep_sides(stored_.pairs());
   list_ = stored_;
   framed_ = false;
   make_blocks();
@@ -274,7 +274,7 @@ BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& varia
 // width of the bond's area are not examined.
 bool BondTerm::slid_off(const Bond& bond, const VecX& x) const {
   if (opening_of(bond, x).s <= bond.area) return false;
-  return !facing_triangle(system_.held().topology(), system_.surface().mesh, x, bond.opposite_triangle, site_position(bond, x));
+  return !facing_triangle(system_.lagged_surface().topology(), system_.surface().mesh, x, bond.opposite_triangle, site_position(bond, x));
 }
 
 BondTerm::Changes BondTerm::changes(const VecX& x) const {
@@ -319,7 +319,7 @@ void BondTerm::commit(const VecX& x, History& history) const {
     Bond bond = list_.bonds()[i];
     if (change.kept < 1) {
       lag_frame(bond, x);
-      move_attachment(bond, system_.held().topology(), system_.surface().mesh, x, change.kept);
+      move_attachment(bond, system_.lagged_surface().topology(), system_.surface().mesh, x, change.kept);
     }
     kept.add(bond, variables.data());
   }

@@ -25,7 +25,7 @@ double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec
   const Vec3 twice = (t[1] - t[0]).cross(t[2] - t[0]);
   const double area = twice.norm(), cosine = twice.dot(n) / area;
   facing = two_sided ? std::abs(cosine) : -cosine;
-  if (!(facing > least_cosine)) return facing = 0;
+  if (!(facing > facing_cosine_min)) return facing = 0;
   return std::sqrt(area * std::max(0.0, 1 - cosine * cosine));
 }
 
@@ -39,7 +39,7 @@ AdhesionResolution::AdhesionResolution(const SceneConfig& scene, const World& wo
 // Means over the triangles at a vertex that face the other surface.
 AdhesionResolution::Element AdhesionResolution::element_at(int v, const Vec3& n, const VecX& x) const {
   const CollisionMesh& mesh = world_.contact->surface().mesh;
-  const SurfaceTopology& topology = world_.contact->held().topology();
+  const SurfaceTopology& topology = world_.contact->lagged_surface().topology();
   Element sum;
   double weight = 0;
   for (const int t : topology.triangles_at(v)) {

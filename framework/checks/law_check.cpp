@@ -150,7 +150,7 @@ LawCheck check_law(const NormalLaw& law) {
   check_end(law, sampled, check);
   if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(&law)) {
     check_statements(*adhesion, check);
-    for (const std::string& doubt : adhesion->doubts()) check.warnings.emplace_back(WarningKind::law_data, doubt);
+    for (const std::string& doubt : adhesion->warnings()) check.warnings.emplace_back(WarningKind::law_data, doubt);
     if (const std::string note = adhesion->note(); !note.empty()) check.notes.push_back(note);
   }
   return check;
@@ -175,7 +175,7 @@ LawCheck check_laws(const World& world) {
     if (const int rule = world.bonds ? world.bonds->table().between(a, b, pair.region_pair) : -1; rule >= 0) {
       const BondLaw& law = *world.bonds->table().rules()[rule].law;
       append(check, check_law(law));
-      for (const std::string& doubt : law.doubts()) check.warnings.emplace_back(WarningKind::law_data, doubt);
+      for (const std::string& doubt : law.warnings()) check.warnings.emplace_back(WarningKind::law_data, doubt);
       if (const std::string note = law.note(); !note.empty()) check.notes.push_back(note);
     }
     add(all.errors, check.errors, pair.names());

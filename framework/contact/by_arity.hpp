@@ -1,6 +1,6 @@
-// Records of stencils in one list for each arity, the number of their vertices: loops over a list
-// know it when they are compiled. Nothing else names the arities of contact, from point-point to
-// sample-triangle.
+// Records of stencils in one list for each arity, the number of their vertices. Loops over a list
+// know the arity at compile time. The arities of contact are defined here alone: from 2
+// (point-point) to 6 (interior point-triangle).
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +11,7 @@
 namespace tack {
 
 inline constexpr int smallest_contact_arity = 2, largest_contact_arity = 6;
-// Less the smallest.
+// Arities less the smallest one.
 using ContactArities =
     std::make_integer_sequence<int, largest_contact_arity - smallest_contact_arity + 1>;
 inline constexpr int contact_arity_count = static_cast<int>(ContactArities::size());
@@ -35,8 +35,8 @@ class ByArity {
   decltype(lists(ContactArities{})) lists_;
 };
 
-// Calls body(list) for each arity, ascending: the order of batches. As [&]<int
-// K>(std::vector<Record<K>>& list), it knows K.
+// Calls body(list) for each arity, ascending: the order of batches. A body of the form
+// [&]<int K>(std::vector<Record<K>>& list) knows the arity K.
 template <class Lists, class Body>
 void for_each_arity(Lists&& lists, const Body& body) {
   [&]<int... I>(std::integer_sequence<int, I...>) {
@@ -53,14 +53,15 @@ void for_each_record(Lists&& lists, const Body& body) {
   });
 }
 
-// Calls body.operator()<K>() for the K that is the arity.
+// Calls body.operator()<K>() with K = arity. Throws logic_error for an arity out of range.
 template <class Body>
 void with_arity(int arity, const Body& body) {
   const bool known = [&]<int... I>(std::integer_sequence<int, I...>) {
     return ((arity == I + smallest_contact_arity &&
              (body.template operator()<I + smallest_contact_arity>(), true)) ||
             ...);
-  }(ContactArities{});
+  }
+  (ContactArities{});
   if (!known) throw std::logic_error("contact has no stencils of that arity");
 }
 

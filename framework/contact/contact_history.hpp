@@ -1,13 +1,13 @@
-// History variables of contact from the step before, other than bonds.
+// History variables of contact, other than those of bonds.
 #pragma once
 
 #include "framework/core/history.hpp"
 
 namespace tack {
 
-// Erases which sides integrate and the shares of rods and particles: surfaces are put elsewhere, by
-// no step.
-void forget_contact_history(History& history);
-void forget_shares(History& history);  // of these the shares alone (weight_relaxation.hpp)
+// Erases the secondary sides and the lagged weights: for positions that change outside a step.
+void erase_contact_history(History& history);
+// Erases the lagged weights alone (weight_relaxation.hpp).
+void erase_lagged_weights(History& history);
 
 }  // namespace tack

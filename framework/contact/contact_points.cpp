@@ -18,11 +18,11 @@ ContactPoint<4> edge_point(const ContactPointsRequest& request, const ContactSte
   const double gap = separation.norm();
   const Vec3 normal = separation / gap;
   const double area = s.weight * edge_edge_mollifier(a0, a1, b0, b1, eps_x);
-  const double force = -area * request.pressing[s.law].at(gap).slope;
+  const double force = -area * request.pressure_laws[s.law].at(gap).slope;
   return {v, c, normal, tangents_of(normal), gap, area, force, 2, -1, object[v[0]], object[v[2]], s.law};
 }
 
-void add_laws_of_area(const PairTable& pairs, int a, int b, std::vector<char>& laws) {
+void add_integrated_laws(const PairTable& pairs, int a, int b, std::vector<char>& laws) {
   for (int region_pair = -1; region_pair < pairs.region_pair_count(a, b); ++region_pair) {
     for (const PairRole* role : {&pairs.point(a, b, region_pair), &pairs.point(b, a, region_pair)})
       if (role->law >= 0 && (role->carries_pressure || pairs.plain_sums)) laws[role->law] = 1;
@@ -38,15 +38,15 @@ std::vector<char> with_cut_down(const PairTable& pairs, std::vector<char> laws) 
 
 }  // namespace
 
-std::vector<char> laws_of_area(const PairTable& pairs) {
+std::vector<char> integrated_laws(const PairTable& pairs) {
   std::vector<char> laws(pairs.laws().size(), 0);
-  for (const auto& [a, b] : pairs.classes().examples()) add_laws_of_area(pairs, a, b, laws);
+  for (const auto& [a, b] : pairs.classes().examples()) add_integrated_laws(pairs, a, b, laws);
   return with_cut_down(pairs, std::move(laws));
 }
 
-std::vector<char> laws_of_area(const PairTable& pairs, int a, int b) {
+std::vector<char> integrated_laws(const PairTable& pairs, int a, int b) {
   std::vector<char> laws(pairs.laws().size(), 0);
-  add_laws_of_area(pairs, a, b, laws);
+  add_integrated_laws(pairs, a, b, laws);
   return with_cut_down(pairs, std::move(laws));
 }
 

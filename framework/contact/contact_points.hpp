@@ -1,23 +1,24 @@
-// Contact points: what touches, adheres or rubs, each once and by name, whatever stencils it takes
-// to say so.
+// Contact points: the positions at which surfaces touch, adhere or slide, each once, whatever the
+// number of its stencils.
 //
-// A contact point is a point of one surface and what it faces of an object, at one configuration.
-// The point is a vertex, a sample (inside a triangle, surface_overlap.hpp) or, of a pair of edges,
-// one on the first edge; it has
+// A contact point is a point of one surface and the closest point of an object that it faces, at
+// one configuration. The point is a vertex, an interior quadrature point (surface_overlap.hpp) or,
+// of a pair of edges, a point of the first edge. It has
 //     sum_i c_i x_i = gap n,    sum_i c_i = 0
-// with the coefficients c of the point and, negative, of the closest point on what it faces, the
-// unit normal n from there to the point, a basis of the plane across it, and the magnitudes
+// with the coefficients c of the point and, negative, of the closest point, the unit normal n from
+// the closest point to the point, a basis of the plane orthogonal to n, and the magnitudes
 //     area         = sum w            [m^2]
-//     normal force = - sum w b'(d)    of the laws b that press; the barrier's alone for friction,
-//     as adhesion does not press [N].
+//     normal force = - sum w b'(d)    [N]
+// where b are the pressure laws of the request: for friction the barriers alone, as adhesion does
+// not press.
 //
 // Inclusion-exclusion (point_features.hpp) gives a point several features with weights of both
-// signs. Friction of each by itself would not be convex, and its magnitudes would not add up. So
-// the features of one (point, object, law) whose normals agree (dot > 0) are one contact point:
-// force is the net one along the normal of the strongest feature, area the net weight, neither
-// below zero, and normal, gap and closest point are the strongest feature's. A vertex between two
-// walls is two of them, and so is one that presses as well as guards: those have laws of their own.
-// Pairs of edges are one each.
+// signs. Friction of single features would not be convex, and its magnitudes would not add up. The
+// features of one (point, object, law) whose normals agree (dot > 0) are therefore one contact
+// point. Its force is the net force along the normal of the strongest feature, its area the net
+// weight, neither below zero; normal, gap and closest point are those of the strongest feature. A
+// vertex between two walls is two contact points. A vertex that carries pressure and a safety
+// barrier is two as well, because these have different laws. A pair of edges is one.
 #pragma once
 
 #include <algorithm>
@@ -31,27 +32,27 @@ namespace tack {
 
 using TangentBasis = Eigen::Matrix<double, 3, 2>;
 
-enum class PointKind { vertex, sample, edges };
+enum class PointKind { vertex, interior, edges };
 
 template <int K>
 struct ContactPoint {
-  std::array<int, K> vertices;         // global: the point's, then those of what it faces
+  std::array<int, K> vertices;         // global: of the point, then of the opposite feature
   std::array<double, K> coefficients;  // c
   Vec3 normal;                         // n
   TangentBasis tangents;
-  double gap;           // distance, whatever offset the law takes off [m]
+  double gap;           // distance, offsets included [m]
   double area;          // m^2
   double normal_force;  // N
-  // How many of the vertices are the point's: 1 of a vertex, 3 of a sample, 2 of an edge.
+  // Number of vertices of the point: 1 of a vertex, 3 of an interior point, 2 of an edge.
   int own;
-  // The vertex, or the number of the sample in this step; -1 of a pair of edges.
+  // The vertex, or the index of the interior point in this step; -1 of a pair of edges.
   int point;
-  int object;           // whose point it is
-  int opposite;         // the object that it faces; its own in self-contact
-  int law;              // of the pair table
+  int object;    // of the point
+  int opposite;  // the object that it faces; its own in self-contact
+  int law;       // of the pair table
 
   PointKind kind() const {
-    return own == 1 ? PointKind::vertex : own == 3 ? PointKind::sample : PointKind::edges;
+    return own == 1 ? PointKind::vertex : own == 3 ? PointKind::interior : PointKind::edges;
   }
   std::array<int, 2> objects() const {
     return {std::min(object, opposite), std::max(object, opposite)};
@@ -68,25 +69,27 @@ struct ContactPoint {
   }
 };
 
-// By arity; those of vertices and samples by (point, object, law), then pairs of edges.
+// Contact points by arity: of vertices, then of interior points, each sorted by (point, object,
+// law), then pairs of edges.
 using ContactPoints = ByArity<ContactPoint>;
 
 struct ContactPointsRequest {
-  const ContactSystem& system;           // must be at x
-  const std::vector<PairLaw>& pressing;  // what presses of each law of its pair table
-  const std::vector<char>& wanted;       // per law: points of others are left out if 0
+  const ContactSystem& system;                // must be at x
+  const std::vector<PairLaw>& pressure_laws;  // per law of its pair table: the terms that press
+  const std::vector<char>& wanted;            // per law: 0 leaves out its points
   const VecX& x;
 };
+// Returns the contact points of the active stencils of a system.
 ContactPoints contact_points(const ContactPointsRequest& request);
 
-// Returns, per law of a table, whether it acts over an area, in any pair or between two objects;
-// laws of safety barriers do not.
-std::vector<char> laws_of_area(const PairTable& pairs);
-std::vector<char> laws_of_area(const PairTable& pairs, int a, int b);
+// Returns, per law of a table, whether it is integrated over an area in any pair of objects, or
+// between two objects. Laws of safety barriers are not.
+std::vector<char> integrated_laws(const PairTable& pairs);
+std::vector<char> integrated_laws(const PairTable& pairs, int a, int b);
 
-// Its parts: a basis of the plane across a unit normal, and vertices and samples
-// (contact_points_of_features.cpp).
+// Returns a basis of the plane orthogonal to a unit normal.
 TangentBasis tangents_of(const Vec3& normal);
+// Appends the contact points of vertices and interior points (contact_points_of_features.cpp).
 void add_points_of_features(const ContactPointsRequest& request, ContactPoints& out);
 
 }  // namespace tack

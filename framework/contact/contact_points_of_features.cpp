@@ -25,7 +25,7 @@ struct Feature {
 };
 // Sort key of features: (own, point, object, law), then the number of the feature. Vertices come
 // before samples.
-using Place = std::array<int, 5>;
+using FeatureKey = std::array<int, 5>;
 
 // c: the point, then the corners of the feature, which are the vertices of the stencil from `first` on.
 template <size_t K, size_t N>
@@ -49,21 +49,21 @@ void fill_feature(const std::array<Vec3, K>& c, const std::array<int, N>& vertic
   f.force = -f.weight * barrier.at(f.gap).slope;
 }
 
-class Merging {
+class FeatureMerging {
  public:
-  Merging(const ContactPointsRequest& request, ContactPoints& out)
+  FeatureMerging(const ContactPointsRequest& request, ContactPoints& out)
       : object_(request.system.surface().mesh.vertex_object), request_(request), out_(out) {
     for_each_kind(request.system.contacts(), [&](auto kind, const auto& stencils, const double*) {
       if constexpr (!std::is_same_v<decltype(kind), EdgeEdgeKind>) take(stencils);
     });
-    std::vector<Place> places;
-    places.reserve(features_.size());
-    for (const Feature& f : features_) places.push_back({f.own, f.point, f.object, f.law, static_cast<int>(places.size())});
-    std::sort(places.begin(), places.end());
+    std::vector<FeatureKey> keys;
+    keys.reserve(features_.size());
+    for (const Feature& f : features_) keys.push_back({f.own, f.point, f.object, f.law, static_cast<int>(keys.size())});
+    std::sort(keys.begin(), keys.end());
     std::vector<const Feature*> group;
-    for (size_t i = 0; i < places.size(); ++i) {
-      group.push_back(&features_[places[i].back()]);
-      if (i + 1 < places.size() && std::equal(places[i].begin(), places[i].end() - 1, places[i + 1].begin())) continue;
+    for (size_t i = 0; i < keys.size(); ++i) {
+      group.push_back(&features_[keys[i].back()]);
+      if (i + 1 < keys.size() && std::equal(keys[i].begin(), keys[i].end() - 1, keys[i + 1].begin())) continue;
       split(group);
       group.clear();
     }
@@ -84,7 +84,7 @@ class Merging {
       f.law = s.law;
       f.weight = s.weight;
       f.object = object_[s.vertices[f.own]];
-      fill_feature(corners(request_.x, s), s.vertices, request_.pressing[s.law], f);
+      fill_feature(corners(request_.x, s), s.vertices, request_.pressure_laws[s.law], f);
     });
   }
   template <int K>
@@ -95,8 +95,8 @@ class Merging {
     f.own_coefficients = Vec3::UnitX();
   }
   template <int K>
-  static void take_point(const SampleStencil<K>& s, Feature& f) {
-    f.point = s.sample;
+  static void take_point(const InteriorStencil<K>& s, Feature& f) {
+    f.point = s.point;
     f.own = 3;
     f.own_vertices = {s.vertices[0], s.vertices[1], s.vertices[2]};
     f.own_coefficients = s.inside;
@@ -152,6 +152,6 @@ class Merging {
 
 }  // namespace
 
-void add_points_of_features(const ContactPointsRequest& request, ContactPoints& out) { Merging(request, out); }
+void add_points_of_features(const ContactPointsRequest& request, ContactPoints& out) { FeatureMerging(request, out); }
 
 }  // namespace tack

@@ -1,9 +1,10 @@
-// Contact as least squares. A stencil of energy w m phi(d) = constant + w (m (phi + W) + (1 - m)
-// W), W the depth of the law's well, has the residuals
+// Contact as least squares. With W, the depth of the law's well, a stencil has the energy
+//     w m phi(d) = constant + w (m (phi + W) + (1 - m) W)
+// and the residuals
 //     points:  sqrt(w) rho(d)
 //     edges:   sqrt(w m) rho(d),  sqrt(2 w W (1 - m))
-// with rho of law_root.hpp; 1 - m = (1 - c/eps)^2 is a square itself. Stencils of negative weight
-// (inclusion-exclusion) have zero residuals: they are rest.
+// with rho of law_root.hpp; 1 - m = (1 - c/eps)^2 is a square. Stencils of negative weight
+// (inclusion-exclusion) have zero residuals: they belong to the remaining energy.
 #pragma once
 
 #include <array>
@@ -26,7 +27,7 @@ class ContactResiduals : public ResidualView {
   void find_roots() const;
 
   const ContactSystem& system_;
-  // Per law of the pair table; found when they are first needed, which few solvers do.
+  // Per law of the pair table; computed on first use, as few solvers need them.
   mutable std::vector<LawRoot> roots_;
   mutable std::array<std::vector<int>, stencil_kind_count> batch_vertices_;
 };

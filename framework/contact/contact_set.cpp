@@ -12,7 +12,7 @@ namespace tack {
 Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b) {
   Candidates found;
   found.reference = candidates.reference;
-  const auto keep = [&](auto list, auto lengths, const auto& first_of, const auto& second_of) {
+  const auto copy_pairs = [&](auto list, auto lengths, const auto& first_of, const auto& second_of) {
     for (size_t k = 0; k < (candidates.*list).size(); ++k) {
       const auto& pair = (candidates.*list)[k];
       const int i = mesh.vertex_object[first_of(pair[0])], j = mesh.vertex_object[second_of(pair[1])];
@@ -25,10 +25,10 @@ Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candi
   const auto self = [](int v) { return v; };
   const auto edge = [&](int e) { return mesh.edges[e][0]; };
   const auto triangle = [&](int t) { return mesh.triangles[t][0]; };
-  keep(&Candidates::point_triangle, &CandidateLengths::point_triangle, self, triangle);
-  keep(&Candidates::edge_edge, &CandidateLengths::edge_edge, edge, edge);
-  keep(&Candidates::point_edge, &CandidateLengths::point_edge, self, edge);
-  keep(&Candidates::point_point, &CandidateLengths::point_point, self, self);
+  copy_pairs(&Candidates::point_triangle, &CandidateLengths::point_triangle, self, triangle);
+  copy_pairs(&Candidates::edge_edge, &CandidateLengths::edge_edge, edge, edge);
+  copy_pairs(&Candidates::point_edge, &CandidateLengths::point_edge, self, edge);
+  copy_pairs(&Candidates::point_point, &CandidateLengths::point_point, self, self);
   return found;
 }
 
@@ -36,7 +36,7 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const CollisionMesh& mesh = surface.mesh;
   SmallestGaps found{infinity, infinity};
-  const auto look = [&](const auto& list, const auto& lengths, const auto& first_of, const auto& second_of) {
+  const auto visit = [&](const auto& list, const auto& lengths, const auto& first_of, const auto& second_of) {
     const int n = static_cast<int>(list.size());
     std::vector<SmallestGaps> partial(chunk_count(n, chunk_size), found);  // only what is nearer counts
     for_each_chunk(n, [&](int c, int first, int last) {
@@ -44,15 +44,15 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
       for (int i = first; i < last; ++i) {
         const auto& a = first_of(list[i][0]);
         const auto& b = second_of(list[i][1]);
-        const int of_a = mesh.vertex_object[a[0]], of_b = mesh.vertex_object[b[0]];
-        double& least = of_a == of_b ? gaps.of_all : gaps.between_objects;
-        double filled = pairs.largest_offset() > 0 ? pairs.offset(of_a, of_b) : 0;
-        if (lengths[i] - filled >= least) continue;
-        const double squared = squared_distance(corners(x, a), corners(x, b)), wanted = least + filled;
+        const int object_a = mesh.vertex_object[a[0]], object_b = mesh.vertex_object[b[0]];
+        double& smallest = object_a == object_b ? gaps.of_all : gaps.between_objects;
+        double offset = pairs.largest_offset() > 0 ? pairs.offset(object_a, object_b) : 0;
+        if (lengths[i] - offset >= smallest) continue;
+        const double squared = squared_distance(corners(x, a), corners(x, b)), wanted = smallest + offset;
         if (wanted > 0 && squared >= wanted * wanted) continue;
         const double distance = std::sqrt(squared);
-        if (filled > 0 && distance - filled < least) filled = filled_between(surface, pairs, a, b);
-        least = std::min(least, distance - filled);
+        if (offset > 0 && distance - offset < smallest) offset = offset_between(surface, pairs, a, b);
+        smallest = std::min(smallest, distance - offset);
       }
     });
     for (const SmallestGaps& gaps : partial) {
@@ -64,10 +64,10 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
   const auto edge = [&](int e) -> const Edge& { return mesh.edges[e]; };
   const auto triangle = [&](int t) -> const Triangle& { return mesh.triangles[t]; };
   const CandidateLengths& distance_bounds = candidates.distance_bounds;
-  look(candidates.point_triangle, distance_bounds.point_triangle, point, triangle);
-  look(candidates.edge_edge, distance_bounds.edge_edge, edge, edge);
-  look(candidates.point_edge, distance_bounds.point_edge, point, edge);
-  look(candidates.point_point, distance_bounds.point_point, point, point);
+  visit(candidates.point_triangle, distance_bounds.point_triangle, point, triangle);
+  visit(candidates.edge_edge, distance_bounds.edge_edge, edge, edge);
+  visit(candidates.point_edge, distance_bounds.point_edge, point, edge);
+  visit(candidates.point_point, distance_bounds.point_point, point, point);
   return found;
 }
 

@@ -5,14 +5,14 @@
 
 namespace tack {
 
-void ContactSpins::Columns::add(int number, const Vec3& direction) {
+void ContactSpins::Columns::add(int scalar_dof, const Vec3& direction) {
   for (int i = 0; i < count; ++i)
-    if (numbers[i] == number) {
+    if (scalar_dofs[i] == scalar_dof) {
       directions[i] += direction;
       return;
     }
   if (count == capacity) throw std::logic_error("a contact point has more rotations than ContactSpins::Columns holds");
-  numbers[count] = number;
+  scalar_dofs[count] = scalar_dof;
   directions[count++] = direction;
 }
 

@@ -20,7 +20,7 @@ double skin_of(double mean_edge, double range) { return std::clamp(0.1 * mean_ed
 // By the first vertex of the side that integrates, and the other object.
 const std::string sides_name = "contact/integrating_sides";
 // In older states: two objects each; per pair of objects, whether the first integrates.
-const std::string turned_sides_name = "contact/turned_sides", former_sides_name = "contact/sides";
+const std::string coarse_pairs_name = "contact/turned_sides", former_sides_name = "contact/sides";
 
 // Returns the mean length of the edges that may move [m]; 0 without any.
 double mean_edge_of(const ContactSurface& surface) {
@@ -45,7 +45,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
   skin_ = skin_of(mean_edge, range_);
   radii_ = pair_radii(surface_, pairs_);
   surface_.rest_gaps = std::make_shared<RestGaps>(surface_, pairs_);
-  stride_ = std::max(2 * mean_edge, range_);
+  search_displacement_max_ = std::max(2 * mean_edge, range_);
   clear_caches();
 }
 
@@ -55,53 +55,53 @@ void ContactSystem::set_free(std::vector<char> free) { narrow_phase_->set_free(s
 
 void ContactSystem::enable_self_pairs(const std::vector<int>& vertices) { broad_phase_->enable_self_pairs(vertices); }
 
-const IntegrationSides::Pairs& ContactSystem::turned_sides() const { return narrow_phase_->turned_sides(); }
+const IntegrationSides::Pairs& ContactSystem::coarse_pairs() const { return narrow_phase_->coarse_pairs(); }
 
 void ContactSystem::load_history(const History& history) {
-  narrow_phase_->set_shares_before(weights_of(history, surface_.mesh));
-  turned_before_.reset();
+  narrow_phase_->set_previous_weights(weights_of(history, surface_.mesh));
+  previous_coarse_pairs_.reset();
   if (const auto* all = history_values(history, former_sides_name, 1, pairs_.objects() * pairs_.objects())) {
-    turned_before_.emplace();
+    previous_coarse_pairs_.emplace();
     for (int a = 0; a < pairs_.objects(); ++a)
       for (int b = a + 1; b < pairs_.objects(); ++b)
-        if (pairs_.point(a, b).by_overlap && ((*all)[a * pairs_.objects() + b] != 0) != pairs_.finer(a, b)) turned_before_->emplace_back(a, b);
+        if (pairs_.point(a, b).by_overlap && ((*all)[a * pairs_.objects() + b] != 0) != pairs_.finer(a, b)) previous_coarse_pairs_->emplace_back(a, b);
   }
-  if (const auto turned = history.find(turned_sides_name); turned != history.end()) {
-    turned_before_.emplace();
+  if (const auto turned = history.find(coarse_pairs_name); turned != history.end()) {
+    previous_coarse_pairs_.emplace();
     for (int i = 0; i < turned->second.entries(); ++i)
-      turned_before_->emplace_back(static_cast<int>(turned->second.values[2 * i]), static_cast<int>(turned->second.values[2 * i + 1]));
+      previous_coarse_pairs_->emplace_back(static_cast<int>(turned->second.values[2 * i]), static_cast<int>(turned->second.values[2 * i + 1]));
   }
   const auto sides = history.find(sides_name);
   if (sides == history.end()) return;
-  turned_before_.emplace();
+  previous_coarse_pairs_.emplace();
   for (const auto& [vertex, other] : sides->second.keys) {
     const int integrates = surface_.mesh.vertex_object[vertex];
     const std::pair<int, int> pair = std::minmax(integrates, other);
-    if (pairs_.point(pair.first, pair.second).by_overlap && pairs_.finer(pair.first, pair.second) != (integrates == pair.first)) turned_before_->push_back(pair);
+    if (pairs_.point(pair.first, pair.second).by_overlap && pairs_.finer(pair.first, pair.second) != (integrates == pair.first)) previous_coarse_pairs_->push_back(pair);
   }
-  std::sort(turned_before_->begin(), turned_before_->end());
+  std::sort(previous_coarse_pairs_->begin(), previous_coarse_pairs_->end());
 }
 
 // Stores only weights towards triangles within range at x: a run that continues from here does not
 // know others.
 void ContactSystem::commit(const VecX& x, History& history) const {
-  LaggedWeights shares;
-  for (const LaggedWeight& s : narrow_phase_->held_shares()) {
+  LaggedWeights weights;
+  for (const LaggedWeight& s : narrow_phase_->lagged_weights()) {
     const Triangle& t = surface_.mesh.triangles[s.triangle];
     const auto [a, b, c] = corners(x, t);
     const double range = pairs_.codimensional(surface_.mesh.vertex_object[s.point], surface_.mesh.vertex_object[t[0]]).range_max();
-    if (point_triangle_distance(vertex(x, s.point), a, b, c) < range * range) shares.push_back(s);
+    if (point_triangle_distance(vertex(x, s.point), a, b, c) < range * range) weights.push_back(s);
   }
-  store_weights(shares, surface_.mesh, history);
+  store_weights(weights, surface_.mesh, history);
   history.erase(former_sides_name);
-  history.erase(turned_sides_name);
+  history.erase(coarse_pairs_name);
   if (!pairs_.any_by_overlap()) return;
   HistoryArray& sides = history[sides_name] = {1, {}, {}};
-  if (turned_sides().empty()) return;
+  if (coarse_pairs().empty()) return;
   std::vector<int> first_vertex(pairs_.objects(), -1);
   const std::vector<int>& object = surface_.mesh.vertex_object;
   for (int v = static_cast<int>(object.size()) - 1; v >= 0; --v) first_vertex[object[v]] = v;
-  for (const auto& [a, b] : turned_sides()) {
+  for (const auto& [a, b] : coarse_pairs()) {
     const bool first = !pairs_.finer(a, b);
     sides.keys.push_back({first_vertex[first ? a : b], first ? b : a});
   }
@@ -111,7 +111,7 @@ void ContactSystem::commit(const VecX& x, History& history) const {
 
 const SurfaceOverlap& ContactSystem::overlap() const { return narrow_phase_->overlap(); }
 
-const LaggedSurface& ContactSystem::held() const { return narrow_phase_->held(); }
+const LaggedSurface& ContactSystem::lagged_surface() const { return narrow_phase_->lagged_surface(); }
 
 void ContactSystem::triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const {
   broad_phase_->triangles_near(t, inside, out);
@@ -123,26 +123,26 @@ const Candidates& ContactSystem::candidates() const { return broad_phase_->candi
 
 int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }
 
-void forget_contact_history(History& history) {
-  for (const std::string& name : {sides_name, turned_sides_name, former_sides_name}) history.erase(name);
-  forget_shares(history);
+void erase_contact_history(History& history) {
+  for (const std::string& name : {sides_name, coarse_pairs_name, former_sides_name}) history.erase(name);
+  erase_lagged_weights(history);
 }
 
 void ContactSystem::clear_caches() {
   contacts_ = {};
-  LaggedWeights shares = narrow_phase_ ? narrow_phase_->shares_before() : LaggedWeights();
+  LaggedWeights weights = narrow_phase_ ? narrow_phase_->previous_weights() : LaggedWeights();
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, colliding_);
   narrow_phase_ = std::make_unique<NarrowPhase>(surface_, pairs_, *broad_phase_);
-  narrow_phase_->set_shares_before(std::move(shares));
+  narrow_phase_->set_previous_weights(std::move(weights));
 }
 
 void ContactSystem::begin_step(const StepStart& start) {
   const VecX& x = start.x;
-  const bool renewed = renew_candidates(x, VecX());
+  const bool updated = update_candidates(x, VecX());
   const PhaseScope scope(clock_, Phase::narrow_phase);
-  if (renewed) narrow_phase_->take(candidates());
-  narrow_phase_->set_turned_before(turned_before_);
-  narrow_phase_->hold_sides(held_sides_);
+  if (updated) narrow_phase_->prepare(candidates());
+  narrow_phase_->set_previous_coarse_pairs(previous_coarse_pairs_);
+  narrow_phase_->keep_sides(kept_sides_);
   narrow_phase_->begin_step(candidates(), x);
 }
 
@@ -152,13 +152,13 @@ void ContactSystem::move_to(const VecX& x) {
   narrow_phase_->find(candidates(), x, contacts_);
 }
 
-bool ContactSystem::renew_candidates(const VecX& x, const VecX& p) {
+bool ContactSystem::update_candidates(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
   return broad_phase_->update(x, p, radii_, skin_);
 }
 
 void ContactSystem::cover(const VecX& x, const VecX& p) {
-  if (!renew_candidates(x, p)) return;
+  if (!update_candidates(x, p)) return;
   const PhaseScope scope(clock_, Phase::narrow_phase);
   narrow_phase_->set_candidates(candidates(), x);
 }

@@ -32,23 +32,24 @@ class ContactSystem : public StepParticipant {
   // Searches pairs within the rigid groups of these global vertices too, and within no other group.
   void enable_self_pairs(const std::vector<int>& vertices);
   void clear_caches() override;
-  // The pairs whose coarser side integrates in the present step, and those whose did in the one
-  // before the next (none: it is not known); they are remembered.
-  const IntegrationSides::Pairs& turned_sides() const;
-  void set_turned_before(std::optional<IntegrationSides::Pairs> turned) {
-    turned_before_ = std::move(turned);
+  // Returns the pairs whose coarser side is the secondary side in the present step
+  // (IntegrationSides::coarse_pairs). They are history variables.
+  const IntegrationSides::Pairs& coarse_pairs() const;
+  // Sets those of the last accepted step; none: unknown.
+  void set_previous_coarse_pairs(std::optional<IntegrationSides::Pairs> pairs) {
+    previous_coarse_pairs_ = std::move(pairs);
   }
   void load_history(const History& history) override;
   void commit(const VecX& x, History& history) const override;
-  // Starts a time step at x: areas, orientations and integration sides are taken there and held.
+  // Starts a time step at x: areas, orientations and secondary sides are lagged from x.
   void begin_step(const StepStart& start) override;
-  // Overlaps of the surfaces in the present step, and the surfaces at its start.
+  // Overlaps of the surfaces in the present step, and the lagged surfaces.
   const SurfaceOverlap& overlap() const;
-  const LaggedSurface& held() const;
-  // These pairs (ascending) keep the sides that integrate, from the next step on.
-  void hold_sides(IntegrationSides::Pairs pairs) { held_sides_ = std::move(pairs); }
-  // Appends the triangles that may come within range of a point inside a triangle (global
-  // vertices).
+  const LaggedSurface& lagged_surface() const;
+  // Keeps the secondary sides of these pairs (ascending) from the next step on.
+  void keep_sides(IntegrationSides::Pairs pairs) { kept_sides_ = std::move(pairs); }
+  // Appends the triangles that may come within range of a point of a triangle. t: global vertices;
+  // inside: barycentric coordinates.
   void triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const;
   // Makes x the current configuration: finds its active stencils.
   void move_to(const VecX& x) override;
@@ -56,7 +57,7 @@ class ContactSystem : public StepParticipant {
   void cover(const VecX& x, const VecX& p);
 
   const ContactSet& contacts() const { return contacts_; }
-  // By which covered areas change, of the present step.
+  // Overlap-boundary forces of the present step.
   const OverlapBoundaryForces& overlap_boundary_forces() const;
   const Candidates& candidates() const;
   const ContactSurface& surface() const { return surface_; }
@@ -64,26 +65,26 @@ class ContactSystem : public StepParticipant {
   const CollidingObjects& colliding() const { return colliding_; }
   int broad_phase_builds() const;
   double range() const { return range_; }
-  // The largest displacement for which one search is efficient: above it, boxes are mostly empty
-  // [m].
-  double stride() const { return stride_; }
+  // The largest displacement for which one search is efficient [m]: above it, the AABBs of
+  // displaced primitives are mostly empty.
+  double search_displacement_max() const { return search_displacement_max_; }
   SmallestGaps smallest_gaps(const VecX& x) const;
 
  private:
-  bool renew_candidates(const VecX& x, const VecX& p);
+  bool update_candidates(const VecX& x, const VecX& p);
 
   ContactSurface surface_;
   PairTable pairs_;
   CollidingObjects colliding_;
   PhaseClock& clock_;
-  double range_ = 0;   // largest range of all laws [m]
-  double stride_ = 0;  // m
-  double skin_ = 0;    // Verlet skin of the candidates [m]
+  double range_ = 0;                    // largest range of all laws [m]
+  double search_displacement_max_ = 0;  // m
+  double skin_ = 0;                     // Verlet skin of the candidates [m]
   InflationRadii radii_;
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
-  std::optional<IntegrationSides::Pairs> turned_before_;
-  IntegrationSides::Pairs held_sides_;
+  std::optional<IntegrationSides::Pairs> previous_coarse_pairs_;
+  IntegrationSides::Pairs kept_sides_;
   ContactSet contacts_;
 };
 

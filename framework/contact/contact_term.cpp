@@ -47,10 +47,10 @@ double kind_value(const VecX& x, const std::vector<PairLaw>& laws,
     });
     double sum = 0;
     for (int i = first; i < last; ++i) {
-      double part = stencils[i].weight * chunk.value[i - first];
+      double energy = stencils[i].weight * chunk.value[i - first];
       if constexpr (std::is_same_v<Kind, EdgeEdgeKind>)
-        part *= mollifier_of(x, stencils[i].vertices, thresholds[i]);
-      sum += part;
+        energy *= mollifier_of(x, stencils[i].vertices, thresholds[i]);
+      sum += energy;
     }
     return sum;
   });
@@ -79,35 +79,35 @@ void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
   });
 }
 
-std::vector<PairLaw> parts_of(const std::vector<PairLaw>& laws, bool adhesion) {
-  std::vector<PairLaw> parts;
+std::vector<PairLaw> laws_with(const std::vector<PairLaw>& laws, bool adhesion) {
+  std::vector<PairLaw> chosen;
   for (const PairLaw& law : laws) {
-    PairLaw part(law.offset());
+    PairLaw with_term(law.offset());
     for (const auto& term : law.laws())
-      if ((dynamic_cast<const NormalAdhesion*>(term.get()) != nullptr) == adhesion) part.add(term);
-    parts.push_back(std::move(part));
+      if ((dynamic_cast<const NormalAdhesion*>(term.get()) != nullptr) == adhesion) with_term.add(term);
+    chosen.push_back(std::move(with_term));
   }
-  return parts;
+  return chosen;
 }
 
 }  // namespace
 
 ContactTerm::ContactTerm(const ContactSystem& system)
     : Term("contact"), system_(system),
-      barrier_laws_(parts_of(system.pairs().laws(), false)),
-      adhesion_laws_(parts_of(system.pairs().laws(), true)), residuals_(system) {}
+      barrier_laws_(laws_with(system.pairs().laws(), false)),
+      adhesion_laws_(laws_with(system.pairs().laws(), true)), residuals_(system) {}
 
-const std::vector<PairLaw>& ContactTerm::laws(LawTerm part) const {
-  if (part == LawTerm::barrier) return barrier_laws_;
-  return part == LawTerm::adhesion ? adhesion_laws_ : system_.pairs().laws();
+const std::vector<PairLaw>& ContactTerm::laws(LawTerm term) const {
+  if (term == LawTerm::barrier) return barrier_laws_;
+  return term == LawTerm::adhesion ? adhesion_laws_ : system_.pairs().laws();
 }
 
 double ContactTerm::value(const VecX& x) const { return term_value(x, LawTerm::all); }
 
-double ContactTerm::term_value(const VecX& x, LawTerm part) const {
+double ContactTerm::term_value(const VecX& x, LawTerm term) const {
   double sum = 0;
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
-    sum += kind_value<decltype(kind)>(x, laws(part), stencils, thresholds);
+    sum += kind_value<decltype(kind)>(x, laws(term), stencils, thresholds);
   });
   return sum;
 }
@@ -157,21 +157,21 @@ void ContactTerm::derivatives(const VecX& x, Projection projection, double* grad
 
 // Calls act(kind, stencil, gradient) for each, in their order.
 template <class Act>
-void ContactTerm::for_each_gradient(const VecX& x, LawTerm part, const Act& act) const {
+void ContactTerm::for_each_gradient(const VecX& x, LawTerm term, const Act& act) const {
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
     using K = decltype(kind);
     std::vector<typename StencilEnergy<K>::Vector> gradients(stencils.size());
-    for_each_sample<K>(x, laws(part), stencils, [&](int i, double gap, const LawSample& l) {
+    for_each_sample<K>(x, laws(term), stencils, [&](int i, double gap, const LawSample& l) {
       gradients[i] = StencilEnergy<K>::gradient(x, stencils[i], l, gap, thresholds ? thresholds[i] : 0);
     });
     for (size_t i = 0; i < stencils.size(); ++i) act(kind, stencils[i], gradients[i]);
   });
 }
 
-VecX ContactTerm::forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only) const {
+VecX ContactTerm::forces(const VecX& x, LawTerm term, std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
   const auto& object = system_.surface().mesh.vertex_object;
-  for_each_gradient(x, part, [&](auto kind, const auto& stencil, const auto& gradient) {
+  for_each_gradient(x, term, [&](auto kind, const auto& stencil, const auto& gradient) {
     using K = decltype(kind);
     const auto& v = stencil.vertices;
     const int a = object[v[0]], b = object[v[K::first_vertices]];
@@ -181,9 +181,9 @@ VecX ContactTerm::forces(const VecX& x, LawTerm part, std::optional<ObjectPair> 
   return force;
 }
 
-VecX ContactTerm::compressions(const VecX& x, LawTerm part) const {
+VecX ContactTerm::compressions(const VecX& x, LawTerm term) const {
   VecX sums = VecX::Zero(x.size());
-  for_each_gradient(x, part, [&](auto kind, const auto& stencil, const auto& gradient) {
+  for_each_gradient(x, term, [&](auto kind, const auto& stencil, const auto& gradient) {
     using K = decltype(kind);
     const auto& v = stencil.vertices;
     // Distances are homogeneous of degree one: sum f_i . x_i is the distance times the force, which is positive where it repels.
@@ -200,8 +200,8 @@ VecX ContactTerm::compressions(const VecX& x, LawTerm part) const {
   return sums;
 }
 
-Vec3 ContactTerm::force_between(const VecX& x, LawTerm part, ObjectPair pair) const {
-  const VecX force = forces(x, part, pair);
+Vec3 ContactTerm::force_between(const VecX& x, LawTerm term, ObjectPair pair) const {
+  const VecX force = forces(x, term, pair);
   const auto& object = system_.surface().mesh.vertex_object;
   Vec3 sum = Vec3::Zero();
   for (size_t v = 0; v < object.size(); ++v)

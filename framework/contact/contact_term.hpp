@@ -17,7 +17,7 @@ namespace tack {
 
 enum class LawTerm { all, barrier, adhesion };
 // Returns the term of a record's name: "", "barrier" or "adhesion".
-LawTerm law_term(std::string_view part);
+LawTerm law_term(std::string_view name);
 
 class ContactTerm : public Term {
  public:
@@ -34,21 +34,21 @@ class ContactTerm : public Term {
   bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override;
   void publish(Records& records) const override;
 
-  double term_value(const VecX& x, LawTerm part) const;
+  double term_value(const VecX& x, LawTerm term) const;
   // Returns the force of a term of the laws on every vertex (3n) [N]; with a pair, of its stencils
   // only.
-  VecX forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only = std::nullopt) const;
-  // Returns the normal force on each vertex, positive where it is pressed, summed over stencils
-  // along the normal of each, in the first of its three entries (3n) [N].
-  VecX compressions(const VecX& x, LawTerm part) const;
+  VecX forces(const VecX& x, LawTerm term, std::optional<ObjectPair> only = std::nullopt) const;
+  // Returns the normal force on each vertex in the first of its three entries (3n) [N]: the sum
+  // over stencils of the forces along their normals, positive for pressure.
+  VecX compressions(const VecX& x, LawTerm term) const;
   // Returns the force of object b on object a [N].
-  Vec3 force_between(const VecX& x, LawTerm part, ObjectPair pair) const;
-  // Returns that term of each law of the pair table.
-  const std::vector<PairLaw>& laws(LawTerm part) const;
+  Vec3 force_between(const VecX& x, LawTerm term, ObjectPair pair) const;
+  // Returns the laws of the pair table with this term alone.
+  const std::vector<PairLaw>& laws(LawTerm term) const;
 
  private:
   template <class Act>
-  void for_each_gradient(const VecX& x, LawTerm part, const Act& act) const;
+  void for_each_gradient(const VecX& x, LawTerm term, const Act& act) const;
 
   const ContactSystem& system_;
   std::vector<PairLaw> barrier_laws_, adhesion_laws_;

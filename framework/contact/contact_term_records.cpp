@@ -6,9 +6,9 @@
 
 namespace tack {
 
-LawTerm law_term(std::string_view part) {
-  if (part.empty()) return LawTerm::all;
-  return part == "barrier" ? LawTerm::barrier : LawTerm::adhesion;
+LawTerm law_term(std::string_view name) {
+  if (name.empty()) return LawTerm::all;
+  return name == "barrier" ? LawTerm::barrier : LawTerm::adhesion;
 }
 
 void ContactTerm::publish(Records& records) const {
@@ -17,7 +17,7 @@ void ContactTerm::publish(Records& records) const {
   force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_term(part), pair); };
   force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_term(part)); };
   force.add_areas = [this](const VecX& x, VecX& areas) {
-    for_each_record(contact_points({system_, laws(LawTerm::barrier), laws_of_area(system_.pairs()), x}), [&](const auto& c) {
+    for_each_record(contact_points({system_, laws(LawTerm::barrier), integrated_laws(system_.pairs()), x}), [&](const auto& c) {
       for (size_t i = 0; i < c.vertices.size(); ++i) areas(3 * c.vertices[i]) += c.area * std::abs(c.coefficients[i]);
     });
   };

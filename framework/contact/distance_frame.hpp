@@ -1,10 +1,10 @@
-// Second derivatives of the distance between two features in a few numbers. With r = sum_i w_i x_i
-// = d n the shortest vector, t1 and t2 tangents orthogonal to n, and q_i the duals of
+// Second derivatives of the distance between two features, in compact form. With the shortest
+// vector r = sum_i w_i x_i = d n, tangents t1 and t2 orthogonal to n, and the duals q_i of
 // span_projection.hpp,
-//     d2d/dx_i dx_j = -w_i q_j n^T - w_j n q_i^T - d q_i.q_j n n^T + w_i w_j / d (f_1 t1 t1^T + f_2
-//     t2 t2^T),
-// where f_k is 1 if the features do not extend along t_k: for planes neither, for a line (along t1)
-// f_2, for points both. q_i has no part in such a direction.
+//     d2d/dx_i dx_j = -w_i q_j n^T - w_j n q_i^T - d q_i.q_j n n^T
+//                     + w_i w_j / d (f_1 t1 t1^T + f_2 t2 t2^T),
+// where f_k is 1 if the features do not extend along t_k, else 0: planes have f = (0, 0), a line
+// along t1 has (0, 1), points have (1, 1). q_i has no component along t_k with f_k = 1.
 #pragma once
 
 #include "geometry/distance/reduced_kernels.hpp"
@@ -20,7 +20,7 @@ struct DistanceFrame {
   Vec2 free;                          // f
 };
 
-// For distance_between and reduce_edge_edge.
+// Kernels of distance_between and reduce_edge_edge.
 struct FrameKernels {
   static DistanceFrame<2> point_point(const Vec3& a, const Vec3& b) {
     const Vec3 r = a - b;

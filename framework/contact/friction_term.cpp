@@ -36,19 +36,19 @@ FrictionTerm::FrictionTerm(const ContactSystem& system, const ContactTerm& norma
 
 void FrictionTerm::publish(Records& records) const {
   const auto tangential = [](std::string_view part) {
-    if (part.empty()) return TangentialPart::all;
-    return part == "friction" ? TangentialPart::friction : TangentialPart::adhesion;
+    if (part.empty()) return TangentialTerm::all;
+    return part == "friction" ? TangentialTerm::friction : TangentialTerm::adhesion;
   };
   ForceRecord force{"friction", ForceDirection::tangential, {"friction", "adhesion"}};
   force.add = [=, this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, tangential(part)); };
   force.between = [=, this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, tangential(part), pair); };
   force.stored = false;
   records.add(std::move(force));
-  for (const auto& [name, part] : {std::pair{"friction", TangentialPart::friction}, {"tangential_adhesion", TangentialPart::adhesion}})
-    records.add(EnergyRecord{name, EnergyKind::of_step, [this, part = part](const VecX& x) { return term_value(x, part); }});
+  for (const auto& [name, term] : {std::pair{"friction", TangentialTerm::friction}, {"tangential_adhesion", TangentialTerm::adhesion}})
+    records.add(EnergyRecord{name, EnergyKind::of_step, [this, term = term](const VecX& x) { return term_value(x, term); }});
   records.add(FlowRecord{"friction", {{"dissipated_friction"}, {"dissipated_adhesion"}}, [this](const VecX& x, double* amounts) {
-    amounts[0] = dissipated(x, TangentialPart::friction);
-    amounts[1] = dissipated(x, TangentialPart::adhesion);
+    amounts[0] = dissipated(x, TangentialTerm::friction);
+    amounts[1] = dissipated(x, TangentialTerm::adhesion);
   }, [this](const VecX& x, const EnergyVisitor& visit) { visit_dissipation(x, visit); }});
 }
 
@@ -59,9 +59,9 @@ ContactPoints FrictionTerm::lagged_at(const VecX& x) const {
 void FrictionTerm::take(ContactPoints points) {
   points_ = std::move(points);
   if (spins_.empty()) return;
-  FrictionPoints divided = divided_by_spin(points_, spins_, start_);
-  sliding_ = std::move(divided.sliding);
-  rolling_ = std::move(divided.rolling);
+  FrictionPoints split = split_by_spin(points_, spins_, start_);
+  sliding_ = std::move(split.sliding);
+  rolling_ = std::move(split.rolling);
 }
 
 void FrictionTerm::begin_step(const StepStart& start) {
@@ -70,13 +70,13 @@ void FrictionTerm::begin_step(const StepStart& start) {
 }
 
 double FrictionTerm::residual(const VecX& x, const ContactPoints& points) const {
-  const VecX held = forces(x, TangentialPart::all);
-  const FrictionPoints divided = spins_.empty() ? FrictionPoints{} : divided_by_spin(points, spins_, start_);
-  const VecX now = forces_of(spins_.empty() ? points : divided.sliding, divided.rolling, x, TangentialPart::all, std::nullopt);
+  const VecX lagged_force = forces(x, TangentialTerm::all);
+  const FrictionPoints split = spins_.empty() ? FrictionPoints{} : split_by_spin(points, spins_, start_);
+  const VecX force = forces_of(spins_.empty() ? points : split.sliding, split.rolling, x, TangentialTerm::all, std::nullopt);
   double largest = 0, difference = 0;
   for (int v = 0; v < x.size() / 3; ++v) {
-    largest = std::max({largest, vertex(held, v).norm(), vertex(now, v).norm()});
-    difference = std::max(difference, (vertex(held, v) - vertex(now, v)).norm());
+    largest = std::max({largest, vertex(lagged_force, v).norm(), vertex(force, v).norm()});
+    difference = std::max(difference, (vertex(lagged_force, v) - vertex(force, v)).norm());
   }
   return largest > 0 ? difference / largest : 0;
 }
@@ -93,11 +93,11 @@ FrictionTerm::PairForces FrictionTerm::normal_forces(const ContactPoints& points
   return sums;
 }
 
-void FrictionTerm::hold(const ContactPoints& now, const std::set<Objects>& between) {
-  const auto meant = [&](const auto& c) { return between.contains(c.objects()); };
-  for_each_arity(points_, [&]<int K>(std::vector<ContactPoint<K>>& held) {
-    std::erase_if(held, meant);
-    std::copy_if(now.of<K>().begin(), now.of<K>().end(), std::back_inserter(held), meant);
+void FrictionTerm::replace_points(const ContactPoints& now, const std::set<Objects>& between) {
+  const auto is_chosen = [&](const auto& c) { return between.contains(c.objects()); };
+  for_each_arity(points_, [&]<int K>(std::vector<ContactPoint<K>>& points) {
+    std::erase_if(points, is_chosen);
+    std::copy_if(now.of<K>().begin(), now.of<K>().end(), std::back_inserter(points), is_chosen);
   });
   take(std::move(points_));
 }
@@ -109,12 +109,12 @@ void FrictionTerm::scale_normal_forces(const PairForces& factors) {
   take(std::move(points_));
 }
 
-double FrictionTerm::term_value(const VecX& x, TangentialPart part) const {
-  return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, part).value; });
+double FrictionTerm::term_value(const VecX& x, TangentialTerm term) const {
+  return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, term).value; });
 }
 
-double FrictionTerm::dissipated(const VecX& x, TangentialPart part) const {
-  return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, part).slope_over_y * slip.y * slip.y; });
+double FrictionTerm::dissipated(const VecX& x, TangentialTerm term) const {
+  return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, term).slope_over_y * slip.y * slip.y; });
 }
 
 std::vector<StencilBatch> FrictionTerm::batches() const {
@@ -138,7 +138,7 @@ void FrictionTerm::derivatives(const VecX& x, Projection projection, double* gra
       const Slip slip(points[n], x, start_);
       const auto& c = points[n].coefficients;
       const TangentialLaw& law = system_.pairs().tangential(points[n].law);
-      const SlipSample s = slip.sample(law, h_, TangentialPart::all);
+      const SlipSample s = slip.sample(law, h_, TangentialTerm::all);
       const Vec3 slope = slip.slope(s);
       for (int i = 0; i < K; ++i)
         Eigen::Map<Vec3>(gradient + 3 * (K * static_cast<size_t>(n) + i)) = c[i] * slope;
@@ -152,11 +152,11 @@ void FrictionTerm::derivatives(const VecX& x, Projection projection, double* gra
     if (hessian) hessian += slots * static_cast<size_t>(count);
   });
   for (const RollingGroup& group : rolling_) {
-    const int arity = group.places + group.numbers, count = static_cast<int>(group.points.size());
+    const int arity = group.vector_count + group.scalar_count, count = static_cast<int>(group.points.size());
     for_each(count, [&](int n) {
       const RollingPoint& p = group.points[n];
       const Slip slip(p, x, start_);
-      const SlipSample s = slip.sample(system_.pairs().tangential(p.law), h_, TangentialPart::all);
+      const SlipSample s = slip.sample(system_.pairs().tangential(p.law), h_, TangentialTerm::all);
       const Vec3 slope = slip.slope(s);
       for (int i = 0; i < arity; ++i) Eigen::Map<Vec3>(gradient + 3 * (arity * static_cast<size_t>(n) + i)) = p.slope_of(i, slope);
       if (hessian) p.fill_hessian(slip.curvature(s, projection), hessian + 9 * hessian_blocks(arity) * static_cast<size_t>(n));
@@ -166,12 +166,12 @@ void FrictionTerm::derivatives(const VecX& x, Projection projection, double* gra
   }
 }
 
-VecX FrictionTerm::forces_of(const ContactPoints& sliding, const std::vector<RollingGroup>& rolling, const VecX& x, TangentialPart part,
+VecX FrictionTerm::forces_of(const ContactPoints& sliding, const std::vector<RollingGroup>& rolling, const VecX& x, TangentialTerm term,
                              std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
   const auto slope_at = [&](const auto& point) {
     const Slip slip(point, x, start_);
-    return slip.slope(slip.sample(system_.pairs().tangential(point.law), h_, part));
+    return slip.slope(slip.sample(system_.pairs().tangential(point.law), h_, term));
   };
   for_each_arity(sliding, [&]<int K>(const std::vector<ContactPoint<K>>& list) {
     for (const ContactPoint<K>& c : list) {
@@ -189,16 +189,16 @@ VecX FrictionTerm::forces_of(const ContactPoints& sliding, const std::vector<Rol
   return force;
 }
 
-VecX FrictionTerm::forces(const VecX& x, TangentialPart part,
+VecX FrictionTerm::forces(const VecX& x, TangentialTerm term,
                           std::optional<ObjectPair> only) const {
-  return forces_of(sliding(), rolling_, x, part, only);
+  return forces_of(sliding(), rolling_, x, term, only);
 }
 
-Vec3 FrictionTerm::force_between(const VecX& x, TangentialPart part, ObjectPair pair) const {
-  VecX force = forces(x, part, pair);
+Vec3 FrictionTerm::force_between(const VecX& x, TangentialTerm term, ObjectPair pair) const {
+  VecX force = forces(x, term, pair);
   for (const RollingGroup& group : rolling_)  // moments
     for (const RollingPoint& p : group.points)
-      for (int j = p.places; j < p.arity(); ++j) vertex(force, p.vertices[j]).setZero();
+      for (int j = p.vector_count; j < p.arity(); ++j) vertex(force, p.vertices[j]).setZero();
   const auto& object = system_.surface().mesh.vertex_object;
   Vec3 sum = Vec3::Zero();
   for (size_t v = 0; v < object.size(); ++v)

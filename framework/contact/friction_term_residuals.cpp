@@ -39,7 +39,7 @@ bool FrictionTerm::residuals(const VecX& x, double* r, double* jacobian) const {
     const int count = static_cast<int>(points.size());
     for_each(count, [&](int n) {
       const Slip slip(points[n], x, start_);
-      const SlipSample s = slip.sample(system_.pairs().tangential(points[n].law), h_, TangentialPart::all);
+      const SlipSample s = slip.sample(system_.pairs().tangential(points[n].law), h_, TangentialTerm::all);
       const auto by_point = residuals_of(slip, s, r + static_cast<size_t>(rows) * n);
       if (!jacobian) return;
       Eigen::Map<Eigen::Matrix<double, rows, 3 * K, Eigen::RowMajor>> out(jacobian + static_cast<size_t>(rows) * 3 * K * n);
@@ -51,14 +51,14 @@ bool FrictionTerm::residuals(const VecX& x, double* r, double* jacobian) const {
   for (const RollingGroup& group : rolling_)
     for (const RollingPoint& p : group.points) {
       const Slip slip(p, x, start_);
-      const SlipSample s = slip.sample(system_.pairs().tangential(p.law), h_, TangentialPart::all);
+      const SlipSample s = slip.sample(system_.pairs().tangential(p.law), h_, TangentialTerm::all);
       const auto by_point = residuals_of(slip, s, r);
       r += rows;
       if (!jacobian) continue;
       Eigen::Map<Eigen::Matrix<double, rows, Eigen::Dynamic, Eigen::RowMajor>> out(jacobian, rows, 3 * p.arity());
       out.setZero();
-      for (int i = 0; i < p.places; ++i) out.middleCols<3>(3 * i) = p.coefficients[i] * by_point;
-      for (int j = 0; j < p.numbers; ++j) out.col(3 * (p.places + j)) = by_point * p.directions[j];
+      for (int i = 0; i < p.vector_count; ++i) out.middleCols<3>(3 * i) = p.coefficients[i] * by_point;
+      for (int j = 0; j < p.scalar_count; ++j) out.col(3 * (p.vector_count + j)) = by_point * p.directions[j];
       jacobian += static_cast<size_t>(rows) * 3 * p.arity();
     }
   return true;

@@ -7,7 +7,7 @@
 
 namespace tack {
 
-void LaggedSurface::hold(const VecX& x) {
+void LaggedSurface::update(const VecX& x) {
   x_ = x;
   normals_.resize(mesh_.triangles.size());
   areas_.resize(mesh_.triangles.size());
@@ -21,13 +21,13 @@ void LaggedSurface::hold(const VecX& x) {
   });
 }
 
-double LaggedSurface::whole(int vertex_index) const {
+double LaggedSurface::tributary_area(int vertex_index) const {
   double area = 0;
   for (const int t : topology_.triangles_at(vertex_index)) area += areas_[t] / 3;
   return area;
 }
 
-double LaggedSurface::thin(int vertex_index) const {
+double LaggedSurface::codimensional_area(int vertex_index) const {
   const double radius = topology_.particle_radius(vertex_index);
   double area = M_PI * radius * radius;
   for (const int e : topology_.rods_at(vertex_index)) {
@@ -37,7 +37,7 @@ double LaggedSurface::thin(int vertex_index) const {
   return area;
 }
 
-double LaggedSurface::thin(int vertex_index, const Vec3& n) const {
+double LaggedSurface::codimensional_area(int vertex_index, const Vec3& n) const {
   const double radius = topology_.particle_radius(vertex_index);
   double area = M_PI * radius * radius;
   const auto rods = topology_.rods_at(vertex_index);
@@ -52,11 +52,11 @@ double LaggedSurface::thin(int vertex_index, const Vec3& n) const {
   return area;
 }
 
-double LaggedSurface::cell(int vertex_index, const Vec3& n) const {
+double LaggedSurface::area_per_vertex(int vertex_index, const Vec3& n) const {
   double area = 0;
   int facing = 0;
   for (const int t : topology_.triangles_at(vertex_index))
-    if (cosine(t, n) > least_cosine) area += cell(t), ++facing;
+    if (cosine(t, n) > facing_cosine_min) area += area_per_vertex(t), ++facing;
   return facing > 0 ? area / facing : 0;
 }
 

@@ -20,14 +20,14 @@
 namespace tack {
 
 // Least cosine between a triangle and the surface that it faces.
-inline constexpr double least_cosine = 0.1;
+inline constexpr double facing_cosine_min = 0.1;
 
-// Least ratio of height to distance for which a point is in front of a face of its own object:
+// Least height over distance for which a point is in front of a triangle of its own object:
 // neighbours on a slightly hollow surface are not opposite.
-inline constexpr double own_front = 0.15;
+inline constexpr double self_height_per_distance_min = 0.15;
 
-// Relative tolerance of equal distances: of faces that meet in the closest point.
-inline constexpr double same_distance = 1e-6;
+// Relative tolerance of equal distances: of triangles that meet in the closest point.
+inline constexpr double distance_tolerance = 1e-6;
 
 class LaggedSurface {
  public:
@@ -35,27 +35,27 @@ class LaggedSurface {
   explicit LaggedSurface(const ContactSurface& surface)
       : mesh_(surface.mesh), rod_width_(surface.rod_width), topology_(surface) {}
 
-  // Takes positions, normals and areas at x.
-  void hold(const VecX& x);
-  bool held() const { return x_.size() > 0; }
+  // Sets positions, normals and areas to those at x (3n) [m].
+  void update(const VecX& x);
+  bool is_set() const { return x_.size() > 0; }
 
-  const VecX& x() const { return x_; }  // 3n [m]
+  const VecX& x() const { return x_; }                                   // 3n [m]
   const Vec3& normal(int triangle) const { return normals_[triangle]; }  // zero without area
   double area(int triangle) const { return areas_[triangle]; }           // m^2
   const SurfaceTopology& topology() const { return topology_; }
   double rod_width(int object) const { return rod_width_[object]; }  // m
 
   // Tributary area: a third of the area of the incident triangles [m^2].
-  double whole(int vertex_index) const;
+  double tributary_area(int vertex_index) const;
   // Tributary area of rods and particles [m^2]: its largest projection, and the projection onto a
   // surface of unit normal n.
-  double thin(int vertex_index) const;
-  double thin(int vertex_index, const Vec3& n) const;
-  // Area per vertex in a mesh of triangles like this one [m^2]; at a vertex the mean over incident
+  double codimensional_area(int vertex_index) const;
+  double codimensional_area(int vertex_index, const Vec3& n) const;
+  // Area per vertex of a mesh of triangles like this one [m^2]; of a vertex: the mean over incident
   // triangles that face a surface of normal n.
-  double cell(int triangle) const { return 2 * areas_[triangle]; }
-  double cell(int vertex_index, const Vec3& n) const;
-  // -n_T . n, or |n_T . n| on sheets.
+  double area_per_vertex(int triangle) const { return 2 * areas_[triangle]; }
+  double area_per_vertex(int vertex_index, const Vec3& n) const;
+  // Returns -n_T . n, or |n_T . n| on sheets.
   double cosine(int triangle, const Vec3& n) const;
 
  private:

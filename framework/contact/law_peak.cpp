@@ -6,10 +6,10 @@
 namespace tack {
 
 LawPeak largest_traction(const NormalLaw& law) {
-  constexpr int places = 2000;
-  const double width = law.range() / places;
+  constexpr int intervals = 2000;
+  const double width = law.range() / intervals;
   LawPeak peak;
-  for (int i = 0; i < places; ++i)
+  for (int i = 0; i < intervals; ++i)
     if (const double d = width * (i + 0.5), traction = law.at(d).slope; traction > peak.traction) peak = {d, traction};
   if (!(peak.traction > 0)) return {};
   // Golden section between its neighbours.
@@ -26,9 +26,9 @@ LawPeak largest_traction(const NormalLaw& law) {
 }
 
 double last_gap_with(const NormalLaw& law, double traction) {
-  constexpr int places = 4000;
-  for (int i = places; i > 0; --i)
-    if (const double gap = law.range() * i / places; law.at(gap * (1 - 1e-9)).slope > traction) return gap;
+  constexpr int intervals = 4000;
+  for (int i = intervals; i > 0; --i)
+    if (const double gap = law.range() * i / intervals; law.at(gap * (1 - 1e-9)).slope > traction) return gap;
   return 0;
 }
 

@@ -1,4 +1,4 @@
-// The largest traction of a law of the gap, and where.
+// Largest traction of a traction-separation law, and its gap.
 #pragma once
 
 #include "framework/contact/normal_law.hpp"
@@ -6,14 +6,14 @@
 namespace tack {
 
 struct LawPeak {
-  double gap = 0, traction = 0;  // m, Pa; both 0 of what only pushes
+  double gap = 0, traction = 0;  // m, Pa; both 0 for a law that only repels
 };
 
-// Found numerically: of two peaks that are less than a two-thousandth of the range apart, either
-// one.
+// Returns the peak, found numerically. Limit: of two peaks closer than 1/2000 of the range, either
+// one is found.
 LawPeak largest_traction(const NormalLaw& law);
 
-// The last gap at which it pulls with that much, to a four-thousandth of its range; 0: none [m].
+// Returns the largest gap with more than this traction, to 1/4000 of the range [m]; 0: none.
 double last_gap_with(const NormalLaw& law, double traction);
 
 }  // namespace tack

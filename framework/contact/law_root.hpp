@@ -1,7 +1,7 @@
-// The signed root of a normal law's energy above its lowest value, for least squares:
+// Signed root of the energy of a normal law above its lowest value, for least squares:
 //     rho(d) = sign(d - d*) sqrt(2 (phi(d) - phi(d*))),    rho' = phi' / rho,
 // with d* the gap of lowest energy: the bottom of the well, or the range of a law that only repels.
-// rho is smooth and rises through d*, and rho rho' = phi'.
+// rho is smooth and increases through d*, and rho rho' = phi'.
 #pragma once
 
 #include "framework/contact/pair_law.hpp"
@@ -20,8 +20,8 @@ class LawRoot {
   Sample at(double d, const LawSample& phi) const;
 
  private:
-  double gap_;        // d* [m]
-  double offset_;     // of the law [m]
+  double gap_;     // d* [m]
+  double offset_;  // of the law [m]
   double depth_ = 0;
   double stiffness_ = 0;  // phi''(d*)^1/2; 0 for a law that only repels
 };

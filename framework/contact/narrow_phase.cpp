@@ -20,26 +20,26 @@ bool any_of(const std::vector<char>& marked, std::span<const int> vertices) {
   return marked.empty() || std::any_of(vertices.begin(), vertices.end(), [&](int v) { return marked[v] != 0; });
 }
 
-using Found = ContactSet;  // of one chunk, without thresholds; chunks are joined in order
+using FoundStencils = ContactSet;  // of one chunk, without thresholds; chunks are joined in order
 
 // Base of the searches for stencils of points and of samples.
 class StencilSearch {
  protected:
   StencilSearch(const CollisionMesh& mesh, const PairTable& pairs, const FreeVertices& free, const VecX& x,
-                Found& found)
+                FoundStencils& found)
       : mesh_(mesh), pairs_(pairs), x_(x), found_(found), free_(free) {}
 
   // Own: the vertices of the point, before those of what it is near.
   template <int Own, class Stencil>
-  void keep(std::vector<Stencil>& stencils, const std::type_identity_t<Stencil>& stencil) {
+  void add_if_free(std::vector<Stencil>& stencils, const std::type_identity_t<Stencil>& stencil) {
     const std::span<const int> all(stencil.vertices);
-    if (any_of(free_.free, all.first(Own)) || any_of(free_.beside, all.subspan(Own))) stencils.push_back(stencil);
+    if (any_of(free_.free, all.first(Own)) || any_of(free_.one_ring, all.subspan(Own))) stencils.push_back(stencil);
   }
 
   const CollisionMesh& mesh_;
   const PairTable& pairs_;
   const VecX& x_;
-  Found& found_;
+  FoundStencils& found_;
   PointFeatures features_;
   std::vector<Triangle> triangles_;
 
@@ -47,81 +47,81 @@ class StencilSearch {
   const FreeVertices& free_;
 };
 
-class PointSearch : StencilSearch {
+class VertexSearch : StencilSearch {
  public:
-  PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const DisplacementBounds& displacements,
-              const PointPieces& pieces, const FreeVertices& free, const VecX& x, Found& found)
-      : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), displacements_(displacements), pieces_(pieces) {}
+  VertexSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const DisplacementBounds& displacements,
+              const VertexQuadrature& quadrature, const FreeVertices& free, const VecX& x, FoundStencils& found)
+      : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), displacements_(displacements), quadrature_(quadrature) {}
 
-  void search(const PointPiece& piece) {
+  void search(const VertexQuadraturePoint& point) {
     triangles_.clear();
-    shares_.clear();
-    for (int i = piece.triangle_begin; i < piece.triangle_end; ++i) {
-      const int candidate = pieces_.triangles[i], t = candidates_.point_triangle[candidate][1];
-      const double displacement = displacements_.vertex(piece.point) + displacements_.triangle(t);
-      if (!(candidates_.reference_distances.point_triangle[candidate] - displacement < piece.range)) continue;
+    weights_.clear();
+    for (int i = point.triangle_begin; i < point.triangle_end; ++i) {
+      const int candidate = quadrature_.triangles[i], t = candidates_.point_triangle[candidate][1];
+      const double displacement = displacements_.vertex(point.point) + displacements_.triangle(t);
+      if (!(candidates_.reference_distances.point_triangle[candidate] - displacement < point.range)) continue;
       triangles_.push_back(mesh_.triangles[t]);
-      if (piece.share_begin >= 0) shares_.push_back(pieces_.shares[piece.share_begin + i - piece.triangle_begin]);
+      if (point.weight_begin >= 0) weights_.push_back(quadrature_.weights[point.weight_begin + i - point.triangle_begin]);
     }
-    if (piece.share_begin >= 0) {
-      for (const PointFeature& f : features_.reduce(x_, vertex(x_, piece.point), triangles_, shares_, piece.range))
-        add(piece.point, f, piece.law, piece.area * f.multiplicity);
+    if (point.weight_begin >= 0) {
+      for (const PointFeature& f : features_.reduce(x_, vertex(x_, point.point), triangles_, weights_, point.range))
+        add(point.point, f, point.law, point.area * f.multiplicity);
       return;
     }
-    if (triangles_.empty() && piece.edge_begin == piece.edge_end && piece.other_begin == piece.other_end) return;
+    if (triangles_.empty() && point.edge_begin == point.edge_end && point.other_begin == point.other_end) return;
     edges_.clear();
-    for (int i = piece.edge_begin; i < piece.edge_end; ++i) edges_.push_back(mesh_.edges[pieces_.edges[i]]);
-    const std::span<const int> others(pieces_.others.data() + piece.other_begin, pieces_.others.data() + piece.other_end);
-    for (const PointFeature& f : features_.reduce(x_, vertex(x_, piece.point), triangles_, edges_, others, piece.range,
+    for (int i = point.edge_begin; i < point.edge_end; ++i) edges_.push_back(mesh_.edges[quadrature_.edges[i]]);
+    const std::span<const int> others(quadrature_.others.data() + point.other_begin, quadrature_.others.data() + point.other_end);
+    for (const PointFeature& f : features_.reduce(x_, vertex(x_, point.point), triangles_, edges_, others, point.range,
                                                   pairs_.plain_sums))
-      add(piece.point, f, piece.law, piece.area * f.multiplicity);
+      add(point.point, f, point.law, point.area * f.multiplicity);
   }
 
  private:
   void add(int p, const PointFeature& f, int law, double weight) {
     const auto& v = f.vertices;
     switch (f.count()) {
-      case 1: keep<1>(found_.point_point, {{p, v[0]}, law, weight}); break;
-      case 2: keep<1>(found_.point_edge, {{p, v[0], v[1]}, law, weight}); break;
-      default: keep<1>(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, weight});
+      case 1: add_if_free<1>(found_.point_point, {{p, v[0]}, law, weight}); break;
+      case 2: add_if_free<1>(found_.point_edge, {{p, v[0], v[1]}, law, weight}); break;
+      default: add_if_free<1>(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, weight});
     }
   }
 
   const Candidates& candidates_;
   const DisplacementBounds& displacements_;
-  const PointPieces& pieces_;
-  std::vector<TriangleWeight> shares_;
+  const VertexQuadrature& quadrature_;
+  std::vector<TriangleWeight> weights_;
   std::vector<Edge> edges_;
 };
 
-class SampleSearch : StencilSearch {
+class InteriorSearch : StencilSearch {
  public:
-  SampleSearch(const ContactSurface& surface, const PairTable& pairs, const std::vector<ContactSample>& samples,
-               const SamplePieces& pieces, const FreeVertices& free, const VecX& x, Found& found)
-      : StencilSearch(surface.mesh, pairs, free, x, found), samples_(samples), pieces_(pieces) {}
+  InteriorSearch(const ContactSurface& surface, const PairTable& pairs, const std::vector<InteriorPoint>& points,
+               const InteriorPatches& patches, const FreeVertices& free, const VecX& x, FoundStencils& found)
+      : StencilSearch(surface.mesh, pairs, free, x, found), points_(points), patches_(patches) {}
 
   void search(int i) {
-    const ContactSample& sample = samples_[i];
-    const Triangle& own = mesh_.triangles[sample.triangle];
-    const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object, sample.region_pair);
+    const InteriorPoint& point = points_[i];
+    const Triangle& own = mesh_.triangles[point.triangle];
+    const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], point.object, point.region_pair);
     triangles_.clear();
-    for (int k = pieces_.pieces[i].begin; k < pieces_.pieces[i].end; ++k) triangles_.push_back(mesh_.triangles[pieces_.triangles[k]]);
-    const Vec3 p = point_inside(x_, own, sample.inside);
+    for (int k = patches_.ranges[i].begin; k < patches_.ranges[i].end; ++k) triangles_.push_back(mesh_.triangles[patches_.triangles[k]]);
+    const Vec3 p = point_inside(x_, own, point.inside);
     for (const PointFeature& f : features_.reduce(x_, p, triangles_, {}, {}, role.range, false)) {
       const auto [a, b, c] = own;
       const auto& v = f.vertices;
-      const double weight = role.area_factor * sample.area * f.multiplicity;
+      const double weight = role.area_factor * point.area * f.multiplicity;
       switch (f.count()) {
-        case 1: keep<3>(found_.sample_point, {{a, b, c, v[0]}, role.law, weight, sample.inside, i}); break;
-        case 2: keep<3>(found_.sample_edge, {{a, b, c, v[0], v[1]}, role.law, weight, sample.inside, i}); break;
-        default: keep<3>(found_.sample_triangle, {{a, b, c, v[0], v[1], v[2]}, role.law, weight, sample.inside, i});
+        case 1: add_if_free<3>(found_.interior_point, {{a, b, c, v[0]}, role.law, weight, point.inside, i}); break;
+        case 2: add_if_free<3>(found_.interior_edge, {{a, b, c, v[0], v[1]}, role.law, weight, point.inside, i}); break;
+        default: add_if_free<3>(found_.interior_triangle, {{a, b, c, v[0], v[1], v[2]}, role.law, weight, point.inside, i});
       }
     }
   }
 
  private:
-  const std::vector<ContactSample>& samples_;
-  const SamplePieces& pieces_;
+  const std::vector<InteriorPoint>& points_;
+  const InteriorPatches& patches_;
 };
 
 const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, const Edge& a, const Edge& b) {
@@ -130,14 +130,14 @@ const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, con
 }
 
 // Returns the area of a pair of edges. An edge without width has no area, and does not count here.
-double shared_area(double a, double b, double most_uneven) {
-  const auto [least, most] = std::minmax(a, b);
-  return least > 0 ? least + std::min(most, most_uneven * least) : most;
+double shared_area(double a, double b, double area_ratio_max) {
+  const auto [smaller, larger] = std::minmax(a, b);
+  return smaller > 0 ? smaller + std::min(larger, area_ratio_max * smaller) : larger;
 }
 
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
                   const std::vector<EdgePair>& edge_pairs, const DisplacementBounds& displacements, const std::vector<char>& free, const VecX& x,
-                  int first, int last, Found& found) {
+                  int first, int last, FoundStencils& found) {
   const CollisionMesh& mesh = surface.mesh;
   const double largest = pairs.largest_edge_range();
   for (int i = first; i < last; ++i) {
@@ -158,7 +158,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
 
 // Finds the stencils of crossing rods, weighted with the area of their overlap.
 void search_crossings(const ContactSurface& surface, const PairTable& pairs, const std::vector<RodOverlaps::Crossing>& crossings,
-                      const std::vector<char>& free, const VecX& x, Found& found) {
+                      const std::vector<char>& free, const VecX& x, FoundStencils& found) {
   const CollisionMesh& mesh = surface.mesh;
   for (const auto& [edges, area] : crossings) {
     const Edge &a = mesh.edges[edges[0]], &b = mesh.edges[edges[1]];
@@ -174,9 +174,9 @@ void search_crossings(const ContactSurface& surface, const PairTable& pairs, con
 }
 
 template <class Stencils>
-void join(const std::vector<Found>& chunks, Stencils Found::* member, Stencils& all) {
+void join(const std::vector<FoundStencils>& chunks, Stencils FoundStencils::* member, Stencils& all) {
   all.clear();
-  for (const Found& chunk : chunks)
+  for (const FoundStencils& chunk : chunks)
     all.insert(all.end(), (chunk.*member).begin(), (chunk.*member).end());
   const auto by_law = [](const auto& a, const auto& b) { return a.law < b.law; };
   if (!std::is_sorted(all.begin(), all.end(), by_law)) std::stable_sort(all.begin(), all.end(), by_law);
@@ -185,17 +185,17 @@ void join(const std::vector<Found>& chunks, Stencils Found::* member, Stencils& 
 }  // namespace
 
 NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const BroadPhase& broad_phase)
-    : surface_(surface), pairs_(pairs), held_(surface), sides_(pairs), overlap_(surface, pairs, held_),
+    : surface_(surface), pairs_(pairs), lagged_(surface), sides_(pairs), overlap_(surface, pairs, lagged_),
       broad_phase_(broad_phase), rods_(surface, pairs) {}
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
   const int own = surface_.mesh.vertex_object[group.point];
   return pairs_.point(own, group.object).law >= 0 && pairs_.may_carry_pressure(own, group.object) &&
-         !held_.topology().triangles_at(group.point).empty();
+         !lagged_.topology().triangles_at(group.point).empty();
 }
 
 // The groups that integrate and have no view in this step yet. changed: others have one; null: any may have none.
-std::vector<PointGroup> NarrowPhase::unseen(const ChangedPrimitives* changed) const {
+std::vector<PointGroup> NarrowPhase::groups_without_patches(const ChangedPrimitives* changed) const {
   const auto may_be_new = [&](const PointGroup& g) {
     return !changed || changed->vertices[g.point] || changed->objects[g.object];
   };
@@ -203,7 +203,7 @@ std::vector<PointGroup> NarrowPhase::unseen(const ChangedPrimitives* changed) co
   const int n = static_cast<int>(groups.size());
   std::vector<std::vector<PointGroup>> chunks(chunk_count(n));
   for_each_chunk(n, [&](int c, int first, int last) {
-    SortedCursor<GroupView> known(views_), later(later_views_);
+    SortedCursor<GroupPatches> known(patches_), later(later_patches_);
     for (int i = first; i < last; ++i)
       if (may_be_new(groups[i]) && may_integrate(groups[i]) && !known.find(groups[i].key()) && !later.find(groups[i].key())) chunks[c].push_back(groups[i]);
   });
@@ -213,20 +213,20 @@ std::vector<PointGroup> NarrowPhase::unseen(const ChangedPrimitives* changed) co
 }
 
 // later: than what is covered was found.
-std::vector<GroupView> NarrowPhase::look(const Candidates& candidates, const std::vector<PointGroup>& groups, bool later) const {
-  std::vector<GroupView> seen(groups.size());
+std::vector<GroupPatches> NarrowPhase::find_patches(const Candidates& candidates, const std::vector<PointGroup>& groups, bool later) const {
+  std::vector<GroupPatches> found(groups.size());
   for_each_chunk(static_cast<int>(groups.size()), [&](int, int first, int last) {
-    FacingViewer viewer(surface_.mesh, held_);
+    PatchFinder finder(surface_.mesh, lagged_);
     for (int i = first; i < last; ++i) {
       const PointGroup& g = groups[i];
-      seen[i] = {g.point, g.object, viewer.look(viewer.vertex_view(g.point), g.triangle_end - g.triangle_begin,
+      found[i] = {g.point, g.object, finder.find(finder.at_vertex(g.point), g.triangle_end - g.triangle_begin,
                                                 [&](int k) { return candidates.point_triangle[g.triangle_begin + k][1]; })};
-      if (!later || !overlap_.weighs(surface_.mesh.vertex_object[g.point], g.object, sides_)) continue;
-      FacingView& view = seen[i].view;
-      for (int k = 0; k < view.count; ++k) view.pieces[k].area = overlap_.unknown_area(g.point, g.object, view.pieces[k].normal);
+      if (!later || !overlap_.uses_overlap(surface_.mesh.vertex_object[g.point], g.object, sides_)) continue;
+      VisiblePatches& visible = found[i].visible;
+      for (int k = 0; k < visible.count; ++k) visible.patches[k].area = overlap_.unknown_area(g.point, g.object, visible.patches[k].normal);
     }
   });
-  return seen;
+  return found;
 }
 
 // Edges of one object that are neighbours at rest do not press. changed: for others it stays as it was decided.
@@ -262,95 +262,95 @@ void NarrowPhase::choose_edges(const Candidates& candidates, const ChangedPrimit
   edge_pairs_ = std::move(all);
 }
 
-void NarrowPhase::take(const Candidates& candidates, const ChangedPrimitives* changed) {
+void NarrowPhase::prepare(const Candidates& candidates, const ChangedPrimitives* changed) {
   groups_.make(candidates, surface_.mesh);
   choose_edges(candidates, changed);
 }
 
 void NarrowPhase::set_candidates(const Candidates& candidates, const VecX& x) {
-  if (!held_.held()) {
-    take(candidates);
+  if (!lagged_.is_set()) {
+    prepare(candidates);
     begin_step(candidates, x);
     return;
   }
   const ChangedPrimitives* changed = broad_phase_.changed();
   const PointGroups groups = std::move(groups_);
-  take(candidates, changed);
-  const std::vector<GroupView> seen = look(candidates, unseen(changed), true);
-  std::vector<GroupView> all;
-  std::merge(later_views_.begin(), later_views_.end(), seen.begin(), seen.end(), std::back_inserter(all),
-             [](const GroupView& a, const GroupView& b) { return a.key() < b.key(); });
-  later_views_ = std::move(all);
+  prepare(candidates, changed);
+  const std::vector<GroupPatches> found = find_patches(candidates, groups_without_patches(changed), true);
+  std::vector<GroupPatches> all;
+  std::merge(later_patches_.begin(), later_patches_.end(), found.begin(), found.end(), std::back_inserter(all),
+             [](const GroupPatches& a, const GroupPatches& b) { return a.key() < b.key(); });
+  later_patches_ = std::move(all);
   if (!changed) {
     make_lists(candidates, nullptr);
     return;
   }
-  const EarlierPieces earlier{groups, pieces_, *changed};
+  const EarlierVertexQuadrature earlier{groups, quadrature_, *changed};
   make_lists(candidates, &earlier);
 }
 
 void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
-  held_.hold(x);
-  shares_at_start_ = shares_before_;
-  views_.clear();
-  later_views_.clear();
-  views_ = look(candidates, unseen(nullptr), false);
-  overlap_.capture(views_, sides_);
-  if (overlap_.wanted()) {
-    overlap_.weigh(sides_, broad_phase_, views_);
-    overlap_boundary_forces_.take(overlap_.parts(), pairs_, surface_.mesh, held_);
+  lagged_.update(x);
+  weights_at_start_ = previous_weights_;
+  patches_.clear();
+  later_patches_.clear();
+  patches_ = find_patches(candidates, groups_without_patches(nullptr), false);
+  overlap_.choose_sides(patches_, sides_);
+  if (overlap_.needed()) {
+    overlap_.evaluate(sides_, broad_phase_, patches_);
+    overlap_boundary_forces_.update(overlap_.facets(), pairs_, surface_.mesh, lagged_);
   }
   make_lists(candidates, nullptr);
 }
 
 // earlier: null: all is new.
-void NarrowPhase::make_lists(const Candidates& candidates, const EarlierPieces* earlier) {
-  if (!pairs_.plain_sums) rods_.find(candidates, held_);
-  const PieceRequest request{surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_, later_views_, shares_at_start_};
-  pieces_ = make_pieces(request, earlier);
-  if (earlier) renew_sample_pieces(earlier->changed, overlap_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
-  else sample_pieces_ = make_sample_pieces(overlap_.samples(), surface_.mesh, held_, broad_phase_);
+void NarrowPhase::make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier) {
+  if (!pairs_.plain_sums) rods_.find(candidates, lagged_);
+  const VertexQuadratureRequest request{surface_, pairs_, lagged_, sides_, rods_, candidates, groups_, patches_, later_patches_, weights_at_start_};
+  quadrature_ = make_vertex_quadrature(request, earlier);
+  if (earlier) update_interior_patches(earlier->changed, overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_, interior_patches_);
+  else interior_patches_ = make_interior_patches(overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_);
 }
 
 void NarrowPhase::set_free(std::vector<char> free) {
   free_ = {std::move(free), {}};
   if (free_.free.empty()) return;
-  free_.beside = free_.free;
+  free_.one_ring = free_.free;
   for (const auto& [a, b] : surface_.mesh.edges) {
-    free_.beside[a] |= free_.free[b];
-    free_.beside[b] |= free_.free[a];
+    free_.one_ring[a] |= free_.free[b];
+    free_.one_ring[b] |= free_.free[a];
   }
 }
 
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) {
-  if (const std::vector<int> added = overlap_.approach(x); !added.empty())
-    add_sample_pieces(added, overlap_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
-  const int points = static_cast<int>(pieces_.pieces.size());
+  if (const std::vector<int> added = overlap_.subdivide_approached(x); !added.empty())
+    add_interior_patches(added, overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_, interior_patches_);
+  const int points = static_cast<int>(quadrature_.points.size());
   const int edges = static_cast<int>(edge_pairs_.size());
   const DisplacementBounds displacements(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
-  std::vector<Found> found_points(chunk_count(points)), found_edges(chunk_count(edges));
+  std::vector<FoundStencils> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   for_each_chunk(points, [&](int c, int first, int last) {
-    PointSearch search(surface_, pairs_, candidates, displacements, pieces_, free_, x, found_points[c]);
-    for (int i = first; i < last; ++i) search.search(pieces_.pieces[i]);
+    VertexSearch search(surface_, pairs_, candidates, displacements, quadrature_, free_, x, found_points[c]);
+    for (int i = first; i < last; ++i) search.search(quadrature_.points[i]);
   });
   for_each_chunk(edges, [&](int c, int first, int last) {
     search_edges(surface_, pairs_, candidates, edge_pairs_, displacements, free_.free, x, first, last, found_edges[c]);
   });
   if (!rods_.crossings().empty())
     search_crossings(surface_, pairs_, rods_.crossings(), free_.free, x, found_edges.emplace_back());
-  const int samples = static_cast<int>(overlap_.samples().size());
-  std::vector<Found> found_samples(chunk_count(samples));
-  for_each_chunk(samples, [&](int c, int first, int last) {
-    SampleSearch search(surface_, pairs_, overlap_.samples(), sample_pieces_, free_, x, found_samples[c]);
+  const int interior_points = static_cast<int>(overlap_.interior_points().size());
+  std::vector<FoundStencils> found_interior(chunk_count(interior_points));
+  for_each_chunk(interior_points, [&](int c, int first, int last) {
+    InteriorSearch search(surface_, pairs_, overlap_.interior_points(), interior_patches_, free_, x, found_interior[c]);
     for (int i = first; i < last; ++i) search.search(i);
   });
-  join(found_samples, &Found::sample_point, contacts.sample_point);
-  join(found_samples, &Found::sample_edge, contacts.sample_edge);
-  join(found_samples, &Found::sample_triangle, contacts.sample_triangle);
-  join(found_points, &Found::point_point, contacts.point_point);
-  join(found_points, &Found::point_edge, contacts.point_edge);
-  join(found_points, &Found::point_triangle, contacts.point_triangle);
-  join(found_edges, &Found::edge_edge, contacts.edge_edge);
+  join(found_interior, &FoundStencils::interior_point, contacts.interior_point);
+  join(found_interior, &FoundStencils::interior_edge, contacts.interior_edge);
+  join(found_interior, &FoundStencils::interior_triangle, contacts.interior_triangle);
+  join(found_points, &FoundStencils::point_point, contacts.point_point);
+  join(found_points, &FoundStencils::point_edge, contacts.point_edge);
+  join(found_points, &FoundStencils::point_triangle, contacts.point_triangle);
+  join(found_edges, &FoundStencils::edge_edge, contacts.edge_edge);
   contacts.mollifier_threshold.clear();
   for (const auto& s : contacts.edge_edge)
     contacts.mollifier_threshold.push_back(edge_edge_mollifier_threshold(

@@ -1,25 +1,27 @@
-// From candidates to active stencils.
-// Candidates are grouped by (point, object), and each group is split into what carries pressure and
-// what is guarded against (point_pieces.hpp), once per list of candidates; each piece is reduced to
-// features together (point_features.hpp). Where a rim runs across a triangle, points inside it take
-// part (surface_overlap.hpp). All areas and orientations are those of the start of the time step,
-// or of the moment in it when a group first appears, and held for that step, so that its potential
-// is one function.
+// Narrow phase: from candidates to active stencils.
+//  1. Candidates are grouped by (point, object) (point_groups.hpp).
+//  2. Each group becomes quadrature points that carry contact pressure or a safety barrier
+//     (vertex_quadrature.hpp), once per list of candidates.
+//  3. Where an overlap boundary crosses a triangle, interior quadrature points are added
+//     (surface_overlap.hpp).
+//  4. Each quadrature point is reduced to features, at each configuration (point_features.hpp).
+// Areas and orientations are lagged from the start of the step, or from the moment in the step at
+// which a group first appears, so that the potential of the step is one function.
 #pragma once
 
 #include "framework/contact/contact_set.hpp"
-#include "framework/contact/point_pieces.hpp"
+#include "framework/contact/vertex_quadrature.hpp"
 #include "framework/contact/overlap_boundary_forces.hpp"
-#include "framework/contact/sample_pieces.hpp"
+#include "framework/contact/interior_patches.hpp"
 
 namespace tack {
 
-// Per global vertex, or empty: all are free. What a fixed point is near may be a fixed vertex of a
-// triangle that has others: its nearest feature changes between those that move and those that do
-// not, so that these are left out only where no triangle has both.
+// Flags per global vertex; empty: all vertices are free. A stencil of a fixed point and a fixed
+// feature is constant, but the nearest feature may change to one with a free vertex of the same
+// triangle. Such stencils are left out only where no vertex of the feature is in the one-ring.
 struct FreeVertices {
   std::vector<char> free;
-  std::vector<char> beside;  // free, or on an edge with one that is
+  std::vector<char> one_ring;  // free, or on an edge with a free vertex
 };
 
 // A candidate between two edges of the mesh.
@@ -33,61 +35,61 @@ struct EdgePair {
 
 class NarrowPhase {
  public:
-  // All must outlive the narrow phase. The candidates that it is given are those of the broad
+  // All arguments must outlive the narrow phase. Candidates passed to it are those of the broad
   // phase.
   NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const BroadPhase& broad_phase);
 
-  // Takes a new list of candidates before a step is begun with it. changed: since the one before,
-  // within a step.
-  void take(const Candidates& candidates, const ChangedPrimitives* changed = nullptr);
-  // The same within a step; x: the current configuration, which begins a step if none was begun.
+  // Groups a new list of candidates before a step begins. changed: the primitives changed since
+  // the last list of the step; null: all may have.
+  void prepare(const Candidates& candidates, const ChangedPrimitives* changed = nullptr);
+  // Sets a new list of candidates within a step, or begins the first step at x.
   void set_candidates(const Candidates& candidates, const VecX& x);
-  // Holds x: areas, orientations and integration sides are those of x from now on.
+  // Begins a step: areas, orientations and secondary sides are lagged from x.
   void begin_step(const Candidates& candidates, const VecX& x);
-  // IntegrationSides::turned, and those of the step before the next.
-  const IntegrationSides::Pairs& turned_sides() const { return sides_.turned(); }
-  void set_turned_before(std::optional<IntegrationSides::Pairs> turned) {
-    sides_.set_before(std::move(turned));
+  // See IntegrationSides::coarse_pairs and set_previous.
+  const IntegrationSides::Pairs& coarse_pairs() const { return sides_.coarse_pairs(); }
+  void set_previous_coarse_pairs(std::optional<IntegrationSides::Pairs> pairs) {
+    sides_.set_previous(std::move(pairs));
   }
-  // Lagged weights of rods and particles in this step, and in the step before the next one.
-  const LaggedWeights& held_shares() const { return pieces_.held; }
-  const LaggedWeights& shares_before() const { return shares_before_; }
-  void set_shares_before(LaggedWeights shares) { shares_before_ = std::move(shares); }
-  // Stencils that have no free vertex (non-zero) are left out, as their potential is constant;
-  // empty: every candidate has one.
+  // Lagged weights of rods and particles: of this step, and of the last accepted step.
+  const LaggedWeights& lagged_weights() const { return quadrature_.lagged_weights; }
+  const LaggedWeights& previous_weights() const { return previous_weights_; }
+  void set_previous_weights(LaggedWeights weights) { previous_weights_ = std::move(weights); }
+  // Sets the free vertices (non-zero). Stencils without a free vertex are left out, as their
+  // potential is constant. Empty: every candidate has a free vertex.
   void set_free(std::vector<char> free);
-  // The stencils closer than their law's range.
+  // Finds the stencils closer than the range of their law.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts);
-  // Overlap and its boundary forces, both of this step.
+  // Overlaps and overlap-boundary forces of this step.
   const OverlapBoundaryForces& overlap_boundary_forces() const { return overlap_boundary_forces_; }
   const SurfaceOverlap& overlap() const { return overlap_; }
-  const LaggedSurface& held() const { return held_; }
-  void hold_sides(IntegrationSides::Pairs pairs) { sides_.hold(std::move(pairs)); }
+  const LaggedSurface& lagged_surface() const { return lagged_; }
+  void keep_sides(IntegrationSides::Pairs pairs) { sides_.keep(std::move(pairs)); }
 
  private:
   bool may_integrate(const PointGroup& group) const;
-  std::vector<PointGroup> unseen(const ChangedPrimitives* changed) const;
-  std::vector<GroupView> look(const Candidates& candidates, const std::vector<PointGroup>& groups,
-                              bool later) const;
-  void make_lists(const Candidates& candidates, const EarlierPieces* earlier);
+  std::vector<PointGroup> groups_without_patches(const ChangedPrimitives* changed) const;
+  std::vector<GroupPatches> find_patches(const Candidates& candidates,
+                                         const std::vector<PointGroup>& groups, bool later) const;
+  void make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier);
   void choose_edges(const Candidates& candidates, const ChangedPrimitives* changed);
 
   const ContactSurface& surface_;
   const PairTable& pairs_;
-  LaggedSurface held_;
+  LaggedSurface lagged_;
   IntegrationSides sides_;
   SurfaceOverlap overlap_;
   OverlapBoundaryForces overlap_boundary_forces_;
   const BroadPhase& broad_phase_;
   FreeVertices free_;
   PointGroups groups_;
-  std::vector<GroupView> views_;        // of the start of this step, by key
-  std::vector<GroupView> later_views_;  // of groups that came later, likewise
-  PointPieces pieces_;
-  SamplePieces sample_pieces_;    // of the samples of the overlap
-  RodOverlaps rods_;              // of this step
-  LaggedWeights shares_before_;     // of the step before the next
-  LaggedWeights shares_at_start_;   // of the step before this one
+  std::vector<GroupPatches> patches_;        // of the start of this step, by key
+  std::vector<GroupPatches> later_patches_;  // of groups that came later, likewise
+  VertexQuadrature quadrature_;
+  InteriorPatches interior_patches_;  // of the samples of the overlap
+  RodOverlaps rods_;                  // of this step
+  LaggedWeights previous_weights_;    // of the step before the next
+  LaggedWeights weights_at_start_;    // of the step before this one
   std::vector<EdgePair> edge_pairs_;  // that may press, in the order of candidates
 };
 

@@ -1,6 +1,5 @@
-// A normal law: energy per area phi(d) [J/m^2] as a function of the true gap d [m]. Barriers and
-// adhesion are normal laws; the laws of a pair of materials are summed before anything else
-// happens.
+// Normal law: energy per area phi(d) [J/m^2] as a function of the gap d [m]. Barriers and adhesion
+// are normal laws. The laws of a pair of materials are summed first (pair_law.hpp).
 //
 // To add one, derive from NormalLawOf<MyLaw, NormalAdhesion> (or BarrierLaw), give the parameters
 // in fields(), the range, and the formula once:
@@ -25,10 +24,10 @@ struct LawSample {
 class NormalLaw {
  public:
   virtual ~NormalLaw() = default;
-  virtual std::string_view name() const = 0;  // that it is registered by
+  virtual std::string_view name() const = 0;  // registered type
 
-  // Called once, before use: fills what is left to defaults. Throws InputError for a parameter that
-  // does not go with the pair.
+  // Sets the parameters that were left to defaults. Called once, before use. Throws InputError for
+  // a parameter that does not fit the pair.
   virtual void prepare(const PairMaterials& materials) = 0;
   virtual double range() const = 0;  // phi = phi' = 0 at and beyond [m]
 
@@ -55,7 +54,7 @@ class NormalAdhesion : public AdhesionLaw, public NormalLaw {
   void prepare(const PairMaterials& materials) override = 0;
 };
 
-// Supplies the batched evaluation of a law from its one formula.
+// Implements the batched evaluation of a law by its formula.
 template <class Law, class Kind>
 class NormalLawOf : public Kind {
  public:

@@ -8,8 +8,8 @@
 namespace tack {
 namespace {
 
-constexpr size_t most = 5;
-constexpr double touching_part = 1e-14;  // of the extent of two primitives: that far apart they touch
+constexpr size_t count_max = 5;  // reported overclosures
+constexpr double touching_distance_per_extent = 1e-14;  // extent: the larger one of two primitives
 
 template <size_t N>
 double extent(const std::array<Vec3, N>& x) {
@@ -18,12 +18,12 @@ double extent(const std::array<Vec3, N>& x) {
   return longest;
 }
 
-// On the first, where it is closest to the second.
+// Returns the point of the first primitive that is closest to the second.
 template <size_t B>
-Vec3 place(const std::array<Vec3, 1>& a, const std::array<Vec3, B>&) {
+Vec3 position_on_first(const std::array<Vec3, 1>& a, const std::array<Vec3, B>&) {
   return a[0];
 }
-Vec3 place(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
+Vec3 position_on_first(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
   return a[0] + edge_edge_parameters(a[0], a[1], b[0], b[1])[0] * (a[1] - a[0]);
 }
 
@@ -32,18 +32,18 @@ class Search {
   Search(const ContactSystem& contact, const VecX& x) : contact_(contact), x_(x) {}
 
   template <size_t A, size_t B>
-  void look_at(const std::array<int, A>& a, const std::array<int, B>& b, double distance_bound) {
-    if (found_.size() == most) return;
+  void check(const std::array<int, A>& a, const std::array<int, B>& b, double distance_bound) {
+    if (found_.size() == count_max) return;
     const ContactSurface& surface = contact_.surface();
     const int object_a = surface.mesh.vertex_object[a[0]], object_b = surface.mesh.vertex_object[b[0]];
     if (distance_bound > contact_.pairs().offset(object_a, object_b)) return;
-    const double offset = filled_between(surface, contact_.pairs(), a, b);
+    const double offset = offset_between(surface, contact_.pairs(), a, b);
     const auto ca = corners(x_, a);
     const auto cb = corners(x_, b);
     const double distance = std::sqrt(squared_distance(ca, cb));
-    const bool touching = distance <= touching_part * std::max(extent(ca), extent(cb));
+    const bool touching = distance <= touching_distance_per_extent * std::max(extent(ca), extent(cb));
     if (!touching && (offset == 0 || distance > offset)) return;
-    found_.push_back({{a.begin(), a.end()}, {b.begin(), b.end()}, distance, offset, touching, place(ca, cb)});
+    found_.push_back({{a.begin(), a.end()}, {b.begin(), b.end()}, distance, offset, touching, position_on_first(ca, cb)});
   }
   std::vector<Overclosure> take() { return std::move(found_); }
 
@@ -59,17 +59,17 @@ std::vector<Overclosure> find_overclosures(const ContactSystem& contact, const V
   Search search(contact, x);
   const CollisionMesh& mesh = contact.surface().mesh;
   const Candidates& c = contact.candidates();
-  const auto each = [](const auto& pairs, const auto& distance_bounds, const auto& look) {
-    for (size_t i = 0; i < pairs.size(); ++i) look(pairs[i][0], pairs[i][1], distance_bounds[i]);
+  const auto each = [](const auto& pairs, const auto& distance_bounds, const auto& check) {
+    for (size_t i = 0; i < pairs.size(); ++i) check(pairs[i][0], pairs[i][1], distance_bounds[i]);
   };
   each(c.point_triangle, c.distance_bounds.point_triangle,
-       [&](int p, int t, double distance_bound) { search.look_at(std::array{p}, mesh.triangles[t], distance_bound); });
+       [&](int p, int t, double distance_bound) { search.check(std::array{p}, mesh.triangles[t], distance_bound); });
   each(c.edge_edge, c.distance_bounds.edge_edge,
-       [&](int a, int b, double distance_bound) { search.look_at(mesh.edges[a], mesh.edges[b], distance_bound); });
+       [&](int a, int b, double distance_bound) { search.check(mesh.edges[a], mesh.edges[b], distance_bound); });
   each(c.point_edge, c.distance_bounds.point_edge,
-       [&](int p, int e, double distance_bound) { search.look_at(std::array{p}, mesh.edges[e], distance_bound); });
+       [&](int p, int e, double distance_bound) { search.check(std::array{p}, mesh.edges[e], distance_bound); });
   each(c.point_point, c.distance_bounds.point_point,
-       [&](int p, int q, double distance_bound) { search.look_at(std::array{p}, std::array{q}, distance_bound); });
+       [&](int p, int q, double distance_bound) { search.check(std::array{p}, std::array{q}, distance_bound); });
   return search.take();
 }
 

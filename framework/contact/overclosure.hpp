@@ -11,8 +11,8 @@ namespace tack {
 struct Overclosure {
   std::vector<int> first, second;  // global vertices of both primitives
   double distance, offset;         // m
-  bool touching;                   // at `at`, within rounding errors
-  Vec3 at;                         // m, on the first
+  bool touching;                   // within rounding errors
+  Vec3 at;                         // closest point on the first primitive [m]
 };
 
 // Returns the first few overclosures among the candidates, which must cover x. Within one object

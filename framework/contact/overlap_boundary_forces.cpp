@@ -16,45 +16,45 @@ std::array<Vec3, 3> slopes(const std::array<Vec3, 3>& t) {
 // Collects the forces of one pair of objects.
 class PairForces {
  public:
-  // sum: zero, and again when they have been handed over; touched: none, and of none again.
-  PairForces(int a, int b, const PairTable& table, const CollisionMesh& mesh, const LaggedSurface& held, VecX& sum, std::vector<char>& touched)
-      : a_(a), b_(b), table_(table), mesh_(mesh), held_(held), sum_(sum), touched_(touched) {}
+  // sum: zero before construction and after hand_over(). touched: all false before and after.
+  PairForces(int a, int b, const PairTable& table, const CollisionMesh& mesh, const LaggedSurface& lagged, VecX& sum, std::vector<char>& touched)
+      : a_(a), b_(b), table_(table), mesh_(mesh), lagged_(lagged), sum_(sum), touched_(touched) {}
 
-  void add(const OverlapBoundaryEdge& rim) {
-    const std::array<Vec3, 3> other = corners(held_.x(), mesh_.triangles[rim.other]);
-    const Vec3 p = point_inside(held_.x(), mesh_.triangles[rim.triangle], rim.inside);
-    const int next = (rim.side + 1) % 3;
-    const Vec3 along = other[next] - other[rim.side], normal = held_.normal(rim.other);
-    const double part = along.dot(p - other[rim.side]) / along.squaredNorm();
-    const double height = normal.dot(p - other[rim.side]);
-    const Vec3 outward = along.cross(normal).normalized();
-    const double strength = energy(rim.triangle, rim.other, std::abs(height)) * rim.length;
+  void add(const OverlapBoundaryEdge& edge) {
+    const std::array<Vec3, 3> other = corners(lagged_.x(), mesh_.triangles[edge.other]);
+    const Vec3 p = point_inside(lagged_.x(), mesh_.triangles[edge.triangle], edge.inside);
+    const int next = (edge.side + 1) % 3;
+    const Vec3 direction = other[next] - other[edge.side], normal = lagged_.normal(edge.other);
+    const double along_edge = direction.dot(p - other[edge.side]) / direction.squaredNorm();
+    const double height = normal.dot(p - other[edge.side]);
+    const Vec3 outward = direction.cross(normal).normalized();
+    const double strength = energy(edge.triangle, edge.other, std::abs(height)) * edge.length;
     if (strength == 0) return;
     Vec3 foot = Vec3::Zero();
-    foot[rim.side] = 1 - part;
-    foot[next] = part;
+    foot[edge.side] = 1 - along_edge;
+    foot[next] = along_edge;
     const std::array<Vec3, 3> slope = slopes(other);
     for (int i = 0; i < 3; ++i) {
-      act(mesh_.triangles[rim.triangle][i], strength * rim.inside[i] * outward);
-      act(mesh_.triangles[rim.other][i], strength * (height * outward.dot(slope[i]) * normal - foot[i] * outward));
+      act(mesh_.triangles[edge.triangle][i], strength * edge.inside[i] * outward);
+      act(mesh_.triangles[edge.other][i], strength * (height * outward.dot(slope[i]) * normal - foot[i] * outward));
     }
   }
 
-  void add(const OverlapFacet& covered) {
-    const Vec3 normal = held_.normal(covered.leader);
-    const std::array<Vec3, 3> own = corners(held_.x(), mesh_.triangles[covered.triangle]);
+  void add(const OverlapFacet& facet) {
+    const Vec3 normal = lagged_.normal(facet.seed_triangle);
+    const std::array<Vec3, 3> own = corners(lagged_.x(), mesh_.triangles[facet.triangle]);
     const Vec3 twice = (own[1] - own[0]).cross(own[2] - own[0]);
-    const double whole = twice.dot(normal) / 2;
-    const double strength = energy(covered.triangle, covered.leader, covered.distance);
-    if (strength == 0 || std::abs(whole) < least_cosine / 2 * twice.norm()) return;
-    const double half = -strength * covered.area / whole / 2;  // the sign with it
-    if (covered.leader != leader_) {  // corners of a triangle mostly have the same
-      leader_ = covered.leader;
-      leader_slopes_ = slopes(corners(held_.x(), mesh_.triangles[leader_]));
+    const double projected_area = twice.dot(normal) / 2;
+    const double strength = energy(facet.triangle, facet.seed_triangle, facet.distance);
+    if (strength == 0 || std::abs(projected_area) < facing_cosine_min / 2 * twice.norm()) return;
+    const double half = -strength * facet.area / projected_area / 2;  // includes the sign
+    if (facet.seed_triangle != seed_triangle_) {  // facets of one triangle mostly have one seed triangle
+      seed_triangle_ = facet.seed_triangle;
+      seed_slopes_ = slopes(corners(lagged_.x(), mesh_.triangles[seed_triangle_]));
     }
     for (int i = 0; i < 3; ++i) {
-      act(mesh_.triangles[covered.triangle][i], half * (own[(i + 1) % 3] - own[(i + 2) % 3]).cross(normal));
-      act(mesh_.triangles[covered.leader][i], -half * twice.dot(leader_slopes_[i]) * normal);
+      act(mesh_.triangles[facet.triangle][i], half * (own[(i + 1) % 3] - own[(i + 2) % 3]).cross(normal));
+      act(mesh_.triangles[facet.seed_triangle][i], -half * twice.dot(seed_slopes_[i]) * normal);
     }
   }
 
@@ -81,32 +81,32 @@ class PairForces {
   int a_, b_;
   const PairTable& table_;
   const CollisionMesh& mesh_;
-  const LaggedSurface& held_;
+  const LaggedSurface& lagged_;
   VecX& sum_;
   std::vector<char>& touched_;
-  std::vector<int> order_;  // those touched, once each
-  int leader_ = -1;         // of the slopes
-  std::array<Vec3, 3> leader_slopes_;
+  std::vector<int> order_;  // touched vertices, once each
+  int seed_triangle_ = -1;         // of the slopes
+  std::array<Vec3, 3> seed_slopes_;
 };
 
 }  // namespace
 
-void OverlapBoundaryForces::take(const std::vector<OverlapFacets>& pairs, const PairTable& table, const CollisionMesh& mesh,
-                     const LaggedSurface& held) {
+void OverlapBoundaryForces::update(const std::vector<OverlapFacets>& pairs, const PairTable& table, const CollisionMesh& mesh,
+                     const LaggedSurface& lagged) {
   pairs_.clear();
   all_.resize(0);
   VecX sum;
   std::vector<char> touched;
   for (const OverlapFacets& pair : pairs) {
     const PairRole& role = table.point(pair.a, pair.b);
-    if (role.law < 0 || (pair.parts.empty() && pair.rims.empty())) continue;
+    if (role.law < 0 || (pair.facets.empty() && pair.boundary_edges.empty())) continue;
     if (all_.size() == 0) {
-      all_ = sum = VecX::Zero(held.x().size());
+      all_ = sum = VecX::Zero(lagged.x().size());
       touched.assign(mesh.vertex_object.size(), false);
     }
-    PairForces forces(pair.a, pair.b, table, mesh, held, sum, touched);
-    for (const OverlapFacet& part : pair.parts) forces.add(part);
-    for (const OverlapBoundaryEdge& rim : pair.rims) forces.add(rim);
+    PairForces forces(pair.a, pair.b, table, mesh, lagged, sum, touched);
+    for (const OverlapFacet& facet : pair.facets) forces.add(facet);
+    for (const OverlapBoundaryEdge& edge : pair.boundary_edges) forces.add(edge);
     Pair& found = pairs_.emplace_back();
     found.a = pair.a;
     found.b = pair.b;

@@ -1,7 +1,7 @@
 // Overlap-boundary forces (overlap_boundary_forces.hpp) as a potential that is linear in the
-// positions, constant through the step. At the end of a step its value is, to first order, the
-// difference between the adhesion energy with the present areas and with those of the start, so
-// that it counts as adhesion.
+// positions, with constant forces through the step. At the end of a step its value is, to first
+// order, the difference between the adhesion energy with the present areas and with those of the
+// start of the step. It therefore counts as adhesion.
 #pragma once
 
 #include "framework/contact/contact_term.hpp"
@@ -31,8 +31,8 @@ class OverlapBoundaryTerm : public LinearTerm {
     return true;
   }
 
-  // All of it is adhesion. The forces are those of the step at any x. Its work is within the energy
-  // that contact stores.
+  // Publishes the forces and the energy as adhesion. The forces do not depend on x within a step.
+  // Their work is part of the energy that contact stores.
   void publish(Records& records) const override {
     ForceRecord force_record{"rim", ForceDirection::normal, {"adhesion"}};
     force_record.add = [this](const VecX&, std::string_view, VecX& forces) {

@@ -1,5 +1,5 @@
-// The overlap of two objects as facets and boundary edges: what its derivative by vertex positions
-// needs (overlap_boundary_forces.hpp).
+// Overlap of two objects as facets and boundary edges, for its derivative by vertex positions
+// (overlap_boundary_forces.hpp).
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@ namespace tack {
 
 // A piece of a triangle that lies opposite a triangle of the other object, its seed triangle.
 struct OverlapFacet {
-  int triangle, leader;
-  double area;      // towards the leader [m^2]
+  int triangle, seed_triangle;
+  double area;      // projected towards the seed triangle [m^2]
   double distance;  // m
 };
 
@@ -35,9 +35,9 @@ struct OverlapTriangle {
 // The overlap of points of object a with object b.
 struct OverlapFacets {
   int a, b;
-  std::vector<OverlapFacet> parts;
-  std::vector<OverlapBoundaryEdge> rims;
-  std::vector<OverlapTriangle> whole;  // for pairs that bond
+  std::vector<OverlapFacet> facets;
+  std::vector<OverlapBoundaryEdge> boundary_edges;
+  std::vector<OverlapTriangle> full_triangles;  // for pairs that bond
 };
 
 }  // namespace tack

@@ -8,14 +8,14 @@
 namespace tack {
 namespace {
 
-constexpr int most_at_once = 64;
+constexpr int batch_size_max = 64;
 
-// Calls act(first, n, gaps) for some of the distances at a time.
+// Calls act(first, n, gaps) for batches of the distances.
 template <class Act>
 void in_gaps(int n, const double* d, double offset, const Act& act) {
-  std::array<double, most_at_once> gap;
-  for (int first = 0; first < n; first += most_at_once) {
-    const int count = std::min(most_at_once, n - first);
+  std::array<double, batch_size_max> gap;
+  for (int first = 0; first < n; first += batch_size_max) {
+    const int count = std::min(batch_size_max, n - first);
     for (int i = 0; i < count; ++i) gap[i] = d[first + i] - offset;
     act(first, count, gap.data());
   }
@@ -23,24 +23,24 @@ void in_gaps(int n, const double* d, double offset, const Act& act) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The largest fraction of a distance at rest that an offset takes. The rest is room to press in. The
-// barrier there is shortened with the same pressures, so that the fraction changes no force: only how
-// far, in twentieths of the gap, two layers may still approach.
-constexpr double filled_at_rest = 0.95;
+// Largest offset over the distance at rest. The remaining gap is the range of the barrier, which is
+// shortened with unchanged pressures. The ratio therefore changes no force, only how far two layers
+// may approach: by a twentieth of their distance.
+constexpr double offset_per_rest_distance_max = 0.95;
 
-// phi(k g) / k of a barrier phi: k times shorter, with the same pressures.
+// Barrier phi(k g) / k of a barrier phi: its range is k times shorter, with equal pressures.
 class ShortenedBarrier final : public NormalLaw {
  public:
-  ShortenedBarrier(std::shared_ptr<const NormalLaw> whole, double k) : whole_(std::move(whole)), k_(k) {}
+  ShortenedBarrier(std::shared_ptr<const NormalLaw> original, double k) : original_(std::move(original)), k_(k) {}
 
-  std::string_view name() const override { return whole_->name(); }
+  std::string_view name() const override { return original_->name(); }
   void prepare(const PairMaterials&) override {}
-  double range() const override { return whole_->range() / k_; }
+  double range() const override { return original_->range() / k_; }
   void add_samples(int n, const double* gap, LawSample* out) const override {
     in_gaps(n, gap, 0, [&](int first, int count, double* longer) {
-      std::array<LawSample, most_at_once> samples{};
+      std::array<LawSample, batch_size_max> samples{};
       for (int i = 0; i < count; ++i) longer[i] *= k_;
-      whole_->add_samples(count, longer, samples.data());
+      original_->add_samples(count, longer, samples.data());
       for (int i = 0; i < count; ++i) {
         out[first + i].value += samples[i].value / k_;
         out[first + i].slope += samples[i].slope;
@@ -50,16 +50,16 @@ class ShortenedBarrier final : public NormalLaw {
   }
   void add_values(int n, const double* gap, double* out) const override {
     in_gaps(n, gap, 0, [&](int first, int count, double* longer) {
-      std::array<double, most_at_once> values{};
+      std::array<double, batch_size_max> values{};
       for (int i = 0; i < count; ++i) longer[i] *= k_;
-      whole_->add_values(count, longer, values.data());
+      original_->add_values(count, longer, values.data());
       for (int i = 0; i < count; ++i) out[first + i] += values[i] / k_;
     });
   }
   std::unique_ptr<NormalLaw> clone() const override { return std::make_unique<ShortenedBarrier>(*this); }
 
  private:
-  std::shared_ptr<const NormalLaw> whole_;
+  std::shared_ptr<const NormalLaw> original_;
   double k_;
 };
 
@@ -80,13 +80,13 @@ double PairLaw::barrier_range() const {
   return range;
 }
 
-double PairLaw::offset_from_rest(double offset, double distance) { return std::min(offset, filled_at_rest * distance); }
+double PairLaw::offset_from_rest(double offset, double distance) { return std::min(offset, offset_per_rest_distance_max * distance); }
 
 PairLaw PairLaw::from_rest(double distance) const {
   PairLaw cut(offset_from_rest(offset_, distance));
-  const double room = distance - cut.offset();
+  const double remaining = distance - cut.offset();
   for (const auto& law : laws_) {
-    if (is_barrier(*law) && law->range() > room) cut.add(std::make_shared<ShortenedBarrier>(law, law->range() / room));
+    if (is_barrier(*law) && law->range() > remaining) cut.add(std::make_shared<ShortenedBarrier>(law, law->range() / remaining));
     else cut.add(law);
   }
   return cut;

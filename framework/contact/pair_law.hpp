@@ -1,5 +1,5 @@
-// The sum of the normal laws of one pair of materials: barrier + adhesion, one scalar law per pair,
-// differentiated once and made positive semi-definite once (method: sum before projecting).
+// Pair law: the sum of the normal laws of one pair of materials, barrier and adhesion. The sum is
+// differentiated once and projected once to positive semi-definite Hessians.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,8 @@
 
 namespace tack {
 
-//
-// The laws are functions of the gap between the surfaces as they are: the distance d of what is
-// meshed, less the part of it that is filled by the thickness of the two sides, the offset. All
-// arguments and ranges here are distances.
+// Laws are functions of the gap: the distance d of the meshed surfaces less the offset, the sum of
+// the half thicknesses of both sides. Arguments and ranges of this class are distances.
 class PairLaw {
  public:
   explicit PairLaw(double offset = 0) : offset_(offset) {}
@@ -20,20 +18,19 @@ class PairLaw {
   double offset() const { return offset_; }  // m
   void add(std::shared_ptr<const NormalLaw> law) { laws_.push_back(std::move(law)); }
   double range() const;
-  double barrier_range() const;  // of its largest barrier alone, as a gap [m]; 0 without any
+  double barrier_range() const;  // the largest of its barriers, as a gap [m]; 0 without any
   // Returns the law between two points of one object that are `distance` apart at rest [m]. The
-  // offset is reduced, and the barrier begins at `distance` at the latest. Pressures are those of
-  // the whole law at the same fraction of the barrier's range. Adhesion stays as it is.
+  // offset is reduced, and the range of the barrier ends at `distance` at the latest. Pressures are
+  // those of the original law at equal fractions of the barrier range. Adhesion is not changed.
   PairLaw from_rest(double distance) const;
-  // Returns the offset that remains where two points are `distance` apart at rest [m].
+  // Returns the reduced offset of two points that are `distance` apart at rest [m].
   static double offset_from_rest(double offset, double distance);
   void samples(int n, const double* d, LawSample* out) const;  // overwrites
   void values(int n, const double* d, double* out) const;      // overwrites
   LawSample at(double d) const;
 
-  // The effective work of adhesion - min_d phi(d) [J/m^2] (0 if the law only repels), found
-  // numerically, and the gap (without offset) at that minimum, where two free surfaces come to
-  // rest.
+  // The well of the law, found numerically: the effective work of adhesion -min_d phi(d) [J/m^2] (0
+  // if the law only repels), and the gap at the minimum [m], where two free surfaces are at rest.
   struct Well {
     double depth = 0;
     double gap = 0;

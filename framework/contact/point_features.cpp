@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-constexpr double rounding = 1e-9;  // of sums of shares
+constexpr double rounding = 1e-9;  // of sums of weights
 
 PointFeature face(const Triangle& t) {
   PointFeature f{t, 1};
@@ -59,7 +59,7 @@ void PointFeatures::add_edge(const VecX& x, const Vec3& p, const Edge& e, double
   }
 }
 
-// The negative and corrective terms of the edges and vertices of what is within range.
+// Appends the terms of shared edges and vertices of the primitives within range.
 void PointFeatures::subtract_shared(const VecX& x, const Vec3& p, double range_squared) {
   std::sort(edge_uses_.begin(), edge_uses_.end(),
             [](const EdgeUse& a, const EdgeUse& b) { return a.edge < b.edge; });
@@ -132,12 +132,12 @@ const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, const Vec3
   return features_;
 }
 
-// Returns the weight of the heaviest tree over triangles that meet in an edge or a vertex. Each
-// step ties one more triangle to the tree.
-double PointFeatures::heaviest_tree(std::span<const CornerUse> uses, std::span<const TriangleWeight> shares) {
+// Returns the weight of the maximum spanning tree over triangles that meet in an edge or a vertex,
+// by Prim's algorithm.
+double PointFeatures::spanning_tree_weight(std::span<const CornerUse> uses, std::span<const TriangleWeight> weights) {
   const auto tie = [&](const CornerUse& a, const CornerUse& b) {
-    const TriangleWeight &s = shares[a.triangle], &t = shares[b.triangle];
-    return std::min(s.share, t.share) * one_surface(s, t);
+    const TriangleWeight &s = weights[a.triangle], &t = weights[b.triangle];
+    return std::min(s.weight, t.weight) * patch_affinity(s, t);
   };
   if (uses.size() < 2) return 0;
   if (uses.size() == 2) return tie(uses[0], uses[1]);
@@ -156,14 +156,14 @@ double PointFeatures::heaviest_tree(std::span<const CornerUse> uses, std::span<c
 }
 
 const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, const Vec3& p, std::span<const Triangle> triangles,
-                                                       std::span<const TriangleWeight> shares, double range) {
+                                                       std::span<const TriangleWeight> weights, double range) {
   features_.clear();
   uses_.clear();
   joined_.clear();
   const double range_squared = range * range;
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
     if (!add_triangle(x, p, triangles[i], range_squared)) continue;
-    features_.back().multiplicity = shares[i].share;
+    features_.back().multiplicity = weights[i].weight;
     for (int side = 0; side < 3; ++side) {
       const auto [a, b] = std::minmax(triangles[i][side], triangles[i][(side + 1) % 3]);
       uses_.push_back({{a, b}, i});
@@ -174,18 +174,18 @@ const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, const Vec3
   std::sort(uses_.begin(), uses_.end(), [](const CornerUse& a, const CornerUse& b) {
     return std::pair(a.at, a.triangle) < std::pair(b.at, b.triangle);
   });
-  const auto for_each_place = [&](bool edges, const auto& act) {
+  const auto for_each_shared_feature = [&](bool edges, const auto& act) {
     for (auto first = uses_.begin(), last = first; first != uses_.end(); first = last) {
       last = std::find_if(first, uses_.end(), [&](const CornerUse& use) { return use.at != first->at; });
-      if ((first->at[1] >= 0) == edges && last - first > 1) act(first->at, heaviest_tree({first, last}, shares));
+      if ((first->at[1] >= 0) == edges && last - first > 1) act(first->at, spanning_tree_weight({first, last}, weights));
     }
   };
-  for_each_place(true, [&](const std::array<int, 2>& edge, double tree) {
+  for_each_shared_feature(true, [&](const std::array<int, 2>& edge, double tree) {
     add_edge(x, p, edge, -tree, range_squared);
     for (const int v : edge) joined_.emplace_back(v, tree);
   });
   std::sort(joined_.begin(), joined_.end());
-  for_each_place(false, [&](const std::array<int, 2>& at, double tree) {
+  for_each_shared_feature(false, [&](const std::array<int, 2>& at, double tree) {
     double coefficient = -tree;
     const auto first = std::lower_bound(joined_.begin(), joined_.end(), std::pair(at[0], -1.0));
     for (auto j = first; j != joined_.end() && j->first == at[0]; ++j) coefficient += j->second;

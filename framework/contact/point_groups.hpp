@@ -1,5 +1,5 @@
-// The candidates of one point and one object: all that one point may see of one object is reduced
-// together.
+// Groups of candidates by vertex and object: all primitives of one object that may be near one
+// vertex are reduced to features together.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace tack {
 
-// A point, an object, and the runs of candidates between the two.
+// A vertex, an object, and the runs of candidates between the two.
 struct PointGroup {
   int point = 0, object = 0;
   int triangle_begin = 0, triangle_end = 0;  // into candidates.point_triangle
@@ -24,6 +24,7 @@ struct PointGroups {
   std::vector<PointGroup> groups;             // by point, then object
   std::vector<std::array<int, 2>> particles;  // particle candidates in both directions, sorted
 
+  // Groups the candidates.
   void make(const Candidates& candidates, const CollisionMesh& mesh);
 };
 

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double same_direction = 1e-12, same_place = 1e-9;  // relative to the length of an edge
 
-void add_line(const CollisionMesh& mesh, const LaggedSurface& held, int triangle, int side, std::vector<ClipLine>& lines) {
+void add_line(const CollisionMesh& mesh, const LaggedSurface& lagged, int triangle, int side, std::vector<ClipLine>& lines) {
   const Triangle& t = mesh.triangles[triangle];
-  const Vec3 at = vertex(held.x(), t[side]), along = Vec3(vertex(held.x(), t[(side + 1) % 3])) - at;
-  const ClipLine line{triangle, side, at, along.cross(held.normal(triangle)).normalized()};
+  const Vec3 at = vertex(lagged.x(), t[side]), along = Vec3(vertex(lagged.x(), t[(side + 1) % 3])) - at;
+  const ClipLine line{triangle, side, at, along.cross(lagged.normal(triangle)).normalized()};
   const bool known = std::any_of(lines.begin(), lines.end(), [&](const ClipLine& l) {
     return l.outward.dot(line.outward) > 1 - same_direction && std::abs((l.at - at).dot(l.outward)) < same_place * along.norm();
   });
@@ -23,25 +23,25 @@ void add_line(const CollisionMesh& mesh, const LaggedSurface& held, int triangle
 
 }  // namespace
 
-void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held, const SurfaceRegion* region, int triangle, const Vec3& p,
+void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& lagged, const SurfaceRegion* region, int triangle, const Vec3& p,
                    std::vector<ClipLine>& lines) {
   const Triangle& t = mesh.triangles[triangle];
   const PointTriangleType type =
-      point_triangle_type(p, vertex(held.x(), t[0]), vertex(held.x(), t[1]), vertex(held.x(), t[2]));
+      point_triangle_type(p, vertex(lagged.x(), t[0]), vertex(lagged.x(), t[1]), vertex(lagged.x(), t[2]));
   const int feature = static_cast<int>(type);  // three vertices, three edges, the face
-  const SurfaceTopology& topology = held.topology();
+  const SurfaceTopology& topology = lagged.topology();
   if (feature >= 6) return;
   const auto goes_on = [&](int of, int side) { return topology.smooth_edge(of, side) && (!region || region->surrounds_edge(topology, of, side)); };
   if (feature >= 3) {
-    if (!goes_on(triangle, feature - 3)) add_line(mesh, held, triangle, feature - 3, lines);
+    if (!goes_on(triangle, feature - 3)) add_line(mesh, lagged, triangle, feature - 3, lines);
     return;
   }
   const int corner = t[feature];
   for (const int near : topology.triangles_at(corner)) {
-    if (!(held.normal(near).dot(held.normal(triangle)) > least_cosine) || (region && !region->contains(near))) continue;
+    if (!(lagged.normal(near).dot(lagged.normal(triangle)) > facing_cosine_min) || (region && !region->contains(near))) continue;
     for (int side = 0; side < 3; ++side) {
       const bool at_corner = mesh.triangles[near][side] == corner || mesh.triangles[near][(side + 1) % 3] == corner;
-      if (at_corner && !goes_on(near, side)) add_line(mesh, held, near, side, lines);
+      if (at_corner && !goes_on(near, side)) add_line(mesh, lagged, near, side, lines);
     }
   }
 }
@@ -60,7 +60,8 @@ std::vector<ClipPolygon> clip_by_lines(const VecX& x, const Triangle& own, const
         (from <= 0 ? within : beyond).push_back(p);
         if ((from <= 0) == (to <= 0)) continue;
         const Vec3 at = p.inside + from / (from - to) * (q.inside - p.inside);
-        // The face that is left goes on along the line, the one that is entered along the old edge.
+        // The polygon that the boundary leaves continues along the line; the polygon that it enters
+        // continues along the old edge.
         ClipPolygon &left = from <= 0 ? within : beyond, &entered = from <= 0 ? beyond : within;
         left.push_back({at, k, from > 0});
         entered.push_back({at, p.line, p.beyond});

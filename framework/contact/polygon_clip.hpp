@@ -1,7 +1,7 @@
-// Clips a piece of a triangle by the boundary lines of the opposite surface. A line is the
-// intersection of the triangle with the plane through an edge of the other surface, perpendicular
-// to that edge's triangle. The lines cut the piece into convex polygons, each of which overlaps as
-// a whole or not at all, so that overlap areas are continuous in the positions.
+// Polygon clip: divides a part of a triangle by the boundary lines of the opposite surface. A line
+// is the intersection of the triangle with the plane through an edge of the other surface,
+// perpendicular to the triangle of that edge. The resulting convex polygons overlap as a whole or
+// not at all, so that overlap areas are continuous in the positions.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace tack {
 
 struct ClipLine {
-  int triangle, side;  // the edge
+  int triangle, side;  // of the edge
   Vec3 at, outward;    // a point of the plane, its unit normal away from the triangle
 };
 
@@ -24,14 +24,14 @@ struct ClipCorner {
 };
 using ClipPolygon = std::vector<ClipCorner>;
 
-// Appends the lines of creases and boundaries in which the closest point of a triangle to p lies,
-// and of the interfaces of its region (part; null: none).
-void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held,
+// Appends the lines of the creases, boundaries and region interfaces in which the closest point of
+// a triangle to p lies. region: null: none.
+void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& lagged,
                     const SurfaceRegion* region, int triangle, const Vec3& p,
                     std::vector<ClipLine>& lines);
 
-// Returns the polygons of a piece of the triangle `own`; piece: barycentric coordinates of its
-// corners.
+// Returns the polygons of a part of the triangle `own`. piece: barycentric coordinates of the
+// corners of the part.
 std::vector<ClipPolygon> clip_by_lines(const VecX& x, const Triangle& own,
                                        const std::array<Vec3, 3>& piece,
                                        const std::vector<ClipLine>& lines);

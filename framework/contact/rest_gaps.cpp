@@ -12,27 +12,27 @@
 namespace tack {
 namespace {
 
-// Ratio of two distances next to each other that have laws of their own.
+// Ratio of two consecutive distances with laws of their own.
 constexpr double level_ratio = 0.98;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Returns the search radius of an object for itself [m]: that of its barriers, and of rods, whose
-// pairs adhere only where they press.
-double own_reach(const ContactSurface& surface, const PairTable& pairs, int object) {
-  double reach = 0;
+// Returns the search radius of an object for itself [m]: the range of its barriers, and the range of
+// the laws of rods, whose pairs adhere only where they press.
+double own_search_radius(const ContactSurface& surface, const PairTable& pairs, int object) {
+  double radius = 0;
   const auto add = [&](int law) {
-    if (law >= 0) reach = std::max(reach, pairs.laws()[law].offset() + pairs.laws()[law].barrier_range());
+    if (law >= 0) radius = std::max(radius, pairs.laws()[law].offset() + pairs.laws()[law].barrier_range());
   };
   for (int region_pair = -1; region_pair < pairs.region_pair_count(object, object); ++region_pair) {
     const PairRole& point = pairs.point(object, object, region_pair);
     for (const int law : {point.law, point.safety_barrier, pairs.edge(object, object, region_pair).law}) add(law);
-    if (surface.rod_width[object] > 0) reach = std::max(reach, pairs.codimensional(object, object, region_pair).range);
+    if (surface.rod_width[object] > 0) radius = std::max(radius, pairs.codimensional(object, object, region_pair).range);
   }
-  return reach;
+  return radius;
 }
 
-// Pairs within one object alone.
+// Returns a filter that allows only pairs within one object.
 CollidingObjects only_themselves(const ObjectClasses& classes) {
   CollidingObjects colliding(classes);
   for (const auto& [a, b] : classes.examples())
@@ -40,7 +40,7 @@ CollidingObjects only_themselves(const ObjectClasses& classes) {
   return colliding;
 }
 
-// The largest power of the ratio that is not above a distance [m].
+// Returns the largest power of the ratio that is not above a distance [m].
 double rounded_down(double distance) {
   const double level = std::pow(level_ratio, std::ceil(std::log(distance) / std::log(level_ratio)));
   return level > distance ? level * level_ratio : level;
@@ -49,22 +49,22 @@ double rounded_down(double distance) {
 }  // namespace
 
 RestGaps::RestGaps(const ContactSurface& surface, PairTable& pairs) : surface_(surface), laws_(static_cast<int>(pairs.laws().size())) {
-  for (int object = 0; object < pairs.objects(); ++object) reach_.push_back(own_reach(surface, pairs, object));
-  if (!pairs.plain_sums && std::any_of(reach_.begin(), reach_.end(), [](double reach) { return reach > 0; })) find_levels(pairs);
+  for (int object = 0; object < pairs.objects(); ++object) search_radius_.push_back(own_search_radius(surface, pairs, object));
+  if (!pairs.plain_sums && std::any_of(search_radius_.begin(), search_radius_.end(), [](double radius) { return radius > 0; })) find_levels(pairs);
   add_laws(pairs);
 }
 
 void RestGaps::find_levels(const PairTable& pairs) {
   const CollisionMesh& mesh = surface_.mesh;
   BroadPhase broad_phase(mesh, only_themselves(pairs.classes()));
-  InflationRadii radii{reach_, reach_};
+  InflationRadii radii{search_radius_, search_radius_};
   for (auto* list : {&radii.surface, &radii.edge})
-    for (double& reach : *list) reach /= 2;
+    for (double& radius : *list) radius /= 2;
   broad_phase.update(surface_.rest, VecX(), radii, 0);
   const Candidates& candidates = broad_phase.candidates();
   PointGroups groups;
   groups.make(candidates, mesh);
-  const RestShape shape(surface_, pairs, reach_);
+  const RestShape shape(surface_, pairs, search_radius_);
   std::vector<double> of_point(mesh.vertex_object.size(), infinity);
   const int points = static_cast<int>(groups.groups.size()), edges = static_cast<int>(candidates.edge_edge.size());
   std::vector<Keys> found_points(chunk_count(points)), found_edges(chunk_count(edges));
@@ -95,7 +95,7 @@ void RestGaps::find_levels(const PairTable& pairs) {
 void RestGaps::add_laws(PairTable& pairs) {
   std::vector<char> own(laws_, 0);
   for (const auto& [a, b] : pairs.classes().examples()) {
-    if (a != b || reach_[a] == 0) continue;
+    if (a != b || search_radius_[a] == 0) continue;
     for (int region_pair = -1; region_pair < pairs.region_pair_count(a, a); ++region_pair) {
       const PairRole& point = pairs.point(a, a, region_pair);
       for (const int law : {point.law, point.safety_barrier, pairs.edge(a, a, region_pair).law, pairs.codimensional(a, a, region_pair).law})

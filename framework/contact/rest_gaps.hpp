@@ -1,20 +1,20 @@
-// Contact of an object with itself where it is close to itself at rest. A body alone is without
+// Contact of an object with itself where it is close to itself at rest. A body alone is free of
 // stress, so no pair of its primitives presses at rest. A pair presses once it is closer than at
 // rest.
 // Two kinds of pairs are close at rest:
 //  * Pairs with a *gap* between them: the layers of a folded sheet, the windings of a spring, the
 //    sides of a slit. The line between their closest points leaves one of them at more than 45
-//    degrees, and the path over the mesh is more than three times as long. Their law is cut down to
-//    their distance D at rest (PairLaw::from_rest): the offset o becomes min(o, 0.95 D), and the
-//    barrier is shortened to what remains up to D.
+//    degrees, and the path over the mesh is more than three times as long as the distance. Their
+//    law is cut down to their distance D at rest (PairLaw::from_rest): the offset o becomes min(o,
+//    0.95 D), and the barrier is shortened to the remaining gap up to D.
 //  * *Neighbours*: all other pairs, along the surface, over a crease or through a thin solid. They
-//    do not press, and the offset of the object does not count between them. The exception is the
-//    pressure of a surface without an offset: neighbours that face each other press from their
-//    smallest D at rest on.
+//    do not press, and the offset of the object does not count between them. Exception: on a
+//    surface without offset, neighbours that face each other press below their smallest D.
 // A vertex has one distance D to its own object, the smallest at rest over a gap. It therefore has
-// one law for all of its object: the inclusion-exclusion of point_features.hpp needs one law for
-// all triangles, and the law does not change as the vertex slides from one to the next. A pair of
-// edges has its own D. Distances are rounded down to powers of 0.98, so that laws are few.
+// one law towards its object: the inclusion-exclusion of point_features.hpp needs one law for all
+// triangles, and the law does not change as the vertex slides from one triangle to the next. A pair
+// of edges has its own D. Distances are rounded down to powers of 0.98, which limits the number of
+// laws.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class RestGaps {
   RestGaps(const ContactSurface& surface, PairTable& pairs);
 
   // Returns the law that replaces `law` between a vertex and its own object, or between two edges
-  // of one object.
+  // of one object; `law` itself without a gap.
   int law_of_point(int law, int vertex_index) const {
     return levels_.empty() ? law : cut_down(law, level_of_point_[vertex_index]);
   }
@@ -51,8 +51,7 @@ class RestGaps {
     return has(edge_gaps_, {a[0], a[1], b[0], b[1]});
   }
 
-  // Returns the offset that remains of o between two primitives of one object that are no
-  // neighbours [m].
+  // Returns the reduced offset of two primitives of one object that are not neighbours [m].
   template <std::size_t B>
   double offset(double o, const std::array<int, 1>& p, const std::array<int, B>&) const {
     return levels_.empty() ? o : offset_at(o, level_of_point_[p[0]]);
@@ -76,13 +75,13 @@ class RestGaps {
   }
 
   const ContactSurface& surface_;
-  int laws_;                         // of the table, without those cut down
-  std::vector<double> reach_;        // per object: of its laws with itself [m]; 0: it has none
-  Keys point_gaps_, edge_gaps_;      // pairs with a gap between, closer at rest than the reach
-  std::vector<double> levels_;       // distances, ascending [m]; empty: no gap at rest
-  std::vector<int> level_of_point_;  // per global vertex; -1: none
-  std::vector<int> cut_down_;        // per law and level
-  std::vector<double> ranges_;       // per law of the table [m]
+  int laws_;                           // of the table, without those cut down
+  std::vector<double> search_radius_;  // per object: of its laws with itself [m]; 0: it has none
+  Keys point_gaps_, edge_gaps_;        // pairs with a gap between, closer at rest than the reach
+  std::vector<double> levels_;         // distances, ascending [m]; empty: no gap at rest
+  std::vector<int> level_of_point_;    // per global vertex; -1: none
+  std::vector<int> cut_down_;          // per law and level
+  std::vector<double> ranges_;         // per law of the table [m]
 };
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// Primitives of one object that are close to each other at rest (rest_gaps.hpp). Particles are
-// bodies of their own.
+// Primitives of one object that are close to each other at rest (rest_gaps.hpp). Each particle
+// counts as an object of its own.
 #pragma once
 
 #include "framework/contact/rest_gaps.hpp"
@@ -29,10 +29,10 @@ bool rest_neighbours(const ContactSurface& surface, const std::array<int, A>& a,
          !(surface.rest_gaps && surface.rest_gaps->gap_between(a, b));
 }
 
-// Returns the offset that counts between two primitives [m]: that of their objects, or what remains
-// of it within one object.
+// Returns the offset of two primitives [m]: that of their objects; within one object the reduced
+// offset, 0 between neighbours.
 template <size_t A, size_t B>
-double filled_between(const ContactSurface& surface, const PairTable& pairs,
+double offset_between(const ContactSurface& surface, const PairTable& pairs,
                       const std::array<int, A>& a, const std::array<int, B>& b) {
   const int object = surface.mesh.vertex_object[a[0]], other = surface.mesh.vertex_object[b[0]];
   const double offset = pairs.offset(object, other);

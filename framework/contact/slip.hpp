@@ -1,7 +1,7 @@
-// The slip u = T^T sum_i c_i (x_i - x_i^n) of one contact point [m], and its part of the potential,
+// Slip u = T^T sum_i c_i (x_i - x_i^n) of one contact point [m], and its potential
 //     E = mu lambda f0(y) + mu_a lambda_a f_t0(y),   y = |u|,
-// with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T. The moved point of a
-// side that turns depends on the numbers of its rotation as well (rolling_points.hpp).
+// with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T. On a side with
+// rotations, the moved point depends on scalar dofs as well (rolling_points.hpp).
 #pragma once
 
 #include "framework/contact/contact_points.hpp"
@@ -17,16 +17,16 @@ struct Slip {
       : c(point), u(c.tangents.transpose() * c.moved(x, start)), y(u.norm()) {}
 
   // E [J], E'/y [N/m] and E'' [N/m].
-  SlipSample sample(const TangentialLaw& law, double h, TangentialPart part) const {
+  SlipSample sample(const TangentialLaw& law, double h, TangentialTerm term) const {
     SlipSample s{0, 0, 0};
     const auto add = [&](double magnitude, const SlipSample& f) {
       s.value += magnitude * f.value;
       s.slope_over_y += magnitude * f.slope_over_y;
       s.curvature += magnitude * f.curvature;
     };
-    if (part != TangentialPart::adhesion)
+    if (term != TangentialTerm::adhesion)
       add(law.mu * c.normal_force, friction_slip(y, law.eps_v * h));
-    if (part != TangentialPart::friction)
+    if (term != TangentialTerm::friction)
       add(law.mu_a * law.peak_traction * c.area, adhesion_slip(y, law.eps_a * h));
     return s;
   }
@@ -37,7 +37,7 @@ struct Slip {
   Mat3 curvature(const SlipSample& s, Projection projection) const {
     const double across = projected(s.slope_over_y, projection);
     // If E'/y falls with y, the quadratic E'/y y^2/2 lies above E: a step with the exact curvature,
-    // which is zero for whole friction, overshoots from sliding into sticking.
+    // which is zero for full friction, overshoots from sliding into sticking.
     const double along =
         projection == Projection::majorize ? across : projected(s.curvature, projection);
     // Without slip both eigenvalues are equal, and any direction will do.

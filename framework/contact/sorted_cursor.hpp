@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// Entry has a key() of two numbers.
+// Entry has a key() of two integers.
 template <class Entry>
 class SortedCursor {
  public:
@@ -29,7 +29,7 @@ class SortedCursor {
   }
 
  private:
-  // One number in the order of keys.
+  // Returns an integer that orders as the keys do.
   static std::int64_t number(const std::array<int, 2>& key) {
     return (static_cast<std::int64_t>(key[0]) << 32) + key[1];
   }

@@ -1,17 +1,17 @@
-// The squared distance of each kind of stencil under one name; with derivatives if the kernels have
-// them.
+// Squared distance of each kind of stencil under one name, with the derivatives that the kernels
+// have.
 #pragma once
 
-#include "framework/contact/sample_chain.hpp"
+#include "framework/contact/chain_to_triangle.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/reduced_kernels.hpp"
 
 namespace tack {
 
-// The point of a sample, then its feature.
+// Returns the interior point, then the corners of its feature.
 template <int K>
-std::array<Vec3, K - 2> corners(const VecX& x, const SampleStencil<K>& s) {
+std::array<Vec3, K - 2> corners(const VecX& x, const InteriorStencil<K>& s) {
   std::array<Vec3, K - 2> c;
   c[0] = point_inside(x, {s.vertices[0], s.vertices[1], s.vertices[2]}, s.inside);
   for (int i = 3; i < K; ++i) c[i - 2] = vertex(x, s.vertices[i]);
@@ -45,7 +45,7 @@ auto distance_between(EdgeEdgeKind, const std::array<Vec3, 4>& c) {
 template <class Kernels, class Kind>
 auto stencil_distance(Kind, const VecX& x, const StencilOf<Kind>& s) {
   const auto c = corners(x, s);
-  if constexpr (is_sample<Kind>) {
+  if constexpr (is_interior<Kind>) {
     return chain_to_triangle(distance_between<Kernels>(typename Kind::PointKind{}, c), s.inside);
   } else {
     return distance_between<Kernels>(Kind{}, c);

@@ -1,4 +1,5 @@
-// One contact stencil: E = w m phi(d), s = d^2, with its derivatives by the chain rule
+// Energy of one contact stencil, E = w m phi(d) with s = d^2. Derivatives follow from the chain
+// rule
 //     dE/ds = w m phi' / (2 d),   d2E/ds2 = w m (phi'' - phi'/d) / (4 s),
 // and the product rule for the edge-edge mollifier m.
 #pragma once
@@ -10,7 +11,7 @@
 
 namespace tack {
 
-// eps_x: the mollifier's threshold, for edge-edge stencils only.
+// eps_x: the threshold of the mollifier, for edge-edge stencils only [m^4].
 template <class Kind>
 struct StencilEnergy {
   static constexpr int n = 3 * Kind::arity;

@@ -1,5 +1,5 @@
-// The kinds of contact stencils: their vertices, and how many of them lead that belong to the first
-// of the two primitives. Distances: stencil_distance.hpp.
+// Kinds of contact stencils: the number of their vertices, and how many leading vertices belong to
+// the first of the two primitives. Distances: stencil_distance.hpp.
 #pragma once
 
 #include "framework/contact/contact_set.hpp"
@@ -22,31 +22,31 @@ struct EdgeEdgeKind {
   static constexpr int arity = 4, first_vertices = 2;
 };
 
-// The point is one inside a triangle.
+// The point is an interior quadrature point.
 template <class Point>
-struct SampleKind {
+struct InteriorKind {
   using PointKind = Point;
   static constexpr int arity = Point::arity + 2, first_vertices = 3;
 };
 
 template <class Kind>
-inline constexpr bool is_sample = false;
+inline constexpr bool is_interior = false;
 template <class Point>
-inline constexpr bool is_sample<SampleKind<Point>> = true;
+inline constexpr bool is_interior<InteriorKind<Point>> = true;
 
-// Kind of a stencil with the points inside triangles replaced by vertices.
+// Kind of a stencil with interior points replaced by vertices.
 template <class Kind>
 struct PointKindOf {
   using type = Kind;
 };
 template <class Point>
-struct PointKindOf<SampleKind<Point>> {
+struct PointKindOf<InteriorKind<Point>> {
   using type = Point;
 };
 
 template <class Kind>
-using StencilOf =
-    std::conditional_t<is_sample<Kind>, SampleStencil<Kind::arity>, ContactStencil<Kind::arity>>;
+using StencilOf = std::conditional_t<is_interior<Kind>, InteriorStencil<Kind::arity>,
+                                     ContactStencil<Kind::arity>>;
 template <class Kind>
 using StencilsOf = std::vector<StencilOf<Kind>>;
 inline constexpr int stencil_kind_count = 7;
@@ -58,9 +58,9 @@ void for_each_kind(const ContactSet& set, const Body& body) {
   body(PointEdgeKind{}, set.point_edge, nullptr);
   body(PointTriangleKind{}, set.point_triangle, nullptr);
   body(EdgeEdgeKind{}, set.edge_edge, set.mollifier_threshold.data());
-  body(SampleKind<PointPointKind>{}, set.sample_point, nullptr);
-  body(SampleKind<PointEdgeKind>{}, set.sample_edge, nullptr);
-  body(SampleKind<PointTriangleKind>{}, set.sample_triangle, nullptr);
+  body(InteriorKind<PointPointKind>{}, set.interior_point, nullptr);
+  body(InteriorKind<PointEdgeKind>{}, set.interior_edge, nullptr);
+  body(InteriorKind<PointTriangleKind>{}, set.interior_triangle, nullptr);
 }
 
 }  // namespace tack

@@ -1,9 +1,9 @@
 // Derivatives of contact stencils with positive semi-definite Hessians, for several stencils side
 // by side.
 //     H = phi'' grad d grad d^T + phi' d2d
-// lives in five dimensions (distance_frame.hpp): R^K (x) n without translations and what neither w
-// nor the duals reach (three), w (x) t1 and w (x) t2. There the eigenvalue problem is 5x5 instead
-// of 3K x 3K, with the same result.
+// acts in five dimensions only (distance_frame.hpp): (x) n, the three dimensions of R^K without
+// translations and without the complement of w and the duals; and w (x) t1, w (x) t2. There the
+// eigenvalue problem is 5x5 instead of 3K x 3K, with an equal result.
 #pragma once
 
 #include "framework/assembly/pack_projection.hpp"
@@ -20,7 +20,7 @@ class StencilPack {
  public:
   static constexpr int blocks = K * (K + 1) / 2;
 
-  // gap: the length of the frame's residual; weight: times the law.
+  // gap: the length of the frame's residual [m]. weight: factor on the law.
   void set(int lane, const DistanceFrame<K>& frame, const LawSample& law, double gap,
            double weight) {
     set_lane<K, 1>(w_, lane, frame.weights);
@@ -108,7 +108,7 @@ class StencilPack {
   Pack gap_, slope_, curvature_;
 };
 
-// A stencil whose Hessian is no function of the distance alone: an edge-edge one with m < 1.
+// Returns whether the Hessian depends on more than the distance: for edge-edge stencils with m < 1.
 template <class Kind>
 bool is_mollified(const std::array<Vec3, Kind::arity>& c, double eps_x) {
   if constexpr (std::is_same_v<Kind, EdgeEdgeKind>)
@@ -116,15 +116,15 @@ bool is_mollified(const std::array<Vec3, Kind::arity>& c, double eps_x) {
   return false;
 }
 
-// Slots of the stencils [first, last), Hessians projected. gap and law: of the first and so on;
-// thresholds: eps_x of all edge-edge stencils, else null.
+// Writes the slots of the stencils [first, last), with projected Hessians. gap, law: arrays that
+// begin with stencil `first`. thresholds: eps_x of all edge-edge stencils; null for other kinds.
 template <class Kind>
 void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int first, int last,
                            const double* thresholds, const double* gap, const LawSample* law,
                            Projection projection, double* gradient, double* hessian) {
   using Stencil = StencilEnergy<Kind>;
   constexpr int n = Stencil::n, slots = 9 * hessian_blocks(Kind::arity);
-  constexpr int points = is_sample<Kind> ? Kind::arity - 2 : Kind::arity;
+  constexpr int points = is_interior<Kind> ? Kind::arity - 2 : Kind::arity;
   using Point = typename PointKindOf<Kind>::type;
   StencilPack<points> pack;
   for (int at = first; at < last; at += pack_width) {
@@ -141,7 +141,7 @@ void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int 
     pack.derivatives(projection, g, h);
     double* const g_out = gradient + n * static_cast<size_t>(at);
     double* const h_out = hessian + slots * static_cast<size_t>(at);
-    if constexpr (is_sample<Kind>) {
+    if constexpr (is_interior<Kind>) {
       constexpr int point_slots = 9 * StencilPack<points>::blocks;
       double point_g[pack_width * 3 * points], point_h[pack_width * point_slots];
       store_lanes(g, 3 * points, point_g, lanes);

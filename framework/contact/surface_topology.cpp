@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-constexpr double crease = 40 * M_PI / 180;  // the angle between the normals from which on it is one
+constexpr double crease_angle_min = 40 * M_PI / 180;  // between normals: an edge with a larger angle is a crease
 
 std::vector<EdgeUse> sorted_edge_uses(const std::vector<Triangle>& triangles) {
   std::vector<EdgeUse> uses;
@@ -36,24 +36,24 @@ void for_each_edge(const ContactSurface& surface,
     std::optional<double> angle;
     if (last - first == 2)
       angle = std::acos(std::clamp(normal(first->triangle).dot(normal((first + 1)->triangle)), -1.0, 1.0));
-    if (angle && *angle >= crease) angle.reset();
+    if (angle && *angle >= crease_angle_min) angle.reset();
     visit({first, last}, angle);
   }
 }
 
 namespace {
 
-// The elements of those numbers by their vertices.
+// Sets CSR lists of the elements of the given indices at each vertex.
 template <class ElementAt>
-void collect_at_vertices(const std::vector<int>& numbers, size_t vertices, const ElementAt& element, std::vector<int>& start,
+void collect_at_vertices(const std::vector<int>& indices, size_t vertices, const ElementAt& element, std::vector<int>& start,
                          std::vector<int>& list) {
   start.assign(vertices + 1, 0);
-  for (const int i : numbers)
+  for (const int i : indices)
     for (const int v : element(i)) ++start[v + 1];
   for (size_t v = 0; v < vertices; ++v) start[v + 1] += start[v];
   list.resize(start.back());
   auto next = start;
-  for (const int i : numbers)
+  for (const int i : indices)
     for (const int v : element(i)) list[next[v]++] = i;
 }
 

@@ -21,8 +21,8 @@ struct EdgeUse {
   int side;  // of the triangle: from its corner `side` to the next
 };
 
-// Calls visit(uses, angle) for every edge of the triangles: those that meet there, and the angle
-// between their normals at rest if the edge is smooth [rad], none otherwise.
+// Calls visit(uses, angle) for every edge: uses: the triangles that meet there; angle: between
+// their normals at rest if the edge is smooth [rad], none otherwise.
 void for_each_edge(
     const ContactSurface& surface,
     const std::function<void(std::span<const EdgeUse> uses, std::optional<double> angle)>& visit);
@@ -39,12 +39,12 @@ class SurfaceTopology {
     if (rod_start_.empty()) return {};
     return {rods_.data() + rod_start_[vertex_index], rods_.data() + rod_start_[vertex_index + 1]};
   }
-  // The radius of a particle; 0 for other vertices [m].
+  // Radius of a particle; 0 for other vertices [m].
   double particle_radius(int vertex_index) const {
     return radius_.empty() ? 0 : radius_[vertex_index];
   }
   // Returns whether the vertex belongs to a rod, or is a particle.
-  bool thin(int vertex_index) const {
+  bool is_codimensional(int vertex_index) const {
     return !rods_at(vertex_index).empty() || particle_radius(vertex_index) > 0;
   }
   bool smooth_vertex(int vertex_index) const { return smooth_vertex_[vertex_index] != 0; }
@@ -59,12 +59,12 @@ class SurfaceTopology {
   void find_particles(const ContactSurface& surface, size_t vertices);
   void find_creases(const ContactSurface& surface);
 
-  std::vector<int> start_, incident_;  // triangles at each global vertex
-  std::vector<int> rod_start_, rods_;  // likewise, codimensional edges; empty without any
-  std::vector<double> radius_;         // per global vertex; empty without particles
-  std::vector<char> smooth_vertex_;    // per global vertex
+  std::vector<int> start_, incident_;        // triangles at each global vertex
+  std::vector<int> rod_start_, rods_;        // rods at each global vertex; empty without rods
+  std::vector<double> radius_;               // per global vertex; empty without particles
+  std::vector<char> smooth_vertex_;          // per global vertex
   std::vector<unsigned char> smooth_edges_;  // per triangle, a bit an edge
-  std::vector<char> two_sided_;        // per triangle
+  std::vector<char> two_sided_;              // per triangle
 };
 
 }  // namespace tack

@@ -9,12 +9,12 @@
 
 namespace tack {
 
-enum class TangentialPart { all, friction, adhesion };
+enum class TangentialTerm { all, friction, adhesion };
 
 // Tangential laws between two objects.
 struct TangentialLaw {
   double mu = 0;             // coefficient of friction
-  double eps_v = 1e-3;       // sliding speed from which friction is whole [m/s]
+  double eps_v = 1e-3;       // sliding speed from which friction is full [m/s]
   double mu_a = 0;           // tangential adhesion over normal adhesion
   double peak_traction = 0;  // of the normal adhesion [Pa]
   double eps_a = 1e-3;       // sliding speed of the largest tangential adhesion [m/s]

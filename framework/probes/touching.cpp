@@ -29,7 +29,7 @@ class SlidingSpeed : public Probe {
   void prepare(const World& world) override {
     require_contact(world, name_);
     std::tie(a_, b_) = between_.prepare(world, name_);
-    wanted_ = laws_of_area(world.contact->pairs(), a_, b_);
+    wanted_ = integrated_laws(world.contact->pairs(), a_, b_);
   }
   Unit unit() const override { return units::velocity; }
   std::vector<double> sample(const World& world, const State& state) override {
@@ -64,7 +64,7 @@ class ContactArea : public Probe {
   void prepare(const World& world) override {
     require_contact(world, name_);
     std::tie(a_, b_) = between_.prepare(world, name_);
-    wanted_ = laws_of_area(world.contact->pairs(), a_, b_);
+    wanted_ = integrated_laws(world.contact->pairs(), a_, b_);
   }
   Unit unit() const override { return units::area; }
   std::vector<double> sample(const World& world, const State& state) override {

@@ -119,7 +119,7 @@ CollidingObjects colliding_in(const Cut& cut) {
   return colliding;
 }
 
-IntegrationSides::Pairs turned_in(const IntegrationSides::Pairs& all, const Cut& cut) {
+IntegrationSides::Pairs coarse_pairs_in(const IntegrationSides::Pairs& all, const Cut& cut) {
   const std::pair pair(cut.body(0), cut.body(cut.objects() - 1));
   if (!std::binary_search(all.begin(), all.end(), pair)) return {};
   return {{0, 1}};
@@ -174,7 +174,7 @@ IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
   ContactSystem contact(surface_of(world.contact->surface(), cut), table_of(world.contact->pairs(), cut),
                         colliding_in(cut), clock);
   contact.set_free(cut.part(free));
-  contact.set_turned_before(turned_in(world.contact->turned_sides(), cut));
+  contact.set_previous_coarse_pairs(coarse_pairs_in(world.contact->coarse_pairs(), cut));
   const ContactTerm term(contact);
   std::optional<FrictionTerm> friction;
   if (world.friction) friction.emplace(contact, term);

@@ -90,7 +90,7 @@ bool LaggedImpulses::update_start_up(const ContactPoints& now) {
     compare(forces);
     return false;
   }
-  friction_.hold(now, starting);
+  friction_.replace_points(now, starting);
   for (const auto& objects : starting) {
     const auto found = forces.find(objects);
     FrictionAccount& account = accounts_[objects];

@@ -15,7 +15,7 @@ namespace tack {
 void TimeStepper::begin_without_history() {
   state_.a = VecX::Zero(state_.x.size());
   state_.history.erase(friction_account_name);
-  forget_contact_history(state_.history);
+  erase_contact_history(state_.history);
   stepper_->erase_history(state_.history);
 }
 

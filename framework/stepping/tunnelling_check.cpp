@@ -135,7 +135,7 @@ std::optional<std::array<int, 2>> TunnellingCheck::find_components(const VecX& x
   std::vector<char> concerned(components_.count(), 0);
   for (const auto& [a, b] : pairs) concerned[a] = concerned[b] = 1;
   const VecX displacement = y - x;
-  const double stages = std::clamp(std::ceil(displacement.lpNorm<Eigen::Infinity>() / contact.stride()), 1.0, double(max_stages));
+  const double stages = std::clamp(std::ceil(displacement.lpNorm<Eigen::Infinity>() / contact.search_displacement_max()), 1.0, double(max_stages));
   const Search search{mesh, components_, pairs, contact.range()};
   std::vector<Aabb> boxes(mesh.vertex_object.size());
   Candidates candidates;

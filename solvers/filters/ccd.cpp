@@ -100,7 +100,7 @@ class Ccd : public StepFilter {
   // nearby obstacles truncate most of the path. Each stage searches its interval of the path
   // completely, so that the result is that of one search.
   double largest_step(const VecX& x, const VecX& p, double t_max) override {
-    const double reach = contact_->stride() / std::max(p.lpNorm<Eigen::Infinity>(), 1e-300);
+    const double reach = contact_->search_displacement_max() / std::max(p.lpNorm<Eigen::Infinity>(), 1e-300);
     for (double stage = reach;; stage *= stage_growth) {
       const double end = std::min(stage, t_max);
       const double t = search(x, p, end);
@@ -204,7 +204,7 @@ class Ccd : public StepFilter {
   // Returns how much of the distance between two primitives their contact offsets fill [m].
   template <size_t A, size_t B>
   double offset_of(const std::array<int, A>& a, const std::array<int, B>& b) const {
-    return largest_offset_ == 0 ? 0 : filled_between(contact_->surface(), contact_->pairs(), a, b);
+    return largest_offset_ == 0 ? 0 : offset_between(contact_->surface(), contact_->pairs(), a, b);
   }
 
   bool out_of_time() const { return deadline_ && deadline_->passed(); }

@@ -59,7 +59,7 @@ std::vector<double> bond_pressures(const BondTerm& bonds, const std::vector<Cont
       double force = 0;
       for (; at != all.end() && at->vertex == bond.vertices[v]; ++at)
         if (at->other == bond.b) force += std::max(0.0, at->force.dot(bond.normal));
-      const double area = system.held().whole(bond.vertices[v]);
+      const double area = system.lagged_surface().tributary_area(bond.vertices[v]);
       if (area > 0) pressure += bond.c[v] * force / area;
     }
     pressures.push_back(pressure);

@@ -53,7 +53,7 @@ void publish_impulses(World& world, std::shared_ptr<const LcpStep> step) {
   normal.add_areas = [=, system = world.contact.get()](const VecX&, VecX& areas) {
     for (const ContactRow& c : step->contacts()) {
       if (c.own != 1 || c.force.isZero(0)) continue;
-      const double area = system->held().whole(c.vertices[0]);
+      const double area = system->lagged_surface().tributary_area(c.vertices[0]);
       for (int i = 0; i < 4; ++i) areas(3 * c.vertices[i]) += std::abs(c.coefficients[i]) * area;
     }
   };

@@ -162,13 +162,13 @@ TEST_CASE("bonds: new ones store nothing, whole ones have an intensity of 1", "[
     CHECK(bond.step(0, 0, 1e-3).by_d == 0);
     CHECK((!bond.change().gone && bond.change().dissipated == 0 && bond.intensity() == 1));
     CHECK(law.clone()->width() == law.width());
-    CHECK(law.traits().remembers == (law.width() > 0));
+    CHECK(law.traits().history_dependent == (law.width() > 0));
   });
 }
 
 TEST_CASE("bonds that remember have at most one direction of negative curvature", "[bonds]") {
   for_each_law([](const BondLaw& law, const std::string&) {
-    if (!law.traits().remembers) return;
+    if (!law.traits().history_dependent) return;
     std::mt19937 random(4);
     for (int i = 0; i < 1000; ++i) {
       Situation it = some_situation(law, random);

@@ -247,5 +247,5 @@ TEST_CASE("coupled Xu-Needleman: strengths, and comes back as it was", "[bonds]"
   CHECK(bond.traction() == Approx(1e4));
   CHECK(bond.dissipated() == 0);
   const AdhesionTraits traits = law->traits();
-  CHECK((traits.reversible && !traits.remembers && traits.normal && traits.tangential));
+  CHECK((traits.reversible && !traits.history_dependent && traits.normal && traits.tangential));
 }

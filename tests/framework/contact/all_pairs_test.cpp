@@ -191,12 +191,12 @@ TEST_CASE("shadows of rods and particles overlap as rectangles and discs do", "[
   Vec3 centre;
   const std::array<Vec3, 2> a{Vec3(-1, 0, 0), Vec3(1, 0, 0)};
   // Crossing at right angles, above each other; then side by side with a shift, and one past the end of the other.
-  CHECK(shadow_overlap(a, 0.2, {Vec3(0.5, 1, -1), Vec3(0.5, 1, 1)}, 0.3, Vec3::UnitY(), centre) == Approx(0.06));
+  CHECK(projected_overlap(a, 0.2, {Vec3(0.5, 1, -1), Vec3(0.5, 1, 1)}, 0.3, Vec3::UnitY(), centre) == Approx(0.06));
   CHECK((centre - Vec3(0.5, 0, 0)).norm() <= 1e-12);
-  CHECK(shadow_overlap(a, 0.2, {Vec3(0, 1, 0.1), Vec3(3, 1, 0.1)}, 0.2, Vec3::UnitY(), centre) == Approx(0.1));
-  CHECK(shadow_overlap(a, 0.2, {Vec3(1.5, 1, 0), Vec3(3, 1, 0)}, 0.2, Vec3::UnitY(), centre) == 0);
+  CHECK(projected_overlap(a, 0.2, {Vec3(0, 1, 0.1), Vec3(3, 1, 0.1)}, 0.2, Vec3::UnitY(), centre) == Approx(0.1));
+  CHECK(projected_overlap(a, 0.2, {Vec3(1.5, 1, 0), Vec3(3, 1, 0)}, 0.2, Vec3::UnitY(), centre) == 0);
   const double turned = M_PI / 6;
-  CHECK(shadow_overlap(a, 0.2, {Vec3(-std::cos(turned), 1, -std::sin(turned)), Vec3(std::cos(turned), 1, std::sin(turned))}, 0.1,
+  CHECK(projected_overlap(a, 0.2, {Vec3(-std::cos(turned), 1, -std::sin(turned)), Vec3(std::cos(turned), 1, std::sin(turned))}, 0.1,
                        Vec3::UnitY(), centre) == Approx(0.02 / std::sin(turned)));
   CHECK(disc_overlap(2, 10) == Approx(4 * M_PI));
   CHECK(disc_overlap(2, 1e-3) == Approx(4e-3).epsilon(1e-4));

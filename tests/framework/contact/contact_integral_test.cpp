@@ -162,12 +162,12 @@ TEST_CASE("contact integral: what is out of range as a step begins is divided wh
   };
   world.contact->begin_step({moved(0, 0)});
   world.contact->move_to(moved(0, 0));
-  CHECK(world.contact->overlap().samples().empty());
+  CHECK(world.contact->overlap().interior_points().empty());
   world.contact->move_to(moved(-5e-3, -5e-3));  // in company
-  CHECK(world.contact->overlap().samples().empty());
+  CHECK(world.contact->overlap().interior_points().empty());
   for (const double approach : {0.5e-3, 1e-3, 1.5e-3}) {
     world.contact->move_to(moved(-approach, 0));
-    CHECK(world.contact->overlap().samples().size() > 10);
+    CHECK(world.contact->overlap().interior_points().size() > 10);
     const double force = -world.contact_term->force_between(moved(-approach, 0), LawTerm::all, {0, 1}).y();
     CHECK(force == Approx(1e-4 * traction(2.4e-3 - approach)).epsilon(0.02));
   }
@@ -373,7 +373,7 @@ TEST_CASE("contact integral: points inside triangles have the derivatives of the
   world.contact->begin_step({x});
   world.contact->move_to(x);
   const ContactSet& set = world.contact->contacts();
-  CHECK(set.sample_triangle.size() > 10);
+  CHECK(set.interior_triangle.size() > 10);
   const ContactTerm& term = *world.contact_term;
   const VecX gradient = dense_gradient(term, x);
   const MatX hessian = dense_hessian(term, x, Projection::none);

@@ -74,7 +74,7 @@ void check_points(const ContactPoints& points, const World& world, const VecX& x
     CHECK(c.area >= 0);
     switch (c.kind()) {
       case PointKind::vertex: CHECK((c.own == 1 && c.point == c.vertices[0])); break;
-      case PointKind::sample: CHECK((c.own == 3 && c.point >= 0)); break;
+      case PointKind::interior: CHECK((c.own == 3 && c.point >= 0)); break;
       case PointKind::edges: CHECK((c.own == 2 && c.point == -1)); break;
     }
   });
@@ -145,7 +145,7 @@ TEST_CASE("contact points: samples stand for what is covered of triangles across
       CHECK((c.object == 1 && c.opposite == 0));
       CHECK((c.normal - Vec3::UnitY()).norm() <= 1e-9);
       CHECK(places.insert({c.kind(), c.point}).second);
-      if (c.kind() != PointKind::sample) return;
+      if (c.kind() != PointKind::interior) return;
       ++samples;
       Vec3 at = Vec3::Zero();
       for (int i = 0; i < 3; ++i) {

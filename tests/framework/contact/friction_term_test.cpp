@@ -94,35 +94,35 @@ TEST_CASE("friction term: moving all, start included, changes nothing", "[fricti
 
 TEST_CASE("friction term: forces add up to zero, and parts and pairs to the whole", "[friction]") {
   Cluster c(0.5, 7e-4);
-  const VecX all = c.term().forces(c.x, TangentialPart::all);
+  const VecX all = c.term().forces(c.x, TangentialTerm::all);
   CHECK(all.norm() > 0);
   CHECK(total(all).norm() <= 1e-12 * all.norm());
   CHECK((all + dense_gradient(c.term(), c.x)).norm() <= 1e-12 * all.norm());
-  const VecX parts = c.term().forces(c.x, TangentialPart::friction) + c.term().forces(c.x, TangentialPart::adhesion);
+  const VecX parts = c.term().forces(c.x, TangentialTerm::friction) + c.term().forces(c.x, TangentialTerm::adhesion);
   CHECK((all - parts).norm() <= 1e-12 * all.norm());
   VecX pairs = VecX::Zero(all.size());
   for (int a = 0; a < 3; ++a)
-    for (int b = a; b < 3; ++b) pairs += c.term().forces(c.x, TangentialPart::all, ObjectPair{a, b});
+    for (int b = a; b < 3; ++b) pairs += c.term().forces(c.x, TangentialTerm::all, ObjectPair{a, b});
   CHECK((all - pairs).norm() <= 1e-12 * all.norm());
-  const Vec3 action = c.term().force_between(c.x, TangentialPart::all, {0, 1});
-  CHECK((action + c.term().force_between(c.x, TangentialPart::all, {1, 0})).norm() <= 1e-12 * all.norm());
+  const Vec3 action = c.term().force_between(c.x, TangentialTerm::all, {0, 1});
+  CHECK((action + c.term().force_between(c.x, TangentialTerm::all, {1, 0})).norm() <= 1e-12 * all.norm());
 }
 
 TEST_CASE("friction term: the slip of a step is measured in eps h", "[friction]") {
   Cluster whole(0.5, 7e-4), half(0.25, 7e-4);
   const VecX shorter = half.start + (half.x - half.start) / 2;
-  const VecX force = whole.term().forces(whole.x, TangentialPart::all);
-  CHECK((force - half.term().forces(shorter, TangentialPart::all)).norm() <= 1e-12 * force.norm());
+  const VecX force = whole.term().forces(whole.x, TangentialTerm::all);
+  CHECK((force - half.term().forces(shorter, TangentialTerm::all)).norm() <= 1e-12 * force.norm());
 }
 
 TEST_CASE("friction term: what lagging anew would change", "[friction]") {
   Cluster c(0.5, 7e-4);
   CHECK(c.term().residual(c.start) == 0);  // no slip, no force
   c.system().move_to(c.x);
-  const VecX before = c.term().forces(c.x, TangentialPart::all);
+  const VecX before = c.term().forces(c.x, TangentialTerm::all);
   const double residual = c.term().residual(c.x);
   c.term().lag(c.x);
-  const VecX after = c.term().forces(c.x, TangentialPart::all);
+  const VecX after = c.term().forces(c.x, TangentialTerm::all);
   double largest = 0, difference = 0;
   for (int v = 0; v < c.x.size() / 3; ++v) {
     largest = std::max({largest, vertex(before, v).norm(), vertex(after, v).norm()});
@@ -135,12 +135,12 @@ TEST_CASE("friction term: what lagging anew would change", "[friction]") {
 
 TEST_CASE("friction term: two objects are held anew, or by other normal forces, and the others are not", "[friction]") {
   Cluster c(0.5, 7e-4);
-  const auto between = [&](int a, int b, TangentialPart part = TangentialPart::all) { return c.term().forces(c.x, part, ObjectPair{a, b}); };
+  const auto between = [&](int a, int b, TangentialTerm part = TangentialTerm::all) { return c.term().forces(c.x, part, ObjectPair{a, b}); };
   const auto differ = [](const VecX& f, const VecX& g) { return (f - g).norm() / f.norm(); };
   const VecX before01 = between(0, 1), before12 = between(1, 2);
   c.system().move_to(c.x);
   const ContactPoints now = c.term().lagged_at(c.x);
-  c.term().hold(now, {{0, 1}});
+  c.term().replace_points(now, {{0, 1}});
   const VecX anew01 = between(0, 1);
   CHECK(differ(anew01, before01) > 1e-3);
   CHECK(differ(before12, between(1, 2)) <= 1e-14);
@@ -152,10 +152,10 @@ TEST_CASE("friction term: two objects are held anew, or by other normal forces, 
   CHECK(differ(anew01, between(0, 1)) <= 1e-14);
   CHECK(differ(before12, between(1, 2)) > 1e-3);
 
-  const VecX friction = between(0, 1, TangentialPart::friction), adhesion = between(0, 1, TangentialPart::adhesion), other = between(1, 2);
+  const VecX friction = between(0, 1, TangentialTerm::friction), adhesion = between(0, 1, TangentialTerm::adhesion), other = between(1, 2);
   c.term().scale_normal_forces({{{0, 1}, 0.25}});
-  CHECK(differ(0.25 * friction, between(0, 1, TangentialPart::friction)) <= 1e-14);
-  CHECK(differ(adhesion, between(0, 1, TangentialPart::adhesion)) <= 1e-14);
+  CHECK(differ(0.25 * friction, between(0, 1, TangentialTerm::friction)) <= 1e-14);
+  CHECK(differ(adhesion, between(0, 1, TangentialTerm::adhesion)) <= 1e-14);
   CHECK(differ(other, between(1, 2)) <= 1e-14);
   CHECK(c.term().normal_forces().at({0, 1}) == Approx(0.25 * own.at({0, 1})));
 }

@@ -15,12 +15,12 @@ PairTable pair_by_overlap() {
   return pairs;
 }
 
-bool first_chosen(const PairTable& pairs, IntegrationSides::Capture first, IntegrationSides::Capture second,
-                  std::optional<IntegrationSides::Pairs> before = std::nullopt) {
+bool first_chosen(const PairTable& pairs, IntegrationSides::Overlap first, IntegrationSides::Overlap second,
+                  std::optional<IntegrationSides::Pairs> previous = std::nullopt) {
   IntegrationSides sides(pairs);
-  sides.set_before(std::move(before));
-  sides.capture(0, 1) = first;
-  sides.capture(1, 0) = second;
+  sides.set_previous(std::move(previous));
+  sides.overlap(0, 1) = first;
+  sides.overlap(1, 0) = second;
   sides.choose();
   CHECK(sides.integrates(0, 1) != sides.integrates(1, 0));
   return sides.integrates(0, 1);

@@ -25,10 +25,10 @@ TEST_CASE("areas and normals of the lagged surface are those of the positions th
   SurfaceAt s(builder);
   CHECK(s.lagged.area(0) == Approx(3));
   CHECK((s.lagged.normal(0) - Vec3::UnitZ()).norm() < 1e-15);
-  CHECK(s.lagged.cell(0) == Approx(6));
+  CHECK(s.lagged.area_per_vertex(0) == Approx(6));
   VecX x = builder.x();
   for (int v = 0; v < 3; ++v) vertex(x, v) = Vec3(2 * x[3 * v], 0, -2 * x[3 * v + 1]);
-  s.lagged.hold(x);
+  s.lagged.update(x);
   CHECK(s.lagged.area(0) == Approx(12));
   CHECK((s.lagged.normal(0) - Vec3::UnitY()).norm() < 1e-15);
   CHECK(s.lagged.x() == x);
@@ -51,7 +51,7 @@ TEST_CASE("tributary areas of all vertices add up to the area of the surface", "
   builder.add_grid({5, 4}, 0, [&](double u, double v) { return Vec3(Vec3(2 * u, 3 * v, 0) + random.point(0.1)); });
   const SurfaceAt s(builder);
   double vertices = 0, triangles = 0;
-  for (const int v : s.surface.mesh.vertices) vertices += s.lagged.whole(v);
+  for (const int v : s.surface.mesh.vertices) vertices += s.lagged.tributary_area(v);
   for (size_t t = 0; t < s.surface.mesh.triangles.size(); ++t) triangles += s.lagged.area(static_cast<int>(t));
   CHECK(vertices == Approx(triangles).epsilon(1e-12));
 }
@@ -96,8 +96,8 @@ TEST_CASE("lagged areas and cosines do not depend on rotation and translation", 
     const SurfaceAt turned(builder, moved(builder.x(), r, random.point(2)));
     const Vec3 n = random.direction();
     for (const int v : s.surface.mesh.vertices) {
-      CHECK(turned.lagged.whole(v) == Approx(s.lagged.whole(v)));
-      CHECK(turned.lagged.cell(v, r * n) == Approx(s.lagged.cell(v, n)).margin(1e-12));
+      CHECK(turned.lagged.tributary_area(v) == Approx(s.lagged.tributary_area(v)));
+      CHECK(turned.lagged.area_per_vertex(v, r * n) == Approx(s.lagged.area_per_vertex(v, n)).margin(1e-12));
       CHECK(area_towards(turned, v, r * n) == Approx(area_towards(s, v, n)).margin(1e-12));
     }
   }
@@ -112,8 +112,8 @@ TEST_CASE("the cell of a vertex is the mean of the cells of the triangles that f
   builder.add_triangle({o, b, c});
   builder.add_triangle({o, d, a});
   const SurfaceAt s(builder);
-  CHECK(s.lagged.cell(o, -Vec3::UnitZ()) == Approx((2 * 0.5 + 2 * 2) / 2));
-  CHECK(s.lagged.cell(o, Vec3::UnitZ()) == 0);
+  CHECK(s.lagged.area_per_vertex(o, -Vec3::UnitZ()) == Approx((2 * 0.5 + 2 * 2) / 2));
+  CHECK(s.lagged.area_per_vertex(o, Vec3::UnitZ()) == 0);
 }
 
 TEST_CASE("a rod has its length times its width from the side, and its cross-section at each end", "[contact][lagged]") {
@@ -125,11 +125,11 @@ TEST_CASE("a rod has its length times its width from the side, and its cross-sec
     const int first = builder.add_rod({{0, 0, 0}, 0.3 * along, 2 * along}, 0, width);
     const SurfaceAt s(builder);
     double projected = 0, largest = 0;
-    for (int v = first; v < first + 3; ++v) projected += s.lagged.thin(v, n), largest += s.lagged.thin(v);
+    for (int v = first; v < first + 3; ++v) projected += s.lagged.codimensional_area(v, n), largest += s.lagged.codimensional_area(v);
     const double sine = along.cross(n).norm(), cosine = std::abs(along.dot(n));
     CHECK(projected == Approx(2 * width * sine + 2 * M_PI / 4 * width * width * cosine));
     CHECK(largest == Approx(2 * width));
-    CHECK(s.lagged.thin(first, -n) == s.lagged.thin(first, n));
+    CHECK(s.lagged.codimensional_area(first, -n) == s.lagged.codimensional_area(first, n));
   }
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("the area of a rod does not depend on its mesh", "[contact][lagged]") 
     builder.add_rod(points, 0, 0.1);
     const SurfaceAt s(builder);
     double sum = 0;
-    for (int v = 0; v <= edges; ++v) sum += s.lagged.thin(v, n);
+    for (int v = 0; v <= edges; ++v) sum += s.lagged.codimensional_area(v, n);
     CHECK(sum == Approx(3 * 0.1 * 0.8 + M_PI / 2 * 0.01 * 0.6));
   }
 }
@@ -152,6 +152,6 @@ TEST_CASE("a particle has its cross-section from every direction", "[contact][la
   SurfaceBuilder builder;
   const int p = builder.add_particle({1, 2, 3}, 0, 0.3);
   const SurfaceAt s(builder);
-  CHECK(s.lagged.thin(p) == Approx(M_PI * 0.09));
-  for (int trial = 0; trial < 5; ++trial) CHECK(s.lagged.thin(p, random.direction()) == Approx(M_PI * 0.09));
+  CHECK(s.lagged.codimensional_area(p) == Approx(M_PI * 0.09));
+  for (int trial = 0; trial < 5; ++trial) CHECK(s.lagged.codimensional_area(p, random.direction()) == Approx(M_PI * 0.09));
 }

@@ -22,7 +22,7 @@ std::vector<double> written_out(const ContactSet& set) {
     for (const auto& s : stencils) {
       all.insert(all.end(), s.vertices.begin(), s.vertices.end());
       all.insert(all.end(), {static_cast<double>(s.law), s.weight});
-      if constexpr (is_sample<decltype(kind)>) all.insert(all.end(), s.inside.begin(), s.inside.end());
+      if constexpr (is_interior<decltype(kind)>) all.insert(all.end(), s.inside.begin(), s.inside.end());
     }
   });
   return all;
@@ -53,13 +53,13 @@ TEST_CASE("contacts are the same whether or not anything is known of the distanc
       const VecX p = (step % 2 ? 0.02 : 0.001) * random.vectors(x.size());
       for (const double s : {0.0, 0.4, 1.0}) {
         const VecX y = x + s * p;
-        const bool renewed = broad_phase.update(x, p, range, skin);
+        const bool updated = broad_phase.update(x, p, range, skin);
         Candidates unknown = broad_phase.candidates();
         for (CandidateLengths* c : {&unknown.distance_bounds, &unknown.reference_distances})
           for (auto* list : {&c->point_triangle, &c->edge_edge, &c->point_edge, &c->point_point})
             for (double& length : *list) known += length >= range, length = 0;
         const auto found = [&](NarrowPhase& narrow_phase, const Candidates& candidates) {
-          if (renewed) narrow_phase.set_candidates(candidates, x);
+          if (updated) narrow_phase.set_candidates(candidates, x);
           if (s == 0) narrow_phase.begin_step(candidates, x);
           ContactSet set;
           narrow_phase.find(candidates, y, set);

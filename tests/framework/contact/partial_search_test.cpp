@@ -75,10 +75,10 @@ TEST_CASE("contacts after a search for some objects are those after a search for
     check_same(found.point_edge, wanted.point_edge);
     check_same(found.point_triangle, wanted.point_triangle);
     check_same(found.edge_edge, wanted.edge_edge);
-    check_same(found.sample_point, wanted.sample_point);
-    check_same(found.sample_edge, wanted.sample_edge);
-    check_same(found.sample_triangle, wanted.sample_triangle);
-    samples = std::max(samples, found.sample_triangle.size());
+    check_same(found.interior_point, wanted.interior_point);
+    check_same(found.interior_edge, wanted.interior_edge);
+    check_same(found.interior_triangle, wanted.interior_triangle);
+    samples = std::max(samples, found.interior_triangle.size());
   }
   CHECK(most > 500);
   CHECK(samples > 10);

@@ -53,7 +53,7 @@ Segment flat(double length, double angle, double height, const Vec3& centre = Ve
 
 double shadow(const Segment& a, double wa, const Segment& b, double wb, const Vec3& n) {
   Vec3 centre;
-  return shadow_overlap(a, wa, b, wb, n, centre);
+  return projected_overlap(a, wa, b, wb, n, centre);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ TEST_CASE("the shadows of crossing edges have the parallelogram in common, centr
   for (const double degrees : {20.0, 45.0, 90.0, 135.0}) {
     const double angle = degrees / 180 * M_PI;
     Vec3 centre;
-    const double area = shadow_overlap(flat(2, 0, 0), 0.01, flat(2, angle, 0.1, {0.2, 0, 0}), 0.02, Vec3::UnitZ(), centre);
+    const double area = projected_overlap(flat(2, 0, 0), 0.01, flat(2, angle, 0.1, {0.2, 0, 0}), 0.02, Vec3::UnitZ(), centre);
     CHECK(area == Approx(0.01 * 0.02 / std::sin(angle)));
     CHECK(centre.x() == Approx(0.2));
     CHECK(std::abs(centre.y()) < 1e-12);

@@ -92,7 +92,7 @@ TEST_CASE("rolling friction: derivatives are those of the value, and projections
       MatX by_slope = hessian_by_differences(slope, y, 1e-2 * size);
       CHECK((gradient - by_value).norm() < 1e-4 * gradient.norm());
       CHECK((exact - by_slope).norm() < 1e-3 * exact.norm());
-      CHECK((term.forces(y, TangentialPart::all) + gradient).norm() < 1e-12 * gradient.norm());
+      CHECK((term.forces(y, TangentialTerm::all) + gradient).norm() < 1e-12 * gradient.norm());
       CHECK(smallest_eigenvalue(dense_hessian(term, y, Projection::clamp)) >= -1e-9 * exact.norm());
     }
   }

@@ -32,7 +32,7 @@ struct Batch {
         vertex(x, s.vertices[k]) = c.col(k);
       }
       s.weight = random.uniform(-0.3, 1);
-      if constexpr (is_sample<Kind>) s.inside = Vec3(0.2, 0.5, 0.3);
+      if constexpr (is_interior<Kind>) s.inside = Vec3(0.2, 0.5, 0.3);
       stencils.push_back(s);
       gap.push_back(std::sqrt(stencil_distance<ValueKernels>(Kind{}, x, s)));
       law.push_back({random.uniform(-1, 1), random.uniform(-1e3, 1e3), random.uniform(-1e6, 1e6)});
@@ -54,7 +54,7 @@ struct Batch {
         load_blocks<Kind::arity>(hessian.data() + slots * i, fast);
         const double scale = exact.norm();
         // A sample's Hessian is that of its point, projected: semi-definite and above, but not its own projection.
-        if constexpr (is_sample<Kind>) {
+        if constexpr (is_interior<Kind>) {
           REQUIRE(smallest_eigenvalue(fast) >= -1e-12 * scale);
           REQUIRE(smallest_eigenvalue(fast - exact) >= -1e-9 * scale);
         } else {
@@ -115,9 +115,9 @@ TEST_CASE("projected stencils: mollified edges among others", "[contact]") {
 
 TEST_CASE("projected stencils: points inside triangles", "[contact]") {
   RandomStencils random(8);
-  CHECK(Batch<SampleKind<PointPointKind>>(random, 0, [&](int) { return points<4>(random); }).check(1e-9) > 5);
-  CHECK(Batch<SampleKind<PointEdgeKind>>(random, 0, [&](int) { return points<5>(random); }).check(1e-9) > 5);
-  CHECK(Batch<SampleKind<PointTriangleKind>>(random, 0, [&](int) { return points<6>(random); }).check(1e-9) > 5);
+  CHECK(Batch<InteriorKind<PointPointKind>>(random, 0, [&](int) { return points<4>(random); }).check(1e-9) > 5);
+  CHECK(Batch<InteriorKind<PointEdgeKind>>(random, 0, [&](int) { return points<5>(random); }).check(1e-9) > 5);
+  CHECK(Batch<InteriorKind<PointTriangleKind>>(random, 0, [&](int) { return points<6>(random); }).check(1e-9) > 5);
 }
 
 TEST_CASE("projected stencils: tiny gaps and slivers stay semi-definite and free of translations", "[contact]") {

@@ -102,7 +102,7 @@ struct SurfaceBuilder {
 // A contact surface, and its lagged surface at given positions.
 struct SurfaceAt {
   SurfaceAt(const SurfaceBuilder& builder, const VecX& x) : surface(builder.surface()) {
-    lagged.hold(x);
+    lagged.update(x);
   }
   explicit SurfaceAt(const SurfaceBuilder& builder) : SurfaceAt(builder, builder.x()) {}
   SurfaceAt(const SurfaceAt&) = delete;

@@ -22,7 +22,7 @@ struct Setup {
   std::array<int, 2> cells = {4, 4}, cells_below = {3, 5};
   Vec3 corner = {0, 0, 0.05};
   double width = 1, depth = 1;
-  bool automatic = false;
+  bool by_overlap = false;
 };
 
 struct Overlap {
@@ -33,38 +33,38 @@ struct Overlap {
     at = std::make_unique<SurfaceAt>(builder, x);
     PairRole role{pairs.add_law(flat_law(range)), 1, range, true};
     role.overlap_only = true;
-    role.by_overlap = setup.automatic;
+    role.by_overlap = setup.by_overlap;
     pairs.point(0, 1) = role;
-    if (setup.automatic) pairs.point(1, 0) = role;
+    if (setup.by_overlap) pairs.point(1, 0) = role;
     sides = std::make_unique<IntegrationSides>(pairs);
     overlap = std::make_unique<SurfaceOverlap>(at->surface, pairs, at->lagged);
     broad_phase = std::make_unique<BroadPhase>(at->surface.mesh, CollidingObjects());
     broad_phase->update(x, {}, 2 * range, 0.01);
-    FacingViewer viewer(at->surface.mesh, at->lagged);
+    PatchFinder finder(at->surface.mesh, at->lagged);
     const auto& object = at->surface.mesh.vertex_object;
     std::array<std::vector<int>, 2> triangles;
     for (int t = 0; t < static_cast<int>(at->surface.mesh.triangles.size()); ++t) triangles[object[at->surface.mesh.triangles[t][0]]].push_back(t);
     for (const int v : at->surface.mesh.vertices) {
       const auto& opposite = triangles[1 - object[v]];
-      views.push_back({v, 1 - object[v], viewer.look(viewer.vertex_view(v), static_cast<int>(opposite.size()), [&](int i) { return opposite[i]; })});
+      groups.push_back({v, 1 - object[v], finder.find(finder.at_vertex(v), static_cast<int>(opposite.size()), [&](int i) { return opposite[i]; })});
     }
-    if (setup.automatic) overlap->capture(views, *sides);
-    overlap->weigh(*sides, *broad_phase, views);
+    if (setup.by_overlap) overlap->choose_sides(groups, *sides);
+    overlap->evaluate(*sides, *broad_phase, groups);
   }
   // Of the side that integrates.
   double area_at_vertices() const {
     double sum = 0;
-    for (const GroupView& g : views)
+    for (const GroupPatches& g : groups)
       if (sides->integrates(at->surface.mesh.vertex_object[g.point], g.object))
-        for (int k = 0; k < g.view.count; ++k) sum += g.view.pieces[k].area;
+        for (int k = 0; k < g.visible.count; ++k) sum += g.visible.patches[k].area;
     return sum;
   }
-  double area_of_samples() const {
+  double area_of_interior_points() const {
     double sum = 0;
-    for (const ContactSample& s : overlap->samples()) sum += s.area;
+    for (const InteriorPoint& s : overlap->interior_points()) sum += s.area;
     return sum;
   }
-  double area() const { return area_at_vertices() + area_of_samples(); }
+  double area() const { return area_at_vertices() + area_of_interior_points(); }
   // The start, with object 0 moved.
   VecX shifted(const Vec3& by) const {
     VecX y = x;
@@ -80,7 +80,7 @@ struct Overlap {
   std::unique_ptr<IntegrationSides> sides;
   std::unique_ptr<BroadPhase> broad_phase;
   std::unique_ptr<SurfaceOverlap> overlap;
-  std::vector<GroupView> views;
+  std::vector<GroupPatches> groups;
 };
 
 double common(const Setup& s) {
@@ -99,8 +99,8 @@ TEST_CASE("the overlap of two rectangles is the common rectangle, whatever the s
         INFO(cells[0] << " cells at " << corner.transpose() << ", " << width);
         CHECK(overlap.area() == Approx(common(setup)).margin(1e-6));
         double facets = 0;
-        for (const OverlapFacets& parts : overlap.overlap->parts())
-          for (const OverlapFacet& f : parts.parts) facets += f.area;
+        for (const OverlapFacets& facets : overlap.overlap->facets())
+          for (const OverlapFacet& f : facets.facets) facets += f.area;
         CHECK(facets == Approx(overlap.area()).margin(1e-9));
       }
 }
@@ -113,33 +113,33 @@ TEST_CASE("the overlap does not depend on rotation and translation", "[contact][
 
 TEST_CASE("a triangle that overlaps as a whole gives a third of its area to each corner, without a sample", "[contact][overlap]") {
   const Overlap overlap(Setup{.cells = {8, 8}, .corner = {0, 0, 0.05}});
-  CHECK(overlap.overlap->samples().empty());
-  for (const GroupView& g : overlap.views) {
+  CHECK(overlap.overlap->interior_points().empty());
+  for (const GroupPatches& g : overlap.groups) {
     if (g.object != 1) continue;
-    REQUIRE(g.view.count == 1);
-    CHECK(g.view.pieces[0].area == Approx(overlap.at->lagged.whole(g.point)));
+    REQUIRE(g.visible.count == 1);
+    CHECK(g.visible.patches[0].area == Approx(overlap.at->lagged.tributary_area(g.point)));
   }
 }
 
 TEST_CASE("samples are sorted by triangle and cell, and lie where they overlap", "[contact][overlap]") {
   const Overlap overlap(Setup{.corner = {0.31, -0.17, 0.05}});
-  const auto& samples = overlap.overlap->samples();
-  REQUIRE(samples.size() > 10);
-  for (size_t i = 0; i < samples.size(); ++i) {
-    const Vec3 p = point_inside(overlap.x, overlap.at->surface.mesh.triangles[samples[i].triangle], samples[i].inside);
+  const auto& points = overlap.overlap->interior_points();
+  REQUIRE(points.size() > 10);
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Vec3 p = point_inside(overlap.x, overlap.at->surface.mesh.triangles[points[i].triangle], points[i].inside);
     CHECK(p.x() <= 1 + 1e-9);
     CHECK(p.y() >= -1e-9);
-    if (i > 0) CHECK(std::array{samples[i - 1].triangle, samples[i - 1].cell} < std::array{samples[i].triangle, samples[i].cell});
+    if (i > 0) CHECK(std::array{points[i - 1].triangle, points[i - 1].cell} < std::array{points[i].triangle, points[i].cell});
   }
 }
 
 TEST_CASE("the side with the larger overlap of whole triangles integrates", "[contact][overlap]") {
   // The small rectangle lies above the square with all of its triangles, of which few lie below it as a whole.
-  const Overlap small(Setup{.corner = {0.3, 0.3, 0.05}, .width = 0.4, .depth = 0.4, .automatic = true});
+  const Overlap small(Setup{.corner = {0.3, 0.3, 0.05}, .width = 0.4, .depth = 0.4, .by_overlap = true});
   CHECK(small.sides->integrates(0, 1));
   CHECK_FALSE(small.sides->integrates(1, 0));
   CHECK(small.area() == Approx(0.16).margin(1e-6));
-  const Overlap large(Setup{.corner = {-1, -1, 0.05}, .width = 3, .depth = 3, .automatic = true});
+  const Overlap large(Setup{.corner = {-1, -1, 0.05}, .width = 3, .depth = 3, .by_overlap = true});
   CHECK(large.sides->integrates(1, 0));
   CHECK(large.area() == Approx(1).margin(1e-6));
 }
@@ -148,44 +148,44 @@ TEST_CASE("deferred triangles are divided when they may have come into range, no
   const Setup setup{.corner = {0.31, -0.17, 1.5 * range}};
   Overlap overlap(setup);
   const double at_vertices = overlap.area_at_vertices();
-  CHECK(overlap.overlap->samples().empty());
+  CHECK(overlap.overlap->interior_points().empty());
   CHECK(at_vertices < 0.9 * common(setup));
   // No motion, too little motion, and a motion of both together divide nothing.
-  CHECK(overlap.overlap->approach(overlap.x).empty());
-  CHECK(overlap.overlap->approach(overlap.shifted({0, 0, -0.49 * range})).empty());
-  CHECK(overlap.overlap->approach(moved(overlap.x, Mat3::Identity(), {3, 2, 1})).empty());
-  CHECK(overlap.overlap->samples().empty());
-  const auto indices = overlap.overlap->approach(overlap.shifted({0, 0, -0.51 * range}));
-  CHECK(indices.size() == overlap.overlap->samples().size());
+  CHECK(overlap.overlap->subdivide_approached(overlap.x).empty());
+  CHECK(overlap.overlap->subdivide_approached(overlap.shifted({0, 0, -0.49 * range})).empty());
+  CHECK(overlap.overlap->subdivide_approached(moved(overlap.x, Mat3::Identity(), {3, 2, 1})).empty());
+  CHECK(overlap.overlap->interior_points().empty());
+  const auto indices = overlap.overlap->subdivide_approached(overlap.shifted({0, 0, -0.51 * range}));
+  CHECK(indices.size() == overlap.overlap->interior_points().size());
   for (size_t i = 0; i < indices.size(); ++i) CHECK(indices[i] == static_cast<int>(i));
   CHECK(overlap.area() == Approx(common(setup)).margin(1e-6));
   // They are divided once.
-  CHECK(overlap.overlap->approach(overlap.shifted({0, 0, -1.2 * range})).empty());
+  CHECK(overlap.overlap->subdivide_approached(overlap.shifted({0, 0, -1.2 * range})).empty());
 }
 
 TEST_CASE("deferred subdivision gives the samples of the start of the step, whatever the path", "[contact][overlap]") {
   const Setup setup{.corner = {0.31, -0.17, 1.5 * range}};
   RandomPoints random(2);
   Overlap all(setup);
-  all.overlap->approach(all.shifted({0, 0, -1.4 * range}));
+  all.overlap->subdivide_approached(all.shifted({0, 0, -1.4 * range}));
   Overlap overlap(setup);
   size_t rounds = 0;
   for (int trial = 0; trial < 12; ++trial) {
     VecX y = overlap.x;
     for (const int v : overlap.at->surface.mesh.vertices)
       if (overlap.at->surface.mesh.vertex_object[v] == 0) vertex(y, v).z() -= random.uniform(0, 0.1 * trial) * range;
-    const auto known = overlap.overlap->samples();
-    const auto indices = overlap.overlap->approach(y);
+    const auto known = overlap.overlap->interior_points();
+    const auto indices = overlap.overlap->subdivide_approached(y);
     rounds += !indices.empty();
     // The new samples are at these indices, and the others keep their order.
-    std::vector<ContactSample> others = overlap.overlap->samples();
+    std::vector<InteriorPoint> others = overlap.overlap->interior_points();
     for (size_t i = indices.size(); i > 0; --i) others.erase(others.begin() + indices[i - 1]);
     REQUIRE(others.size() == known.size());
     for (size_t i = 0; i < known.size(); ++i) CHECK(others[i].inside == known[i].inside);
     // No triangle of the overlap that is within range is still deferred.
     std::set<int> divided;
-    for (const ContactSample& s : overlap.overlap->samples()) divided.insert(s.triangle);
-    for (const ContactSample& s : all.overlap->samples()) {
+    for (const InteriorPoint& s : overlap.overlap->interior_points()) divided.insert(s.triangle);
+    for (const InteriorPoint& s : all.overlap->interior_points()) {
       if (divided.count(s.triangle)) continue;
       const auto& mesh = overlap.at->surface.mesh;
       for (size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -193,12 +193,12 @@ TEST_CASE("deferred subdivision gives the samples of the start of the step, what
     }
   }
   CHECK(rounds > 1);
-  overlap.overlap->approach(overlap.shifted({0, 0, -1.4 * range}));
-  REQUIRE(overlap.overlap->samples().size() == all.overlap->samples().size());
-  for (size_t i = 0; i < all.overlap->samples().size(); ++i) {
-    CHECK(overlap.overlap->samples()[i].triangle == all.overlap->samples()[i].triangle);
-    CHECK(overlap.overlap->samples()[i].inside == all.overlap->samples()[i].inside);
-    CHECK(overlap.overlap->samples()[i].area == all.overlap->samples()[i].area);
+  overlap.overlap->subdivide_approached(overlap.shifted({0, 0, -1.4 * range}));
+  REQUIRE(overlap.overlap->interior_points().size() == all.overlap->interior_points().size());
+  for (size_t i = 0; i < all.overlap->interior_points().size(); ++i) {
+    CHECK(overlap.overlap->interior_points()[i].triangle == all.overlap->interior_points()[i].triangle);
+    CHECK(overlap.overlap->interior_points()[i].inside == all.overlap->interior_points()[i].inside);
+    CHECK(overlap.overlap->interior_points()[i].area == all.overlap->interior_points()[i].area);
   }
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("area of unknown overlap is that of triangles beyond twice the range",
   const Overlap near(Setup{.corner = {0, 0, 0.5 * range}}), far(Setup{.corner = {0, 0, 2.5 * range}});
   for (int v = 0; v < 25; ++v) {
     CHECK(near.overlap->unknown_area(v, 1, Vec3::UnitZ()) == 0);
-    CHECK(far.overlap->unknown_area(v, 1, Vec3::UnitZ()) == Approx(far.at->lagged.whole(v)));
+    CHECK(far.overlap->unknown_area(v, 1, Vec3::UnitZ()) == Approx(far.at->lagged.tributary_area(v)));
     CHECK(far.overlap->unknown_area(v, 1, -Vec3::UnitZ()) == 0);
   }
 }

@@ -152,19 +152,19 @@ TEST_CASE("rods and particles are codimensional, vertices of triangles are not",
   const int particle = s.add_particle({5, 5, 5}, 2, 0.3);
   const ContactSurface surface = s.surface();
   const SurfaceTopology topology(surface);
-  for (int v = 0; v < 9; ++v) CHECK_FALSE(topology.thin(v));
+  for (int v = 0; v < 9; ++v) CHECK_FALSE(topology.is_codimensional(v));
   CHECK(topology.rods_at(rod).size() == 1);
   CHECK(topology.rods_at(rod + 1).size() == 2);
   CHECK(topology.rods_at(rod + 2).size() == 1);
-  CHECK(topology.thin(rod));
+  CHECK(topology.is_codimensional(rod));
   CHECK(topology.particle_radius(rod) == 0);
-  CHECK(topology.thin(particle));
+  CHECK(topology.is_codimensional(particle));
   CHECK(topology.particle_radius(particle) == 0.3);
   CHECK(topology.rods_at(particle).empty());
   // Without rods and particles, nothing is codimensional.
   const ContactSurface plain = grid(2, 0, 6).surface();
   const SurfaceTopology of_plain(plain);
-  for (int v = 0; v < 9; ++v) CHECK_FALSE(of_plain.thin(v));
+  for (int v = 0; v < 9; ++v) CHECK_FALSE(of_plain.is_codimensional(v));
 }
 
 TEST_CASE("sheets have two sides, surfaces of solids one", "[contact][topology]") {

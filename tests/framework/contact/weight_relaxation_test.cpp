@@ -19,12 +19,12 @@ namespace {
 constexpr int point = 7, triangle = 3;
 
 // The share that a step holds when it would be `share`, and what is remembered.
-double held(double share, LaggedWeights& memory, double distance = 0.5, const Vec3& normal = Vec3::UnitY()) {
-  std::vector<TriangleWeight> shares{{share, normal, Vec3::Zero(), false, distance}};
+double relaxed(double weight, LaggedWeights& lagged, double distance = 0.5, const Vec3& normal = Vec3::UnitY()) {
+  std::vector<TriangleWeight> weights{{weight, normal, Vec3::Zero(), false, distance}};
   LaggedWeights now;
-  relax_weights(point, std::array{triangle}, 1, memory, shares, now);
-  memory = now;
-  return shares[0].share;
+  relax_weights(point, std::array{triangle}, 1, lagged, weights, now);
+  lagged = now;
+  return weights[0].weight;
 }
 
 // Soft blocks under rods that they adhere to, beside which their edges lie.
@@ -47,54 +47,54 @@ std::string block(const std::string& shape, const std::string& place, double you
 
 TEST_CASE("a share that goes too far in every step settles", "[contact][thin]") {
   for (const double slope : {0.5, 1.5, 4.0, 9.0, 40.0}) {
-    LaggedWeights memory;
-    double share = held(0.52, memory);
-    for (int step = 0; step < 12; ++step) share = held(0.5 - slope * (share - 0.5) / (1 + 4 * std::abs(share - 0.5)), memory);
+    LaggedWeights lagged;
+    double weight = relaxed(0.52, lagged);
+    for (int step = 0; step < 12; ++step) weight = relaxed(0.5 - slope * (weight - 0.5) / (1 + 4 * std::abs(weight - 0.5)), lagged);
     INFO(slope);
-    CHECK(share == Approx(0.5).margin(1e-6));
+    CHECK(weight == Approx(0.5).margin(1e-6));
   }
 }
 
 TEST_CASE("shares that go on in one direction do not lag, nor what was not near", "[contact][thin]") {
-  LaggedWeights memory;
-  for (int step = 0; step < 10; ++step) CHECK(held(0.1 + 0.07 * step + 0.001 * step * step, memory) == 0.1 + 0.07 * step + 0.001 * step * step);
-  CHECK(held(0.2, memory) > 0.4);  // turns back
-  CHECK(memory.size() == 1);
-  CHECK(held(0.3, memory, 1.5) == 0.3);
-  CHECK(memory.empty());
-  CHECK(held(0.9, memory) == 0.9);
+  LaggedWeights lagged;
+  for (int step = 0; step < 10; ++step) CHECK(relaxed(0.1 + 0.07 * step + 0.001 * step * step, lagged) == 0.1 + 0.07 * step + 0.001 * step * step);
+  CHECK(relaxed(0.2, lagged) > 0.4);  // turns back
+  CHECK(lagged.size() == 1);
+  CHECK(relaxed(0.3, lagged, 1.5) == 0.3);
+  CHECK(lagged.empty());
+  CHECK(relaxed(0.9, lagged) == 0.9);
 }
 
 TEST_CASE("normals turn with the shares", "[contact][thin]") {
   const auto at = [](double angle) { return Vec3(std::sin(angle), std::cos(angle), 0); };
-  std::vector<TriangleWeight> shares;
-  LaggedWeights memory, now;
+  std::vector<TriangleWeight> weights;
+  LaggedWeights lagged, now;
   for (const double angle : {0.0, 0.2, -0.2}) {
-    shares = {{1, at(angle), Vec3::Zero(), false, 0.5}};
+    weights = {{1, at(angle), Vec3::Zero(), false, 0.5}};
     now.clear();
-    relax_weights(point, std::array{triangle}, 1, memory, shares, now);
-    memory = now;
+    relax_weights(point, std::array{triangle}, 1, lagged, weights, now);
+    lagged = now;
   }
-  CHECK(shares[0].normal.norm() == Approx(1));
-  CHECK(shares[0].normal.x() > -0.1);
-  CHECK(shares[0].normal.x() < 0.15);
-  CHECK(shares[0].share == 1);
+  CHECK(weights[0].normal.norm() == Approx(1));
+  CHECK(weights[0].normal.x() > -0.1);
+  CHECK(weights[0].normal.x() < 0.15);
+  CHECK(weights[0].weight == 1);
 }
 
 TEST_CASE("what shares were is remembered by the numbers of triangles in their object", "[contact][thin]") {
   const TestScene scene(under_rods(1, 4, block("size: [8 mm, 8 mm, 8 mm], cells: [1, 1, 1]", "translate: [0, -8 mm, 0]", 1e4)));
   const CollisionMesh& mesh = scene.world->contact->surface().mesh;
-  const LaggedWeights memory{{1, 2, {0.5, 0, 1, 0}, {0.1, 0, 0.2, 0}, 0.3}, {1, 5, {0.6, 1, 0, 0}, {}, 1}, {4, 2, {0.7, 0, 0, 1}, {}, 1}};
+  const LaggedWeights lagged{{1, 2, {0.5, 0, 1, 0}, {0.1, 0, 0.2, 0}, 0.3}, {1, 5, {0.6, 1, 0, 0}, {}, 1}, {4, 2, {0.7, 0, 0, 1}, {}, 1}};
   History history;
-  store_weights(memory, mesh, history);
+  store_weights(lagged, mesh, history);
   const LaggedWeights again = weights_of(history, mesh);
   REQUIRE(again.size() == 3);
   for (size_t i = 0; i < 3; ++i) {
-    CHECK(again[i].point == memory[i].point);
-    CHECK(again[i].triangle == memory[i].triangle);
-    CHECK(again[i].held == memory[i].held);
-    CHECK(again[i].change == memory[i].change);
-    CHECK(again[i].part == memory[i].part);
+    CHECK(again[i].point == lagged[i].point);
+    CHECK(again[i].triangle == lagged[i].triangle);
+    CHECK(again[i].values == lagged[i].values);
+    CHECK(again[i].change == lagged[i].change);
+    CHECK(again[i].factor == lagged[i].factor);
   }
   history.begin()->second.values[0] = 1e6;
   CHECK_THROWS(weights_of(history, mesh));

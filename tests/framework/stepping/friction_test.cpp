@@ -67,7 +67,7 @@ Run run(const Slide& slide) {
   while (!stepper.finished()) {
     const StepReport report = stepper.advance();
     const VecX& x = stepper.state().x;
-    r.friction -= report.step_size * world.friction->force_between(x, TangentialPart::all, {block, ground}).x();
+    r.friction -= report.step_size * world.friction->force_between(x, TangentialTerm::all, {block, ground}).x();
     r.pressing += report.step_size * world.contact_term->force_between(x, LawTerm::barrier, {block, ground}).y();
     r.largest_lag = std::max(r.largest_lag, report.lag_iterations);
     r.largest_residual = std::max(r.largest_residual, report.friction_residual);
@@ -152,7 +152,7 @@ TEST_CASE("lasting friction does not see that steps change their size", "[fricti
       const double h = sizes[i % sizes.size()] * 2e-3;
       stepper.commit(stepper.solve(h).x, h);
       const VecX& x = stepper.state().x;
-      const double force = -world.friction->force_between(x, TangentialPart::all, {block, ground}).x();
+      const double force = -world.friction->force_between(x, TangentialTerm::all, {block, ground}).x();
       CHECK(force == Approx(5).epsilon(0.06));  // the block bounces
       rubbing += h * force;
       pressing += h * world.contact_term->force_between(x, LawTerm::barrier, {block, ground}).y();

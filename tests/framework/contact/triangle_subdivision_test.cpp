@@ -1,6 +1,6 @@
 // Division of a partly overlapping triangle: its samples have the area, the centroid and the
 // derivative of the exact overlap, which is a polygon in the plane of the opposite surface.
-#include "framework/contact/triangle_division.hpp"
+#include "framework/contact/triangle_subdivision.hpp"
 
 #include <catch2/catch.hpp>
 #include <algorithm>
@@ -46,19 +46,19 @@ double common_area(const Corners3& c, const Vec2& lo, const Vec2& hi) {
 double whole_area(const Corners3& c) { return (c[1] - c[0]).cross(c[2] - c[0]).norm() / 2; }
 
 // What a triangle has in common with object 1.
-struct Division {
-  std::vector<ContactSample> samples;
-  OverlapFacets parts{};
-  std::vector<TriangleDivision::Left> left;
+struct Subdivision {
+  std::vector<InteriorPoint> points;
+  OverlapFacets facets{};
+  std::vector<TriangleSubdivision::SkippedCell> skipped;
 
   double area() const {
     double sum = 0;
-    for (const ContactSample& s : samples) sum += s.area;
+    for (const InteriorPoint& s : points) sum += s.area;
     return sum;
   }
   double facet_area() const {
     double sum = 0;
-    for (const OverlapFacet& f : parts.parts) sum += f.area;
+    for (const OverlapFacet& f : facets.facets) sum += f.area;
     return sum;
   }
 };
@@ -76,12 +76,12 @@ struct Scene {
     std::iota(list.begin(), list.end(), 1);
     return list;
   }
-  Division divide(double range, int depth, bool leave_out = false) const { return divide(SurfaceAt(builder), range, depth, leave_out); }
-  Division divide(const SurfaceAt& s, double range, int depth, bool leave_out = false) const {
-    TriangleDivision division(s.surface.mesh, s.lagged);
-    Division d;
-    const std::vector<int> around = leave_out ? others() : std::vector<int>();
-    division.divide({0, 1, range, depth}, others(), nullptr, around, d.samples, d.parts, d.left);
+  Subdivision subdivide(double range, int depth, bool skip = false) const { return subdivide(SurfaceAt(builder), range, depth, skip); }
+  Subdivision subdivide(const SurfaceAt& s, double range, int depth, bool skip = false) const {
+    TriangleSubdivision subdivision(s.surface.mesh, s.lagged);
+    Subdivision d;
+    const std::vector<int> nearby = skip ? others() : std::vector<int>();
+    subdivision.subdivide({0, 1, range, depth}, others(), nullptr, nearby, d.points, d.facets, d.skipped);
     return d;
   }
 };
@@ -107,13 +107,13 @@ const Corners3 right_triangle = {Vec3(0, 0, 0.1), Vec3(0, 1, 0.1), Vec3(1, 0, 0.
 
 TEST_CASE("a triangle that overlaps as a whole has its area and centroid, one sample a cell", "[contact][division]") {
   for (const int depth : {1, 2, 4}) {
-    const Division d = Scene(right_triangle).rectangle({3, 3}, {-1, -1, 0}, 3, 3).divide(0.2, depth);
-    REQUIRE(d.samples.size() == static_cast<size_t>(1 << 2 * depth));
+    const Subdivision d = Scene(right_triangle).rectangle({3, 3}, {-1, -1, 0}, 3, 3).subdivide(0.2, depth);
+    REQUIRE(d.points.size() == static_cast<size_t>(1 << 2 * depth));
     CHECK(d.area() == Approx(0.5).epsilon(1e-12));
     CHECK(d.facet_area() == Approx(0.5).epsilon(1e-12));
     Vec3 centroid = Vec3::Zero();
     std::set<int> cells;
-    for (const ContactSample& s : d.samples) {
+    for (const InteriorPoint& s : d.points) {
       centroid += s.area / 0.5 * s.inside;
       cells.insert(s.cell);
       CHECK(s.area == Approx(0.5 / (1 << 2 * depth)).epsilon(1e-12));
@@ -121,20 +121,20 @@ TEST_CASE("a triangle that overlaps as a whole has its area and centroid, one sa
       CHECK(s.object == 1);
     }
     CHECK((centroid - Vec3::Constant(1 / 3.0)).norm() < 1e-12);
-    CHECK(cells.size() == d.samples.size());
-    CHECK(d.parts.rims.empty());
-    for (const OverlapFacet& f : d.parts.parts) CHECK(f.distance == Approx(0.1));
+    CHECK(cells.size() == d.points.size());
+    CHECK(d.facets.boundary_edges.empty());
+    for (const OverlapFacet& f : d.facets.facets) CHECK(f.distance == Approx(0.1));
   }
 }
 
 TEST_CASE("a triangle over the end of a surface has the area of the closed form", "[contact][division]") {
   // Left of x = c lies 1/2 - (1 - c)^2 / 2 of the right triangle.
   for (const double c : {0.01, 0.25, 0.5, 0.77, 0.999}) {
-    const Division d = Scene(right_triangle).rectangle({2, 3}, {c - 3, -1, 0}, 3, 3).divide(0.2, 2);
+    const Subdivision d = Scene(right_triangle).rectangle({2, 3}, {c - 3, -1, 0}, 3, 3).subdivide(0.2, 2);
     INFO(c);
     CHECK(d.area() == Approx(0.5 - (1 - c) * (1 - c) / 2).epsilon(1e-6));
     CHECK(d.facet_area() == Approx(d.area()).epsilon(1e-12));
-    for (const ContactSample& s : d.samples) CHECK(point_inside(SurfaceAt(Scene(right_triangle).builder).lagged.x(), {0, 1, 2}, s.inside).x() <= c + 1e-9);
+    for (const InteriorPoint& s : d.points) CHECK(point_inside(SurfaceAt(Scene(right_triangle).builder).lagged.x(), {0, 1, 2}, s.inside).x() <= c + 1e-9);
   }
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("overlaps of random triangles with a rectangle are those of their proj
     const double exact = common_area(own, {0, 0}, {1, 1});
     partly += exact > 1e-3 && exact < 0.95 * whole_area(own);
     for (const std::array<int, 2> cells : {std::array{1, 1}, std::array{3, 4}}) {
-      const Division d = Scene(own).rectangle(cells, {0, 0, 0}, 1, 1).divide(0.6, 2);
+      const Subdivision d = Scene(own).rectangle(cells, {0, 0, 0}, 1, 1).subdivide(0.6, 2);
       INFO(trial << " " << cells[0]);
       CHECK(d.area() == Approx(exact).margin(1e-6));
       CHECK(d.facet_area() == Approx(d.area()).margin(1e-12));
@@ -160,8 +160,8 @@ TEST_CASE("overlaps with two surfaces that meet in a line add up to that with bo
   for (int trial = 0; trial < 30; ++trial) {
     const Corners3 own = random_triangle(random, {0.5, 0.5, 0.4}, 0.3);
     const double c = random.uniform(0.2, 0.8);
-    const double left = Scene(own).rectangle({1, 1}, {0, 0, 0}, c, 1).divide(0.6, 2).area(), right = Scene(own).rectangle({1, 1}, {c, 0, 0}, 1 - c, 1).divide(0.6, 2).area();
-    CHECK(left + right == Approx(Scene(own).rectangle({1, 1}, {0, 0, 0}, 1, 1).divide(0.6, 2).area()).margin(1e-6));
+    const double left = Scene(own).rectangle({1, 1}, {0, 0, 0}, c, 1).subdivide(0.6, 2).area(), right = Scene(own).rectangle({1, 1}, {c, 0, 0}, 1 - c, 1).subdivide(0.6, 2).area();
+    CHECK(left + right == Approx(Scene(own).rectangle({1, 1}, {0, 0, 0}, 1, 1).subdivide(0.6, 2).area()).margin(1e-6));
   }
 }
 
@@ -170,12 +170,12 @@ TEST_CASE("the overlap does not depend on depth, rotation, translation, or the r
   for (int trial = 0; trial < 15; ++trial) {
     Corners3 own = random_triangle(random, {0.8, 0.7, 0.4}, 0.3);
     const auto scene = [&] { return Scene(own).rectangle({2, 2}, {0, 0, 0}, 1, 1); };
-    const double area = scene().divide(0.6, 2).area();
-    CHECK(scene().divide(0.6, 4).area() == Approx(area).margin(1e-6));
+    const double area = scene().subdivide(0.6, 2).area();
+    CHECK(scene().subdivide(0.6, 4).area() == Approx(area).margin(1e-6));
     const SurfaceAt turned(scene().builder, moved(scene().builder.x(), random.rotation(), random.point(2)));
-    CHECK(scene().divide(turned, 0.6, 2).area() == Approx(area).margin(1e-6));
+    CHECK(scene().subdivide(turned, 0.6, 2).area() == Approx(area).margin(1e-6));
     std::rotate(own.begin(), own.begin() + 1, own.end());
-    CHECK(scene().divide(0.6, 2).area() == Approx(area).margin(1e-6));
+    CHECK(scene().subdivide(0.6, 2).area() == Approx(area).margin(1e-6));
   }
 }
 
@@ -187,9 +187,9 @@ TEST_CASE("the derivative of the overlap by a shift is the length of its boundar
     const auto at = [&](double s) { return Scene(own).rectangle({2, 2}, s * shift, 1, 1); };
     const Scene scene = at(0);
     const SurfaceAt surface(scene.builder);
-    const Division d = scene.divide(surface, 0.6, 2);
+    const Subdivision d = scene.subdivide(surface, 0.6, 2);
     double rate = 0;
-    for (const OverlapBoundaryEdge& e : d.parts.rims) {
+    for (const OverlapBoundaryEdge& e : d.facets.boundary_edges) {
       const Triangle& t = surface.surface.mesh.triangles[e.other];
       const Vec3 along = vertex(surface.lagged.x(), t[(e.side + 1) % 3]) - vertex(surface.lagged.x(), t[e.side]);
       rate += e.length * along.cross(surface.lagged.normal(e.other)).normalized().dot(shift);
@@ -203,63 +203,63 @@ TEST_CASE("the derivative of the overlap by a shift is the length of its boundar
 
 TEST_CASE("only what is nearer than twice the range overlaps", "[contact][division]") {
   for (const double range : {0.049, 0.051}) {
-    const Division d = Scene(right_triangle).rectangle({1, 1}, {-1, -1, 0}, 3, 3).divide(range, 2);
+    const Subdivision d = Scene(right_triangle).rectangle({1, 1}, {-1, -1, 0}, 3, 3).subdivide(range, 2);
     CHECK(d.area() == Approx(range < 0.05 ? 0 : 0.5));
   }
 }
 
 TEST_CASE("a triangle that faces away has no overlap, one of a sheet has", "[contact][division]") {
   const Corners3 up = {right_triangle[0], right_triangle[2], right_triangle[1]};
-  for (const bool sheet : {false, true}) CHECK(Scene(up, sheet).rectangle({1, 1}, {-1, -1, 0}, 3, 3).divide(0.2, 2).area() == Approx(sheet ? 0.5 : 0));
+  for (const bool sheet : {false, true}) CHECK(Scene(up, sheet).rectangle({1, 1}, {-1, -1, 0}, 3, 3).subdivide(0.2, 2).area() == Approx(sheet ? 0.5 : 0));
 }
 
 TEST_CASE("cells that are left out are out of range, and divided later they complete the overlap", "[contact][division]") {
   RandomPoints random(5);
-  size_t left = 0;
+  size_t skipped = 0;
   for (int trial = 0; trial < 20; ++trial) {
     const double range = 0.25;
     const Scene scene = Scene(random_triangle(random, {0.8, 0.7, 0.3}, 0.6)).rectangle({2, 2}, {0, 0, 0}, 1, 1);
     const SurfaceAt s(scene.builder);
-    const Division all = scene.divide(s, range, 3);
-    Division d = scene.divide(s, range, 3, true);
-    CHECK(all.left.empty());
+    const Subdivision all = scene.subdivide(s, range, 3);
+    Subdivision d = scene.subdivide(s, range, 3, true);
+    CHECK(all.skipped.empty());
     CHECK(d.area() <= all.area() * (1 + 1e-12));
-    left += d.left.size();
-    TriangleDivision division(s.surface.mesh, s.lagged);
-    for (const auto& [cell, away] : d.left) {
-      CHECK(away > 0);
-      const size_t before = d.samples.size();
-      division.divide_cell({0, 1, range, 3}, cell, scene.others(), nullptr, d.samples, d.parts);
-      CHECK(d.samples.size() <= before + 1);
+    skipped += d.skipped.size();
+    TriangleSubdivision subdivision(s.surface.mesh, s.lagged);
+    for (const auto& [cell, excess] : d.skipped) {
+      CHECK(excess > 0);
+      const size_t before = d.points.size();
+      subdivision.subdivide_cell({0, 1, range, 3}, cell, scene.others(), nullptr, d.points, d.facets);
+      CHECK(d.points.size() <= before + 1);
       // A sample of a cell is out of range by as much as the cell at least.
-      for (size_t i = before; i < d.samples.size(); ++i) {
-        CHECK(d.samples[i].cell == cell);
-        const Vec3 p = point_inside(s.lagged.x(), s.surface.mesh.triangles[0], d.samples[i].inside);
+      for (size_t i = before; i < d.points.size(); ++i) {
+        CHECK(d.points[i].cell == cell);
+        const Vec3 p = point_inside(s.lagged.x(), s.surface.mesh.triangles[0], d.points[i].inside);
         double nearest = 1;
         for (const int t : scene.others()) nearest = std::min(nearest, triangles_apart({p, p, p}, corners(s.lagged.x(), s.surface.mesh.triangles[t]), 1));
-        CHECK(nearest >= (range + away) * (1 - 1e-6));
+        CHECK(nearest >= (range + excess) * (1 - 1e-6));
       }
     }
-    REQUIRE(d.samples.size() == all.samples.size());
-    std::sort(d.samples.begin(), d.samples.end(), [](const ContactSample& a, const ContactSample& b) { return a.cell < b.cell; });
-    for (size_t i = 0; i < all.samples.size(); ++i) {
-      CHECK(d.samples[i].cell == all.samples[i].cell);
-      CHECK(d.samples[i].area == Approx(all.samples[i].area).epsilon(1e-9));
-      CHECK((d.samples[i].inside - all.samples[i].inside).norm() < 1e-9);
+    REQUIRE(d.points.size() == all.points.size());
+    std::sort(d.points.begin(), d.points.end(), [](const InteriorPoint& a, const InteriorPoint& b) { return a.cell < b.cell; });
+    for (size_t i = 0; i < all.points.size(); ++i) {
+      CHECK(d.points[i].cell == all.points[i].cell);
+      CHECK(d.points[i].area == Approx(all.points[i].area).epsilon(1e-9));
+      CHECK((d.points[i].inside - all.points[i].inside).norm() < 1e-9);
     }
   }
-  CHECK(left > 20);
+  CHECK(skipped > 20);
 }
 
 TEST_CASE("the depth of cells is the least for which they have the size, from one division on", "[contact][division]") {
   for (const double area : {0.5, 2.0, 1e-6})
     for (const double ratio : {0.03, 0.11, 0.3, 0.7}) {
       const double side = std::sqrt(2 * area), size = ratio * side;
-      const int depth = TriangleDivision::depth_of(area, size);
+      const int depth = TriangleSubdivision::depth_of(area, size);
       CHECK(side / (1 << depth) <= size * (1 + 1e-12));
       if (depth > 1) CHECK(side / (1 << (depth - 1)) > size);
     }
-  CHECK(TriangleDivision::depth_of(1, 100) == 1);
+  CHECK(TriangleSubdivision::depth_of(1, 100) == 1);
 }
 
-TEST_CASE("pins the largest depth of cells", "[contact][division]") { CHECK(TriangleDivision::depth_of(1, 1e-9) == 6); }
+TEST_CASE("pins the largest depth of cells", "[contact][division]") { CHECK(TriangleSubdivision::depth_of(1, 1e-9) == 6); }

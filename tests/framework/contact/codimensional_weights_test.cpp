@@ -1,6 +1,6 @@
 // Areas of rods and particles towards triangles: exact above surfaces of any mesh, and continuous
 // everywhere.
-#include "framework/contact/codimensional_view.hpp"
+#include "framework/contact/codimensional_weights.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

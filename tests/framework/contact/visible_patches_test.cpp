@@ -1,6 +1,6 @@
 // View of a point on a surface: which triangles it faces, how far they are, and how far it lies past
 // their boundary, by closed forms and against brute force.
-#include "framework/contact/facing_view.hpp"
+#include "framework/contact/visible_patches.hpp"
 
 #include <catch2/catch.hpp>
 #include <algorithm>
@@ -28,9 +28,9 @@ struct Eye {
   }
 };
 
-FacingView look(const SurfaceAt& s, const Vec3& p, const std::vector<int>& triangles, double area = 1) {
-  FacingViewer viewer(s.surface.mesh, s.lagged);
-  return viewer.look(viewer.inner_view(0, p, area), static_cast<int>(triangles.size()), [&](int i) { return triangles[static_cast<size_t>(i)]; });
+VisiblePatches look(const SurfaceAt& s, const Vec3& p, const std::vector<int>& triangles, double area = 1) {
+  PatchFinder finder(s.surface.mesh, s.lagged);
+  return finder.find(finder.inside_triangle(0, p, area), static_cast<int>(triangles.size()), [&](int i) { return triangles[static_cast<size_t>(i)]; });
 }
 
 double distance_to(const SurfaceAt& s, const Vec3& p, int triangle) {
@@ -48,13 +48,13 @@ TEST_CASE("a point above a plane sees one patch, at its height, whatever the mes
     eye.builder.add_rectangle(cells, 1, {-1, -1, 0}, 2, 2);
     const SurfaceAt s(eye.builder);
     for (const double height : {1e-9, 1e-3, 0.2}) {
-      const FacingView view = look(s, {0.31, 0.17, height}, eye.others(), 0.7);
+      const VisiblePatches view = look(s, {0.31, 0.17, height}, eye.others(), 0.7);
       REQUIRE(view.count == 1);
-      CHECK(view.pieces[0].distance == Approx(height));
-      CHECK(view.pieces[0].beyond == 0);
-      CHECK(view.pieces[0].area == Approx(0.7));
-      CHECK((view.pieces[0].normal - Vec3::UnitZ()).norm() < 1e-15);
-      CHECK(view.pieces[0].cell == Approx(4.0 / cells[0] / cells[1]));
+      CHECK(view.patches[0].distance == Approx(height));
+      CHECK(view.patches[0].overshoot == 0);
+      CHECK(view.patches[0].area == Approx(0.7));
+      CHECK((view.patches[0].normal - Vec3::UnitZ()).norm() < 1e-15);
+      CHECK(view.patches[0].area_per_vertex == Approx(4.0 / cells[0] / cells[1]));
     }
   }
 }
@@ -65,10 +65,10 @@ TEST_CASE("the area of a point towards a plane is its area times the cosine of t
     Eye eye({std::sin(angle), 0, -std::cos(angle)});
     eye.builder.add_rectangle({1, 1}, 1, {-1, -1, 0}, 2, 2);
     const SurfaceAt s(eye.builder);
-    const FacingView view = look(s, {0.1, 0.2, 0.3}, eye.others());
+    const VisiblePatches view = look(s, {0.1, 0.2, 0.3}, eye.others());
     INFO(degrees);
     REQUIRE(view.count == (degrees < 90 ? 1 : 0));
-    if (view.count) CHECK(view.pieces[0].area == Approx(std::cos(angle)));
+    if (view.count) CHECK(view.patches[0].area == Approx(std::cos(angle)));
   }
 }
 
@@ -77,11 +77,11 @@ TEST_CASE("a point behind a solid's face sees nothing, one behind a sheet sees i
     Eye eye(Vec3::UnitZ());
     eye.builder.add_rectangle({2, 2}, 1, {-1, -1, 0}, 2, 2, true, sheet);
     const SurfaceAt s(eye.builder);
-    const FacingView view = look(s, {0.1, 0.2, -0.3}, eye.others());
+    const VisiblePatches view = look(s, {0.1, 0.2, -0.3}, eye.others());
     REQUIRE(view.count == (sheet ? 1 : 0));
     if (!sheet) continue;
-    CHECK((view.pieces[0].normal - down).norm() < 1e-15);
-    CHECK(view.pieces[0].distance == Approx(0.3));
+    CHECK((view.patches[0].normal - down).norm() < 1e-15);
+    CHECK(view.patches[0].distance == Approx(0.3));
   }
 }
 
@@ -91,11 +91,11 @@ TEST_CASE("past a boundary, the overshoot is the distance to it in the plane", "
     eye.builder.add_rectangle(cells, 1, {0, 0, 0}, 1, 1);
     const SurfaceAt s(eye.builder);
     for (const Vec3& p : {Vec3(1.2, 0.43, 0.1), Vec3(0.3, -0.01, 0.4), Vec3(1.3, 1.4, 0.2), Vec3(-1e-7, 0.37, 0.2), Vec3(-0.5, -0.1, 1e-6)}) {
-      const FacingView view = look(s, p, eye.others());
+      const VisiblePatches view = look(s, p, eye.others());
       const Vec3 past = p - Vec3(std::clamp(p.x(), 0.0, 1.0), std::clamp(p.y(), 0.0, 1.0), p.z());
       REQUIRE(view.count == 1);
-      CHECK(view.pieces[0].beyond == Approx(past.norm()).margin(1e-8));
-      CHECK(view.pieces[0].distance == Approx(std::hypot(past.norm(), p.z())));
+      CHECK(view.patches[0].overshoot == Approx(past.norm()).margin(1e-8));
+      CHECK(view.patches[0].distance == Approx(std::hypot(past.norm(), p.z())));
     }
   }
 }
@@ -108,10 +108,10 @@ TEST_CASE("a smooth surface goes on beyond its inner edges: the overshoot is zer
   eye.builder.add_grid({n, 3}, 1, ridge);
   const SurfaceAt s(eye.builder);
   for (const double u : {0.2, 0.5, 0.63}) {  // 0.2 and 0.5 lie over edges
-    const FacingView view = look(s, 1.1 * ridge(u, 0) + Vec3(0, 0.44, 0), eye.others());
+    const VisiblePatches view = look(s, 1.1 * ridge(u, 0) + Vec3(0, 0.44, 0), eye.others());
     REQUIRE(view.count == 1);
-    CHECK(view.pieces[0].beyond == 0);
-    CHECK(view.pieces[0].distance == Approx(0.1).margin(1 - std::cos(M_PI / 40)));
+    CHECK(view.patches[0].overshoot == 0);
+    CHECK(view.patches[0].distance == Approx(0.1).margin(1 - std::cos(M_PI / 40)));
   }
 }
 
@@ -122,17 +122,17 @@ TEST_CASE("a point in a corner of three faces sees three patches, the nearest fi
   face(Vec3::UnitY(), Vec3::UnitZ());
   face(Vec3::UnitZ(), Vec3::UnitX());
   const SurfaceAt s(eye.builder);
-  const FacingView view = look(s, {0.21, 0.13, 0.17}, eye.others());
+  const VisiblePatches view = look(s, {0.21, 0.13, 0.17}, eye.others());
   REQUIRE(view.count == 3);
   const std::array<double, 3> distances = {0.13, 0.17, 0.21};
   const std::array<Vec3, 3> normals = {Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX()};
   for (int k = 0; k < 3; ++k) {
-    CHECK(view.pieces[k].distance == Approx(distances[k]));
-    CHECK((view.pieces[k].normal - normals[k]).norm() < 1e-12);
-    CHECK(view.pieces[k].area == Approx(1 / std::sqrt(3)));
-    CHECK(view.piece_of(normals[k]) == k);
+    CHECK(view.patches[k].distance == Approx(distances[k]));
+    CHECK((view.patches[k].normal - normals[k]).norm() < 1e-12);
+    CHECK(view.patches[k].area == Approx(1 / std::sqrt(3)));
+    CHECK(view.patch_of(normals[k]) == k);
   }
-  CHECK(view.piece_of(-Vec3::UnitX()) == -1);
+  CHECK(view.patch_of(-Vec3::UnitX()) == -1);
 }
 
 TEST_CASE("over an edge of a box, the face that the point faces most leads", "[contact][view]") {
@@ -140,13 +140,13 @@ TEST_CASE("over an edge of a box, the face that the point faces most leads", "[c
     Eye eye(top ? Vec3(-1, 0, -2).normalized() : Vec3(-2, 0, -1).normalized());
     eye.builder.add_box({0, 0, 0}, {1, 1, 1}, 1);
     const SurfaceAt s(eye.builder);
-    const FacingView view = look(s, {1.2, 0.4, 1.1}, eye.others());
+    const VisiblePatches view = look(s, {1.2, 0.4, 1.1}, eye.others());
     REQUIRE(view.count == 2);
-    CHECK((view.pieces[0].normal - (top ? Vec3::UnitZ() : Vec3::UnitX())).norm() < 1e-12);
-    CHECK((view.pieces[1].normal - (top ? Vec3::UnitX() : Vec3::UnitZ())).norm() < 1e-12);
-    CHECK(view.pieces[top ? 0 : 1].beyond == Approx(0.2));
-    CHECK(view.pieces[top ? 1 : 0].beyond == Approx(0.1));
-    for (int k = 0; k < 2; ++k) CHECK(view.pieces[k].distance == Approx(std::hypot(0.2, 0.1)));
+    CHECK((view.patches[0].normal - (top ? Vec3::UnitZ() : Vec3::UnitX())).norm() < 1e-12);
+    CHECK((view.patches[1].normal - (top ? Vec3::UnitX() : Vec3::UnitZ())).norm() < 1e-12);
+    CHECK(view.patches[top ? 0 : 1].overshoot == Approx(0.2));
+    CHECK(view.patches[top ? 1 : 0].overshoot == Approx(0.1));
+    for (int k = 0; k < 2; ++k) CHECK(view.patches[k].distance == Approx(std::hypot(0.2, 0.1)));
   }
 }
 
@@ -169,24 +169,24 @@ TEST_CASE("the first patch is the nearest of all triangles that face the point, 
       if (height < 0) n = -n;
       if (s.lagged.normal(0).dot(n) < 0) nearest = std::min(nearest, distance_to(s, p, t));
     }
-    const FacingView view = look(s, p, eye.others());
+    const VisiblePatches view = look(s, p, eye.others());
     CHECK((view.count > 0) == std::isfinite(nearest));
     if (view.count == 0) continue;
     ++seen;
-    CHECK(view.pieces[0].distance == Approx(nearest).epsilon(1e-6));
+    CHECK(view.patches[0].distance == Approx(nearest).epsilon(1e-6));
     for (int k = 1; k < view.count; ++k) {
-      CHECK(view.pieces[k].distance >= view.pieces[k - 1].distance * (1 - 1e-6));
-      for (int other = 0; other < k; ++other) CHECK(view.pieces[other].normal.dot(view.pieces[k].normal) <= std::cos(50 * M_PI / 180));
+      CHECK(view.patches[k].distance >= view.patches[k - 1].distance * (1 - 1e-6));
+      for (int other = 0; other < k; ++other) CHECK(view.patches[other].normal.dot(view.patches[k].normal) <= std::cos(50 * M_PI / 180));
     }
     // Limited to a reach, the view is that of the triangles within it.
-    FacingViewer viewer(s.surface.mesh, s.lagged);
-    const Viewpoint from = viewer.inner_view(0, p, 1);
+    PatchFinder finder(s.surface.mesh, s.lagged);
+    const QueryPoint from = finder.inside_triangle(0, p, 1);
     std::vector<int> near;
     for (const int t : eye.others())
       if (distance_to(s, p, t) < 0.6) near.push_back(t);
-    const FacingView within = viewer.look_within(from, eye.others(), 0.6), of_near = look(s, p, near);
+    const VisiblePatches within = finder.find_within(from, eye.others(), 0.6), of_near = look(s, p, near);
     REQUIRE(within.count == of_near.count);
-    for (int k = 0; k < within.count; ++k) CHECK(within.pieces[k].triangle == of_near.pieces[k].triangle);
+    for (int k = 0; k < within.count; ++k) CHECK(within.patches[k].seed_triangle == of_near.patches[k].seed_triangle);
   }
   CHECK(seen > 150);
 }
@@ -201,15 +201,15 @@ TEST_CASE("a view does not depend on the order of triangles, on rotation or on t
     const Mat3 r = random.rotation();
     const SurfaceAt turned(eye.builder, moved(eye.builder.x(), r, offset));
     std::vector<int> order = eye.others();
-    const FacingView view = look(s, p, order);
+    const VisiblePatches view = look(s, p, order);
     std::reverse(order.begin(), order.end());
-    const FacingView other = look(turned, r * p + offset, order);
+    const VisiblePatches other = look(turned, r * p + offset, order);
     REQUIRE(other.count == view.count);
     for (int k = 0; k < view.count; ++k) {
-      CHECK(other.pieces[k].distance == Approx(view.pieces[k].distance));
-      CHECK(other.pieces[k].area == Approx(view.pieces[k].area));
-      CHECK(other.pieces[k].beyond == Approx(view.pieces[k].beyond).margin(1e-9));
-      CHECK((other.pieces[k].normal - r * view.pieces[k].normal).norm() < 1e-9);
+      CHECK(other.patches[k].distance == Approx(view.patches[k].distance));
+      CHECK(other.patches[k].area == Approx(view.patches[k].area));
+      CHECK(other.patches[k].overshoot == Approx(view.patches[k].overshoot).margin(1e-9));
+      CHECK((other.patches[k].normal - r * view.patches[k].normal).norm() < 1e-9);
     }
   }
 }
@@ -219,13 +219,13 @@ TEST_CASE("a vertex sees with the projection of its tributary area, and not from
   builder.add_box({0, 0, 0.1}, {1, 1, 0.2}, 0);
   builder.add_rectangle({1, 1}, 1, {-1, -1, 0}, 3, 3);
   const SurfaceAt s(builder);
-  FacingViewer viewer(s.surface.mesh, s.lagged);
+  PatchFinder finder(s.surface.mesh, s.lagged);
   double area = 0;
   for (int v = 0; v < 8; ++v) {
-    const FacingView view = viewer.look(viewer.vertex_view(v), 2, [](int i) { return 12 + i; });
+    const VisiblePatches view = finder.find(finder.at_vertex(v), 2, [](int i) { return 12 + i; });
     const bool bottom = builder.x()[3 * v + 2] == 0.1;
     CHECK(view.count == (bottom ? 1 : 0));
-    if (view.count) area += view.pieces[0].area;
+    if (view.count) area += view.patches[0].area;
   }
   CHECK(area == Approx(1));
 }
