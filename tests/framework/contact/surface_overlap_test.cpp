@@ -99,8 +99,8 @@ TEST_CASE("the overlap of two rectangles is the common rectangle, whatever the s
         INFO(cells[0] << " cells at " << corner.transpose() << ", " << width);
         CHECK(overlap.area() == Approx(common(setup)).margin(1e-6));
         double facets = 0;
-        for (const OverlapFacets& facets : overlap.overlap->facets())
-          for (const OverlapFacet& f : facets.facets) facets += f.area;
+        for (const OverlapFacets& pair : overlap.overlap->facets())
+          for (const OverlapFacet& f : pair.facets) facets += f.area;
         CHECK(facets == Approx(overlap.area()).margin(1e-9));
       }
 }
