@@ -33,7 +33,7 @@ struct HingeAngle {
 
 // Displacement of a point of the object along a line [m]. Vertices: the point, a point of the line,
 // another point of the line in its direction.
-struct SliderWay {
+struct SliderDisplacement {
   static constexpr int arity = 3;
   template <class T>
   static T of(const std::array<Eigen::Matrix<T, 3, 1>, 3>& x) {
@@ -48,9 +48,12 @@ class JointCoordinate {
  public:
   static constexpr int arity = Coordinate::arity;
 
-  // memory: the array of the history that has the value; offset: the value at the start.
-  JointCoordinate(const std::array<int, arity>& vertices, double offset, std::string memory)
-      : vertices_(vertices), offset_(offset), last_(offset), memory_(std::move(memory)) {}
+  // history_name: name of the history array of the value; offset: the value at the start.
+  JointCoordinate(const std::array<int, arity>& vertices, double offset, std::string history_name)
+      : vertices_(vertices),
+        offset_(offset),
+        last_(offset),
+        history_name_(std::move(history_name)) {}
 
   const std::array<int, arity>& vertices() const { return vertices_; }
   double offset() const { return offset_; }
@@ -62,10 +65,10 @@ class JointCoordinate {
   }
 
   void load_history(const History& history) {
-    const std::vector<double>* value = history_values(history, memory_, 1, 1);
+    const std::vector<double>* value = history_values(history, history_name_, 1, 1);
     last_ = value ? value->front() : offset_;
   }
-  void commit(const VecX& x, History& history) const { history[memory_] = {1, {at(x)}, {}}; }
+  void commit(const VecX& x, History& history) const { history[history_name_] = {1, {at(x)}, {}}; }
 
  private:
   double plain(const VecX& x) const {
@@ -76,7 +79,7 @@ class JointCoordinate {
 
   std::array<int, arity> vertices_;
   double offset_, last_;
-  std::string memory_;
+  std::string history_name_;
 };
 
 }  // namespace tack

@@ -1,7 +1,7 @@
 // Forces along the coordinate q of a joint, with v the rate of q at the end of a step:
-//     friction  T f(|v| / e) against v, and c v
-//     motor     T f(|w - v| / e) towards a rate w (velocity motor)
-//     servo     T f(|p - q| / e) towards a value p (position motor)
+//     friction         T f(|v| / e) against v, and c v
+//     velocity motor   T f(|w - v| / e) towards a rate w
+//     position motor   T f(|p - q| / e) towards a value p
 // f(y) = 2 y - y^2 for y < 1, else 1. T: largest force; e: width below which the force is smaller,
 // as in friction of contact. Each step has the potential e T / (dv/dq) F, F' = f.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace tack {
 
-enum class DriveKind { friction, motor, servo };
+enum class DriveKind { friction, motor, position_motor };
 
 template <class Coordinate>
 struct JointDrive : FormulaOf<Coordinate::arity> {
@@ -24,7 +24,7 @@ struct JointDrive : FormulaOf<Coordinate::arity> {
     DriveKind kind;
     double most, soft, damping, offset;  // T, e, c
     double near = 0;                     // the coordinate before the step
-    double still = 0, rate = 1;          // v = rate (q - still); servo: 0 and 1
+    double still = 0, rate = 1;          // v = rate (q - still); position motor: 0 and 1
     double target = 0;                   // w, p
   };
   static double saturation(double y) { return y < 1 ? 2 * y - y * y : 1; }
@@ -53,7 +53,7 @@ class JointDriveTerm : public FormulaTerm<JointDrive<Coordinate>> {
   void drive(DriveKind kind, double most, double soft, double damping, Schedule target) {
     this->add(coordinate_->vertices(),
               {kind, most, soft, damping, coordinate_->offset(), coordinate_->offset(),
-               kind == DriveKind::servo ? 0 : coordinate_->offset(), 1, target.at(0)});
+               kind == DriveKind::position_motor ? 0 : coordinate_->offset(), 1, target.at(0)});
     targets_.push_back(std::move(target));
   }
   // Returns the force of all drives of a kind, for the step that ends at x.
@@ -71,7 +71,7 @@ class JointDriveTerm : public FormulaTerm<JointDrive<Coordinate>> {
     for (int s = 0; s < this->count(); ++s) {
       Data& d = this->data()[s];
       d.near = now;
-      if (d.kind != DriveKind::servo) d.still = still, d.rate = rate;
+      if (d.kind != DriveKind::position_motor) d.still = still, d.rate = rate;
       d.target = targets_[s].at(start.time + start.h);
     }
   }

@@ -1,4 +1,4 @@
-// The keys of what acts along the coordinate of a joint, and its terms.
+// Scene keys of the forces along the coordinate of a joint, and their terms.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,7 +20,8 @@ struct JointUnits {
   Unit value, rate, effort, damping;
   const char* what;    // "angle"
   const char* effort_key;  // "torque"
-  double soft, soft_rate, margin;  // usual widths of a servo, of friction and motors, of limits
+  // Default widths of position motors, of friction and rate motors, and of limits.
+  double soft, soft_rate, margin;
 };
 
 struct JointMotor {
@@ -39,8 +40,8 @@ struct MotorKeys : JointMotor {
 };
 
 template <const JointUnits& U>
-struct ServoKeys : JointMotor {
-  ServoKeys() { soft = U.soft; }
+struct PositionMotorKeys : JointMotor {
+  PositionMotorKeys() { soft = U.soft; }
   void fields(Fields& f) {
     f.schedule(U.what, target, U.value, "target over time").required();
     f.number(U.effort_key, most, U.effort, "largest magnitude").required().positive();
@@ -86,7 +87,7 @@ struct MechanicsKeys {
   std::optional<LimitKeys<U>> limits;
   std::optional<FrictionKeys<U>> friction;
   std::optional<MotorKeys<U>> motor;
-  std::optional<ServoKeys<U>> servo;
+  std::optional<PositionMotorKeys<U>> position_motor;
 
   void fields(Fields& f) {
     f.number("start", start, U.value, "initial coordinate along or about the axis");
@@ -94,7 +95,7 @@ struct MechanicsKeys {
     f.optional_object("friction", friction, "dry friction of prescribed magnitude");
     f.number("damping", damping, U.damping, "viscous damping").nonnegative();
     f.optional_object("motor", motor, "velocity motor");
-    f.optional_object("servo", servo, "position motor");
+    f.optional_object("servo", position_motor, "position motor");
   }
 
   // effort: what limits exert at half of their margin unless told.
@@ -117,18 +118,20 @@ struct MechanicsKeys {
                    limits->effort.value_or(effort) / (limits->margin * at_half));
     }
     builder.add(std::move(limit));
-    if (!friction && damping == 0 && !motor && !servo) return;
+    if (!friction && damping == 0 && !motor && !position_motor) return;
     auto drive = std::make_unique<JointDriveTerm<Coordinate>>(coordinate);
     if (friction || damping > 0)
       drive->drive(DriveKind::friction, friction ? friction->most : 0,
                    friction ? friction->soft : 1, damping, 0.0);
     if (motor) drive->drive(DriveKind::motor, motor->most, motor->soft, 0, motor->target);
-    if (servo) drive->drive(DriveKind::servo, servo->most, servo->soft, 0, servo->target);
+    if (position_motor)
+      drive->drive(DriveKind::position_motor, position_motor->most, position_motor->soft, 0,
+                   position_motor->target);
     builder.add(std::move(drive));
   }
 };
 
-// Probes of the coordinate, and of what motor and servo exert along it.
+// Probes of the coordinate, and of the forces of motors along it.
 template <class Coordinate, const JointUnits& U>
 class CoordinateProbe : public OfInteraction<JointLimitTerm<Coordinate>, Probe> {
  public:
@@ -144,7 +147,7 @@ class DriveProbe : public OfInteraction<JointDriveTerm<Coordinate>, Probe> {
   Unit unit() const override { return U.effort; }
   std::vector<double> sample(const World&, const State& state) override {
     return {this->term().exerted(DriveKind::motor, state.x) +
-            this->term().exerted(DriveKind::servo, state.x)};
+            this->term().exerted(DriveKind::position_motor, state.x)};
   }
 };
 

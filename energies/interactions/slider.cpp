@@ -75,16 +75,16 @@ class Slider : public Interaction {
  private:
   JointEnds ends_;
   Vec3 axis_ = Vec3::Zero();
-  MechanicsKeys<SliderWay, of_sliders> mechanics_;
+  MechanicsKeys<SliderDisplacement, of_sliders> mechanics_;
   std::optional<double> stiffness_;  // N/m
 };
 
-using JointWay = CoordinateProbe<SliderWay, of_sliders>;
-using MotorForce = DriveProbe<SliderWay, of_sliders>;
+using SliderDisplacementProbe = CoordinateProbe<SliderDisplacement, of_sliders>;
+using MotorForce = DriveProbe<SliderDisplacement, of_sliders>;
 
 TACK_REGISTER(Interaction, Slider, "slider", "Slider joint: an affine body translates along a line of another object or of space without rotating "
                                              "relative to it; optional limits, friction and motors.", "");
-TACK_REGISTER(Probe, JointWay, "joint_way", "Displacement of a slider along its line [m].", "");
+TACK_REGISTER(Probe, SliderDisplacementProbe, "joint_way", "Displacement of a slider along its line [m].", "");
 TACK_REGISTER(Probe, MotorForce, "motor_force", "Force of the motor and the servo of a slider along its line [N].", "");
 
 }  // namespace

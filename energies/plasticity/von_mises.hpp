@@ -93,7 +93,7 @@ struct VonMises {
   // Elements with a mean volume keep hardly any bulk modulus at points: a larger modulus would lock
   // in plastic flow, which has no other stiffness.
   auto split() const {
-    const double kept = share_of_parts * std::min(bulk(), 2 * lame.mu / 3);
+    const double kept = weight_of_parts * std::min(bulk(), 2 * lame.mu / 3);
     const VonMises shape{{lame.mu, kept - 2 * lame.mu / 3}, yield_stress, hardening, viscosity};
     return MaterialSplit<VonMises, VonMises, LogVolume>{shape, shape, {bulk() - kept}};
   }

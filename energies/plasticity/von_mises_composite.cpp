@@ -5,37 +5,37 @@
 namespace tack {
 
 CompositeVonMises::CompositeVonMises(std::string name, const VonMises& material, const Body& body, const VecX& rest)
-    : CompositeTerm(std::move(name), material, body, rest), material_(material), memory_(body) {
+    : CompositeTerm(std::move(name), material, body, rest), material_(material), history_(body) {
   load_history({});
 }
 
 void CompositeVonMises::load_history(const History& history) {
   set_step(0);
-  memory_.load_history(history, composite_samples * count());
-  tets_.turn([&](int i) { return memory_.inverse(i); });
+  history_.load_history(history, composite_samples * count());
+  tets_.turn([&](int i) { return history_.inverse(i); });
   const size_t all = static_cast<size_t>(composite_samples) * static_cast<size_t>(tets_.packs());
   split_.shape.limits.resize(all);
   split_.part.limits.resize(all);
   for (int at = 0; at < static_cast<int>(all); ++at)
     for (int l = 0; l < pack_width; ++l) {
       const int k = at % composite_samples, tet = std::min(at / composite_samples * pack_width + l, count() - 1);
-      (k < composite_points ? split_.shape : split_.part).limits[at].set(l, material_.limit(memory_.strain()[composite_samples * tet + k]));
+      (k < composite_points ? split_.shape : split_.part).limits[at].set(l, material_.limit(history_.strain()[composite_samples * tet + k]));
     }
 }
 
 void CompositeVonMises::commit(const VecX& x, History& history) const {
-  memory_.commit(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); }, history);
+  history_.commit(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); }, history);
 }
 
 double CompositeVonMises::volume_of(int i) const { return tets_.weight(i % composite_samples) * tets_.volume_of(i / composite_samples); }
 
 double CompositeVonMises::dissipated(const VecX& x) const {
-  return memory_.dissipated(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
+  return history_.dissipated(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
                             [&](int i) { return volume_of(i); });
 }
 
 double CompositeVonMises::viscous(const VecX& x) const {
-  return memory_.viscous(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
+  return history_.viscous(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
                          [&](int i) { return volume_of(i); });
 }
 
@@ -49,7 +49,7 @@ void CompositeVonMises::publish(Records& records) const {
 VecX CompositeVonMises::plastic_strain() const {
   VecX strain(static_cast<Eigen::Index>(tets_.parts().size()));
   for (int t = 0; t < count(); ++t) {
-    const double* const points = &memory_.strain()[static_cast<size_t>(composite_samples) * t];
+    const double* const points = &history_.strain()[static_cast<size_t>(composite_samples) * t];
     for (int s = 0; s < composite_parts; ++s)
       strain(composite_parts * t + s) = s < composite_points ? points[s] : (points[0] + points[1] + points[2] + points[3]) / 4;
   }

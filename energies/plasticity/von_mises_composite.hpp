@@ -3,7 +3,7 @@
 #pragma once
 
 #include "energies/solid/composite_term.hpp"
-#include "energies/plasticity/plastic_memory.hpp"
+#include "energies/plasticity/plastic_history.hpp"
 
 namespace tack {
 
@@ -25,7 +25,7 @@ class CompositeVonMises : public CompositeTerm<VonMises> {
   VecX plastic_strain() const;
 
   VonMises material_;
-  PlasticMemory memory_;
+  PlasticHistory history_;
 };
 
 }  // namespace tack

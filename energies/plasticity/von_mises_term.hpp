@@ -1,7 +1,7 @@
 // Term of tets with plastic flow, each with its own flow.
 #pragma once
 
-#include "energies/plasticity/plastic_memory.hpp"
+#include "energies/plasticity/plastic_history.hpp"
 #include "energies/plasticity/plastic_records.hpp"
 #include "energies/solid/solid_term.hpp"
 
@@ -14,7 +14,7 @@ class VonMisesTerm : public Base {
   template <class... Args>
   explicit VonMisesTerm(const Body& body, Args&&... args)
       : Base(std::forward<Args>(args)...),
-        body_(body.elements == Elements::linear ? body.name : ""), memory_(body),
+        body_(body.elements == Elements::linear ? body.name : ""), history_(body),
         rest_shapes_(rest_) {
     load_history({});
   }
@@ -23,31 +23,31 @@ class VonMisesTerm : public Base {
   void load_history(const History& history) override {
     const int n = count();
     material_.h = 0;
-    memory_.load_history(history, n);
+    history_.load_history(history, n);
     rest_ = rest_shapes_;
     material_.limits.resize(rest_.size());
     for (size_t p = 0; p < rest_.size(); ++p)
       for (int l = 0; l < pack_width; ++l) {
         const int t = std::min(static_cast<int>(p) * pack_width + l, n - 1);
-        set_lane<3, 3>(rest_[p].shape, l, get_lane<3, 3>(rest_[p].shape, l) * memory_.inverse(t));
-        material_.limits[p].set(l, material_.limit(memory_.strain()[t]));
+        set_lane<3, 3>(rest_[p].shape, l, get_lane<3, 3>(rest_[p].shape, l) * history_.inverse(t));
+        material_.limits[p].set(l, material_.limit(history_.strain()[t]));
       }
   }
 
   void begin_step(const StepStart& start) override { material_.h = start.h; }
 
   void commit(const VecX& x, History& history) const override {
-    memory_.commit(material_, [&](int t) { return deformation(t, x); }, history);
+    history_.commit(material_, [&](int t) { return deformation(t, x); }, history);
   }
 
   double dissipated(const VecX& x) const {
-    return memory_.dissipated(
+    return history_.dissipated(
         material_, [&](int t) { return deformation(t, x); },
         [&](int t) { return rest_of(t).volume; });
   }
 
   double viscous(const VecX& x) const {
-    return memory_.viscous(
+    return history_.viscous(
         material_, [&](int t) { return deformation(t, x); },
         [&](int t) { return rest_of(t).volume; });
   }
@@ -57,7 +57,7 @@ class VonMisesTerm : public Base {
     PlasticFlows flows{[this](const VecX& x) { return dissipated(x); }};
     if (material_.viscosity > 0) flows.viscous = [this](const VecX& x) { return viscous(x); };
     const auto strain = [this] {
-      return VecX(Eigen::Map<const VecX>(memory_.strain().data(), count()));
+      return VecX(Eigen::Map<const VecX>(history_.strain().data(), count()));
     };
     publish_plasticity(records, this->name(), std::move(flows), strain, &tets_);
     if (!body_.empty()) records.add(exchangeable());
@@ -81,12 +81,12 @@ class VonMisesTerm : public Base {
             &tets_,
             volumes,
             elastic,
-            [this] { return memory_.strain(); },
-            memory_.strain_remembered_as()};
+            [this] { return history_.strain(); },
+            history_.strain_name()};
   }
 
   std::string body_;  // body whose tets may be exchanged; "": none
-  PlasticMemory memory_;
+  PlasticHistory history_;
   std::vector<TetRest<Pack>> rest_shapes_;  // without plastic flow; rest_ includes it
 };
 

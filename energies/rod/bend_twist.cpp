@@ -94,7 +94,7 @@ bool BendTwist::within_reach(const Vec3& edge) {
 
 // How the two frames stand at a place.
 struct BendTwist::Standing {
-  Standing(const BendTwist& bend, const Place& p) : a(p.first), b(p.second) {
+  Standing(const BendTwist& bend, const EdgePair& p) : a(p.first), b(p.second) {
     for (int k = 0; k < 4; ++k) {
       from_a[k] = bend.forms_[k] * b.s;
       q(k) = a.s.dot(from_a[k]);
@@ -110,7 +110,7 @@ struct BendTwist::Standing {
     }
     return j;
   }
-  std::array<Strain, 3> strains(const Place& p) const {
+  std::array<Strain, 3> strains(const EdgePair& p) const {
     const Rotation r(q, p.theta_1, p.theta_2);
     return {r.kappa_1(), r.kappa_2(), r.tau(2 * turn + p.theta_2 - p.theta_1)};
   }
@@ -121,9 +121,9 @@ struct BendTwist::Standing {
   double turn;  // arg u
 };
 
-double BendTwist::turn(const Place& p) const { return Standing(*this, p).turn; }
+double BendTwist::turn(const EdgePair& p) const { return Standing(*this, p).turn; }
 
-BendTwist::Strains BendTwist::strains(const Place& p, Slopes* slopes) const {
+BendTwist::Strains BendTwist::strains(const EdgePair& p, Slopes* slopes) const {
   const Standing at(*this, p);
   const Rotation r(at.q, p.theta_1, p.theta_2);
   if (slopes) {
@@ -135,7 +135,7 @@ BendTwist::Strains BendTwist::strains(const Place& p, Slopes* slopes) const {
   return {r.z, -r.y, 2 * at.turn + p.theta_2 - p.theta_1};
 }
 
-void BendTwist::derivatives(const Place& p, const Mat3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const {
+void BendTwist::derivatives(const EdgePair& p, const Mat3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const {
   const Standing at(*this, p);
   const auto jacobian = at.jacobian(*this);
   const std::array<Strain, 3> strains = at.strains(p);

@@ -36,7 +36,7 @@ class BendTwist {
 
   // The edges in their committed frames and the angles; turn: arg u of the committed state, whole
   // turns included.
-  struct Place {
+  struct EdgePair {
     Vec3 first, second;       // m
     double theta_1, theta_2;  // rad
     double turn;
@@ -45,12 +45,12 @@ class BendTwist {
   // or has no length.
   static bool within_reach(const Vec3& edge);
 
-  double turn(const Place& p) const;      // arg u, the value next to p.turn
+  double turn(const EdgePair& p) const;      // arg u, the value next to p.turn
   using Slopes = Eigen::Matrix<double, 3, 8>;  // by (first, second, theta_1, theta_2)
-  Strains strains(const Place& p, Slopes* slopes = nullptr) const;
+  Strains strains(const EdgePair& p, Slopes* slopes = nullptr) const;
   // Gradient and Hessian of W by (first, second, theta_1, theta_2); stiffness: C [J]. Hessian may
   // be null.
-  void derivatives(const Place& p, const Mat3& stiffness, const Strains& rest, Vec8& gradient,
+  void derivatives(const EdgePair& p, const Mat3& stiffness, const Strains& rest, Vec8& gradient,
                    Mat8* hessian) const;
 
  private:

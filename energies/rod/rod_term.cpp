@@ -18,9 +18,9 @@ constexpr const char* turns_name = "turns";
 
 }  // namespace
 
-RodTerm::RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape, std::vector<Edge> edges,
+RodTerm::RodTerm(std::string name, std::string history_name, const RodMaterial& material, const RodRest& shape, std::vector<Edge> edges,
                  std::shared_ptr<const RodFrames> frames, const VecX& rest)
-    : Term(std::move(name)), memory_(std::move(memory)), frames_(std::move(frames)),
+    : Term(std::move(name)), history_name_(std::move(history_name)), frames_(std::move(frames)),
       stretching_(std::move(edges), material.stretching, rest) {
   for (const RodPair& of : rod_pairs(stretching_.edges(), rest)) {
     Pair& pair = pairs_.emplace_back();
@@ -66,7 +66,7 @@ Quaternion RodTerm::frame(const Pair& pair, int side) const {
   return frames_->committed(pair.edge[side]) * half_turn * about_tangent(pair.turned[side]);
 }
 
-BendTwist::Place RodTerm::place(int p, const VecX& x) const {
+BendTwist::EdgePair RodTerm::edge_pair(int p, const VecX& x) const {
   const Pair& pair = pairs_[p];
   const auto& [a, v, b, u_1, u_2] = stencils_[p];
   const Vec3 out = vertex(x, b) - vertex(x, v);
@@ -75,7 +75,7 @@ BendTwist::Place RodTerm::place(int p, const VecX& x) const {
 }
 
 void RodTerm::load_history(const History& history) {
-  const std::vector<double>* turns = history_values(history, memory_ + turns_name, 1, pair_count());
+  const std::vector<double>* turns = history_values(history, history_name_ + turns_name, 1, pair_count());
   for_each(pair_count(), [&](int p) {
     const Quaternion first = frame(pairs_[p], 0), second = frame(pairs_[p], 1);
     bends_[p] = {first, second};
@@ -87,7 +87,7 @@ void RodTerm::load_history(const History& history) {
 void RodTerm::commit(const VecX& x, History& history) const {
   HistoryArray turns{1, turns_, {}};
   for (int p = 0; p < pair_count(); ++p) turns.values[p] = bends_[p].turn(place(p, x));
-  history[memory_ + turns_name] = std::move(turns);
+  history[history_name_ + turns_name] = std::move(turns);
 }
 
 VecX RodTerm::strains(const VecX& x) const {
@@ -101,7 +101,7 @@ double RodTerm::value_of(const VecX& x, const double* strains) const {
   return stretching_.value(x, strains) + sum_chunks(pair_count(), [&](int first, int last) {
     double sum = 0;
     for (int p = first; p < last; ++p) {
-      const BendTwist::Place at = place(p, x);
+      const BendTwist::EdgePair at = edge_pair(p, x);
       if (!BendTwist::within_reach(at.first) || !BendTwist::within_reach(at.second)) return std::numeric_limits<double>::infinity();
       sum += (pairs_[p].root * (bends_[p].strains(at) - rest_of(p, strains))).squaredNorm() / 2;
     }
@@ -176,7 +176,7 @@ bool RodTerm::residuals(const VecX& x, double* r, double* jacobian) const {
   r += stretching_.count();
   if (jacobian) jacobian += 6 * static_cast<size_t>(stretching_.count());
   for (int p = 0; p < pair_count(); ++p) {
-    const BendTwist::Place at = place(p, x);
+    const BendTwist::EdgePair at = edge_pair(p, x);
     if (!BendTwist::within_reach(at.first) || !BendTwist::within_reach(at.second)) return false;
     BendTwist::Slopes slopes;
     Eigen::Map<Vec3>{r + 3 * static_cast<size_t>(p)} = pairs_[p].root * (bends_[p].strains(at, jacobian ? &slopes : nullptr) - pairs_[p].rest);

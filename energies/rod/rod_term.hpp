@@ -11,7 +11,7 @@
 // bending of a corner costs as much as of a straight rod.
 #pragma once
 
-#include <memory>
+#include <history_name>
 
 #include "energies/rod/bend_twist.hpp"
 #include "energies/rod/edge_stretching.hpp"
@@ -34,10 +34,10 @@ struct RodRest {
 
 class RodTerm : public Term, public ResidualView, public StrainView {
  public:
-  // frames: of these edges, perhaps among others. history: in which its arrays have the prefix
-  // `memory`.
-  RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape,
-          std::vector<Edge> edges, std::shared_ptr<const RodFrames> frames, const VecX& rest);
+  // frames: of these edges, perhaps among others. history_name: prefix of its history arrays.
+  RodTerm(std::string name, std::string history_name, const RodMaterial& material,
+          const RodRest& shape, std::vector<Edge> edges, std::shared_ptr<const RodFrames> frames,
+          const VecX& rest);
 
   void load_history(const History& history) override;
   void commit(const VecX& x, History& history) const override;
@@ -89,10 +89,10 @@ class RodTerm : public Term, public ResidualView, public StrainView {
   double sign(const Pair& pair, int side) const { return pair.backwards[side] ? -1 : 1; }
   void settle(Pair& pair, const RodPair& of, const RodMaterial& material, const RodRest& shape,
               const VecX& rest);
-  BendTwist::Place place(int pair, const VecX& x) const;
+  BendTwist::EdgePair edge_pair(int pair, const VecX& x) const;
   Chain chain(int pair) const;
 
-  std::string memory_;
+  std::string history_name_;
   std::shared_ptr<const RodFrames> frames_;
   EdgeStretching stretching_;
   std::vector<Pair> pairs_;
@@ -100,7 +100,7 @@ class RodTerm : public Term, public ResidualView, public StrainView {
   // Data of the committed frames:
   std::vector<BendTwist> bends_;
   std::vector<std::array<Mat3, 2>> axes_;  // of both frames, as rows
-  std::vector<double> turns_;              // BendTwist::Place::turn
+  std::vector<double> turns_;              // BendTwist::EdgePair::turn
 };
 
 }  // namespace tack

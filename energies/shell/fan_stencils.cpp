@@ -24,27 +24,27 @@ void add(const PackMat3& block, int a, int b, Pack* slots) {
   else Eigen::Map<PackMat3>(slots + 9 * slot_of(b, a)) += block.transpose();
 }
 
-// The hinges that turn with a vertex, and how far.
+// The dihedral edges that turn with a vertex, and how far.
 struct Turning {
-  std::array<int, most_hinges> hinge;
-  std::array<PackVec3, most_hinges> gradient;
+  std::array<int, fan_edges_max> edge;
+  std::array<PackVec3, fan_edges_max> gradient;
   int count = 0;
 
   void add(int i, const PackVec3& g) {
     for (int k = 0; k < count; ++k)
-      if (hinge[k] == i) {
+      if (edge[k] == i) {
         gradient[k] += g;
         return;
       }
-    hinge[count] = i;
+    edge[count] = i;
     gradient[count++] = g;
   }
 };
 
 }  // namespace
 
-FanStencils::FanStencils(const HingeFan* fans, const FanMatrix* c, int count) : shape_(fans[0].shape), count_(count) {
-  const int n = shape_.hinges;
+FanStencils::FanStencils(const DihedralFan* fans, const FanMatrix* c, int count) : shape_(fans[0].shape), count_(count) {
+  const int n = shape_.edge_count;
   for (int f = 0; f < count; ++f) vertices_.insert(vertices_.end(), fans[f].vertices.begin(), fans[f].vertices.end());
   const int all = chunk_count(count, pack_width);
   c_.resize(static_cast<size_t>(all * n * n));
@@ -59,11 +59,11 @@ FanStencils::FanStencils(const HingeFan* fans, const FanMatrix* c, int count) : 
 
 void FanStencils::set_rest(const VecX& rest) {
   Corners x;
-  Hinges all;
+  DihedralEdges all;
   for (int p = 0; p < packs(); ++p) {
     corners(p, rest, x);
-    hinges(x, all);
-    for (int i = 0; i < shape_.hinges; ++i) resting_[p][i] = all[i].angle;
+    find_edges(x, all);
+    for (int i = 0; i < shape_.edge_count; ++i) resting_[p][i] = all[i].angle;
   }
   start_ = resting_;
 }
@@ -71,25 +71,25 @@ void FanStencils::set_rest(const VecX& rest) {
 void FanStencils::begin_step(const VecX& x, const double* turns) {
   for_each(packs(), [&](int p) {
     Corners at;
-    Hinges all;
+    DihedralEdges all;
     corners(p, x, at);
-    hinges(at, all);
-    for (int i = 0; i < shape_.hinges; ++i)
+    find_edges(at, all);
+    for (int i = 0; i < shape_.edge_count; ++i)
       for (int l = 0; l < pack_width; ++l)
-        start_[p][i].set(l, all[i].angle[l] + 2 * pi * turns[shape_.hinges * (p * pack_width + std::min(l, lanes(p) - 1)) + i]);
+        start_[p][i].set(l, all[i].angle[l] + 2 * pi * turns[shape_.edge_count * (p * pack_width + std::min(l, lanes(p) - 1)) + i]);
   }, chunk_size / pack_width);
 }
 
 void FanStencils::turns(const VecX& x, double* turns) const {
   for_each(packs(), [&](int p) {
     Corners at;
-    Hinges all;
+    DihedralEdges all;
     corners(p, x, at);
-    hinges(at, all);
-    for (int i = 0; i < shape_.hinges; ++i) {
+    find_edges(at, all);
+    for (int i = 0; i < shape_.edge_count; ++i) {
       const Pack angle = unwound(p, i, all[i].angle);
       for (int l = 0; l < lanes(p); ++l)
-        turns[shape_.hinges * (p * pack_width + l) + i] = std::round((angle[l] - all[i].angle[l]) / (2 * pi));
+        turns[shape_.edge_count * (p * pack_width + l) + i] = std::round((angle[l] - all[i].angle[l]) / (2 * pi));
     }
   }, chunk_size / pack_width);
 }
@@ -103,16 +103,16 @@ void FanStencils::corners(int pack, const VecX& x, Corners& out) const {
   }
 }
 
-void FanStencils::hinges(const Corners& x, Hinges& out) const {
-  std::array<PackVec3, most_ring> normal;
-  std::array<Pack, most_ring> double_area;
+void FanStencils::find_edges(const Corners& x, DihedralEdges& out) const {
+  std::array<PackVec3, ring_max> normal;
+  std::array<Pack, ring_max> double_area;
   for (int j = 0; j < shape_.triangles(); ++j) {
     const PackVec3 twice = PackVec3(x[1 + j] - x[0]).cross(PackVec3(x[1 + (j + 1) % shape_.ring()] - x[0]));
     double_area[j] = sqrt(twice.squaredNorm());
     normal[j] = twice * (1 / double_area[j]);
   }
-  for (int i = 0; i < shape_.hinges; ++i) {
-    Hinge& h = out[i];
+  for (int i = 0; i < shape_.edge_count; ++i) {
+    DihedralEdge& h = out[i];
     const PackVec3 edge = x[shape_.tip(i)] - x[0];
     h.inverse_length = 1 / sqrt(edge.squaredNorm());
     h.e = edge * h.inverse_length;
@@ -143,14 +143,14 @@ double FanStencils::value(const VecX& x) const {
   return sum_chunks(count_, [&](int first, int last) {
     double sum = 0;
     Corners at;
-    Hinges all;
+    DihedralEdges all;
     Angles a;
     for (int f = first; f < last; f += pack_width) {
       const int p = f / pack_width;
       corners(p, x, at);
-      hinges(at, all);
+      find_edges(at, all);
       Pack twice = 0;
-      for (int i = 0; i < shape_.hinges; ++i) {
+      for (int i = 0; i < shape_.edge_count; ++i) {
         a[i] = unwound(p, i, all[i].angle) - resting_[p][i];
         Pack moment = 0.5 * c(p, i, i) * a[i];
         for (int k = 0; k < i; ++k) moment += c(p, i, k) * a[k];
@@ -174,18 +174,18 @@ void FanStencils::range_derivatives(const VecX& x, Projection projection, int fi
 }
 
 void FanStencils::derivatives(int pack, const VecX& x, Projection projection, double* gradient, double* hessian) const {
-  const int n = shape_.hinges, arity = shape_.arity();
+  const int n = shape_.edge_count, arity = shape_.arity();
   Corners at;
-  Hinges all;
+  DihedralEdges all;
   corners(pack, x, at);
-  hinges(at, all);
+  find_edges(at, all);
   Angles a, moments;
   for (int i = 0; i < n; ++i) a[i] = unwound(pack, i, all[i].angle) - resting_[pack][i];
   for (int i = 0; i < n; ++i) {
     moments[i] = 0;
     for (int k = 0; k < n; ++k) moments[i] += c(pack, i, k) * a[k];
   }
-  std::array<Turning, 1 + most_ring> turning;
+  std::array<Turning, 1 + ring_max> turning;
   for (int i = 0; i < n; ++i) {
     const auto& [left, right] = all[i].sides;
     turning[0].add(i, left.alpha[0] * left.n + right.alpha[0] * right.n);
@@ -193,23 +193,23 @@ void FanStencils::derivatives(int pack, const VecX& x, Projection projection, do
     turning[shape_.left(i)].add(i, left.alpha[2] * left.n);
     turning[shape_.right(i)].add(i, right.alpha[2] * right.n);
   }
-  std::array<PackVec3, 1 + most_ring> g;
+  std::array<PackVec3, 1 + ring_max> g;
   for (int v = 0; v < arity; ++v) {
     g[v].setZero();
-    for (int k = 0; k < turning[v].count; ++k) g[v] += moments[turning[v].hinge[k]] * turning[v].gradient[k];
+    for (int k = 0; k < turning[v].count; ++k) g[v] += moments[turning[v].edge[k]] * turning[v].gradient[k];
   }
   store_lanes(g[0].data(), 3 * arity, gradient, lanes(pack));
   if (!hessian) return;
-  alignas(64) Pack slots[9 * hessian_blocks(1 + most_ring)];
-  std::array<PackVec3, most_hinges> moved;  // moments, with a vertex
+  alignas(64) Pack slots[9 * hessian_blocks(1 + ring_max)];
+  std::array<PackVec3, fan_edges_max> moved;  // moments, with a vertex
   for (int v = 0; v < arity; ++v) {
     for (int i = 0; i < n; ++i) {
       moved[i].setZero();
-      for (int k = 0; k < turning[v].count; ++k) moved[i] += c(pack, i, turning[v].hinge[k]) * turning[v].gradient[k];
+      for (int k = 0; k < turning[v].count; ++k) moved[i] += c(pack, i, turning[v].edge[k]) * turning[v].gradient[k];
     }
     for (int w = v; w < arity; ++w) {
       PackMat3 block = PackMat3::Zero();
-      for (int k = 0; k < turning[w].count; ++k) block += outer(turning[w].gradient[k], moved[turning[w].hinge[k]]);
+      for (int k = 0; k < turning[w].count; ++k) block += outer(turning[w].gradient[k], moved[turning[w].edge[k]]);
       Eigen::Map<PackMat3>(slots + 9 * slot_of(w, v)) = block;
     }
   }
@@ -219,12 +219,12 @@ void FanStencils::derivatives(int pack, const VecX& x, Projection projection, do
 
 // moment * d2 angle: its own part, or half of that and half of its absolute value, or the latter. Block (k, j) of a side is
 // that of A(dx) twice, times alpha_k alpha_j; that of A and B, times alpha_k beta_j, and its transpose; and that of B twice.
-void FanStencils::add_moment(const Hinge& hinge, int i, const Pack& moment, Projection projection, Pack* slots) const {
+void FanStencils::add_moment(const DihedralEdge& dihedral, int i, const Pack& moment, Projection projection, Pack* slots) const {
   const double share = projection == Projection::none ? 1 : projection == Projection::absolute ? 0 : 0.5;
-  const Pack beta = hinge.inverse_length;  // of the tip; minus that of the middle, and none of the apex
+  const Pack beta = dihedral.inverse_length;  // of the tip; minus that of the middle, and none of the apex
   const Pack signed_part = share * moment, size = (1 - share) * abs(moment);
   for (int s = 0; s < 2; ++s) {
-    const auto& [m, n, alpha] = hinge.sides[s];
+    const auto& [m, n, alpha] = dihedral.sides[s];
     const PackMat3 mn = outer(m, n);
     PackMat3 of_a = -signed_part * (mn + PackMat3(mn.transpose())), of_b = Pack(0.5) * of_a;
     PackVec3 mixed = -signed_part * n;
@@ -232,11 +232,11 @@ void FanStencils::add_moment(const Hinge& hinge, int i, const Pack& moment, Proj
       const Pack edge = 2 * beta * beta, side = alpha[0] * alpha[0] + alpha[1] * alpha[1] + alpha[2] * alpha[2];
       const Pack ratio = sqrt((4 * side + edge) / edge), inverse = size / (2 * ratio);
       const PackMat3 nn = outer(n, n), mm = outer(m, m);
-      of_a += size * (nn + mm) + outer((4 * inverse) * hinge.e, hinge.e);
+      of_a += size * (nn + mm) + outer((4 * inverse) * dihedral.e, dihedral.e);
       of_b += (size / 2 * ratio) * nn + inverse * mm;
       mixed += (2 * inverse) * m;
     }
-    const PackMat3 of_ab = outer(hinge.e, mixed);
+    const PackMat3 of_ab = outer(dihedral.e, mixed);
     const std::array<int, 3> v = {0, shape_.tip(i), s == 0 ? shape_.left(i) : shape_.right(i)};
     const std::array<PackMat3, 3> with_a = {alpha[0] * of_a, alpha[1] * of_a, alpha[2] * of_a};
     const PackMat3 b_ab = beta * of_ab, b_ba = b_ab.transpose(), b_b = (beta * beta) * of_b;

@@ -1,7 +1,8 @@
-// Fans of hinges of one shape: energy 1/2 a^T C a each, a the angles of its hinges minus those at
-// rest, C from hinge_fit.hpp. pack_width fans are computed at once, one per lane.
+// Fans of dihedral edges of one shape. Each has the energy 1/2 a^T C a, a its angles minus those at
+// rest, C from dihedral_stiffness.hpp. pack_width fans are computed at once, one per lane.
 //
-// The angle of a hinge lies between the normals n1, n2 of its sides, positive if both apexes rise.
+// The angle of a dihedral edge lies between the normals n1, n2 of its sides. It is positive if both
+// apexes rise.
 // On each side, m points from the edge e to the apex, h is the height, N_k are barycentric
 // coordinates, and A = sum_k (m . grad N_k) x_k, B = sum_k (e . grad N_k) x_k. With dx the change
 // of the vertices,
@@ -15,7 +16,7 @@
 // Angles may pass pi: the value nearest to the angle at the start of the step counts.
 #pragma once
 
-#include "energies/shell/hinge_fit.hpp"
+#include "energies/shell/dihedral_stiffness.hpp"
 #include "framework/core/term.hpp"
 #include "geometry/pack.hpp"
 
@@ -24,14 +25,14 @@ namespace tack {
 class FanStencils final : public StencilRanges {
  public:
   // fans, c: `count` fans of one shape, with their stiffnesses.
-  FanStencils(const HingeFan* fans, const FanMatrix* c, int count);
+  FanStencils(const DihedralFan* fans, const FanMatrix* c, int count);
 
   StencilBatch batch() const { return {shape_.arity(), count_, vertices_.data()}; }
-  int hinges() const { return shape_.hinges * count_; }
+  int edge_count() const { return shape_.edge_count * count_; }
 
   // Without moments at `rest`, and not where they are flat.
   void set_rest(const VecX& rest);
-  // turns: of each hinge of each fan, whole turns at x beyond what the angle tells.
+  // turns: of each dihedral edge of each fan, whole turns at x beyond what the angle tells.
   void begin_step(const VecX& x, const double* turns);
   void turns(const VecX& x, double* turns) const;
 
@@ -44,28 +45,28 @@ class FanStencils final : public StencilRanges {
     PackVec3 m, n;
     std::array<Pack, 3> alpha;  // m . grad N of the vertex in the middle, the tip and the apex
   };
-  struct Hinge {
+  struct DihedralEdge {
     PackVec3 e;  // from the middle
     Pack inverse_length;
     std::array<Side, 2> sides;  // left and right
     Pack angle;                 // in (-pi, pi]
   };
-  using Corners = std::array<PackVec3, 1 + most_ring>;
-  using Hinges = std::array<Hinge, most_hinges>;
-  using Angles = std::array<Pack, most_hinges>;
+  using Corners = std::array<PackVec3, 1 + ring_max>;
+  using DihedralEdges = std::array<DihedralEdge, fan_edges_max>;
+  using Angles = std::array<Pack, fan_edges_max>;
 
   int packs() const { return static_cast<int>(resting_.size()); }
   int lanes(int pack) const { return std::min(pack_width, count_ - pack * pack_width); }
   const Pack& c(int pack, int i, int k) const {
-    return c_[static_cast<size_t>((pack * shape_.hinges + i) * shape_.hinges + k)];
+    return c_[static_cast<size_t>((pack * shape_.edge_count + i) * shape_.edge_count + k)];
   }
   void corners(int pack, const VecX& x, Corners& out) const;
-  void hinges(const Corners& x, Hinges& out) const;
+  void find_edges(const Corners& x, DihedralEdges& out) const;
   // Nearest to those at the start of the step.
   Pack unwound(int pack, int i, const Pack& angle) const;
   void derivatives(int pack, const VecX& x, Projection projection, double* gradient,
                    double* hessian) const;
-  void add_moment(const Hinge& hinge, int i, const Pack& moment, Projection projection,
+  void add_moment(const DihedralEdge& dihedral, int i, const Pack& moment, Projection projection,
                   Pack* slots) const;
 
   FanShape shape_;

@@ -33,14 +33,14 @@ Corner next(const std::vector<SheetTriangle>& sheet, int middle, const Corner& c
   return {n, c.to, v[0] + v[1] + v[2] - middle - c.to};
 }
 
-void add_fan(bool closed, int middle, const std::vector<Corner>& corners, int first, int hinges, std::vector<HingeFan>& out) {
-  HingeFan fan{{closed, hinges}, {middle}, {}};
+void add_fan(bool closed, int middle, const std::vector<Corner>& corners, int first, int edge_count, std::vector<DihedralFan>& out) {
+  DihedralFan fan{{closed, edge_count}, {middle}, {}};
   const int n = static_cast<int>(corners.size());
   for (int j = 0; j < fan.shape.triangles(); ++j) {
     const Corner& c = corners[static_cast<size_t>((first + j) % n)];
     fan.vertices.push_back(c.from);
     fan.triangles.push_back(c.triangle);
-    if (!closed && j == hinges) fan.vertices.push_back(c.to);
+    if (!closed && j == edge_count) fan.vertices.push_back(c.to);
   }
   out.push_back(std::move(fan));
 }
@@ -73,8 +73,8 @@ std::vector<SheetTriangle> connect_sheet(const std::vector<Triangle>& sheet, con
   return out;
 }
 
-std::vector<HingeFan> hinge_fans(const std::vector<SheetTriangle>& sheet, int most) {
-  std::vector<HingeFan> out;
+std::vector<DihedralFan> dihedral_fans(const std::vector<SheetTriangle>& sheet, int most) {
+  std::vector<DihedralFan> out;
   std::vector<char> seen(3 * sheet.size(), 0);
   std::vector<Corner> corners;
   for (size_t t = 0; t < sheet.size(); ++t) {
@@ -98,19 +98,19 @@ std::vector<HingeFan> hinge_fans(const std::vector<SheetTriangle>& sheet, int mo
         corners.push_back(c);
         seen[3 * static_cast<size_t>(c.triangle) + static_cast<size_t>(place_of(sheet[static_cast<size_t>(c.triangle)], middle))] = 1;
       }
-      const int n = static_cast<int>(corners.size()), hinges = closed ? n : n - 1;
-      if (hinges == 0) continue;
-      if (closed && hinges <= most) {
-        add_fan(true, middle, corners, 0, hinges, out);
+      const int n = static_cast<int>(corners.size()), edge_count = closed ? n : n - 1;
+      if (edge_count == 0) continue;
+      if (closed && edge_count <= most) {
+        add_fan(true, middle, corners, 0, edge_count, out);
         continue;
       }
-      const int parts = (hinges + most - 3) / (most - 2);
+      const int parts = (edge_count + most - 3) / (most - 2);
       for (int p = 0; p < parts; ++p)
-        add_fan(false, middle, corners, hinges * p / parts, hinges * (p + 1) / parts - hinges * p / parts, out);
+        add_fan(false, middle, corners, edge_count * p / parts, edge_count * (p + 1) / parts - edge_count * p / parts, out);
     }
   }
-  std::stable_sort(out.begin(), out.end(), [](const HingeFan& a, const HingeFan& b) {
-    return std::tuple(a.shape.closed, a.shape.hinges, a.vertices[0]) < std::tuple(b.shape.closed, b.shape.hinges, b.vertices[0]);
+  std::stable_sort(out.begin(), out.end(), [](const DihedralFan& a, const DihedralFan& b) {
+    return std::tuple(a.shape.closed, a.shape.edge_count, a.vertices[0]) < std::tuple(b.shape.closed, b.shape.edge_count, b.vertices[0]);
   });
   return out;
 }

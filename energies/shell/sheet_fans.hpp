@@ -1,4 +1,4 @@
-// Topology of a sheet: neighbours across edges, and fans of hinges about vertices.
+// Topology of a sheet: neighbours across edges, and fans of dihedral edges about vertices.
 #pragma once
 
 #include <array>
@@ -19,39 +19,40 @@ struct SheetTriangle {
 std::vector<SheetTriangle> connect_sheet(const std::vector<Triangle>& sheet,
                                          const std::string& who);
 
-// Triangles j = 0 ... about a vertex, each with the vertex and ring j and j + 1; hinges are the
-// edges from the vertex to the ring that two of them share. Closed, the last ends where the first
-// begins, and every vertex of the ring has a hinge; else the first and the last have none.
+// Shape of a fan: triangles j = 0 ... about a vertex, each with that vertex and the vertices j and
+// j + 1 of the ring. Its dihedral edges are those edges from the vertex to the ring that two
+// triangles share. In a closed fan every vertex of the ring has a dihedral edge; in an open fan the first and
+// the last have none.
 struct FanShape {
   bool closed;
-  int hinges;
+  int edge_count;
 
-  int ring() const { return closed ? hinges : hinges + 2; }
+  int ring() const { return closed ? edge_count : edge_count + 2; }
   int arity() const { return 1 + ring(); }
-  int triangles() const { return closed ? hinges : hinges + 1; }
-  // Return the end of hinge i and the apexes of its sides, as indices into the vertices of the fan
-  // (0: the centre). The left side is the later triangle.
+  int triangles() const { return closed ? edge_count : edge_count + 1; }
+  // Return the end of dihedral edge i and the apexes of its sides, as indices into the vertices of
+  // the fan (0: the centre). The left side is the later triangle.
   int tip(int i) const { return closed ? 1 + i : 2 + i; }
-  int left(int i) const { return closed ? 1 + (i + 1) % hinges : 3 + i; }
-  int right(int i) const { return closed ? 1 + (i + hinges - 1) % hinges : 1 + i; }
-  // Return the sides of hinge i, as indices into the triangles of the fan.
+  int left(int i) const { return closed ? 1 + (i + 1) % edge_count : 3 + i; }
+  int right(int i) const { return closed ? 1 + (i + edge_count - 1) % edge_count : 1 + i; }
+  // Return the sides of dihedral edge i, as indices into the triangles of the fan.
   int left_triangle(int i) const { return closed ? i : i + 1; }
-  int right_triangle(int i) const { return closed ? (i + hinges - 1) % hinges : i; }
+  int right_triangle(int i) const { return closed ? (i + edge_count - 1) % edge_count : i; }
 
   friend bool operator==(const FanShape&, const FanShape&) = default;
 };
 
-inline constexpr int most_hinges = 8, most_ring = 8;  // of a fan
+inline constexpr int fan_edges_max = 8, ring_max = 8;  // of a fan
 
-struct HingeFan {
+struct DihedralFan {
   FanShape shape;
   std::vector<int> vertices;   // centre, then ring
   std::vector<int> triangles;  // of the sheet
 };
 
-// Every hinge is in two fans, those of its ends. Vertices with more than `most` hinges (<=
-// most_hinges), or without a triangle at a side and more than two less, have several. In the order
-// of the shape, then of the vertices.
-std::vector<HingeFan> hinge_fans(const std::vector<SheetTriangle>& sheet, int most);
+// Returns the fans of a sheet, ordered by shape, then by vertices. Every dihedral edge is in two
+// fans, those of its ends. A vertex has several fans if it has more than `most` (<= fan_edges_max)
+// dihedral edges, or lies at a border and has more than most - 2.
+std::vector<DihedralFan> dihedral_fans(const std::vector<SheetTriangle>& sheet, int most);
 
 }  // namespace tack

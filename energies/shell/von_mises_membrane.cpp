@@ -12,7 +12,7 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
  public:
   VonMisesMembraneTerm(std::string name, const VonMisesMembrane& material, const Body& body, const VecX& rest, Fibres fibres)
       : MembraneTerm(std::move(name), material, body, rest, std::move(fibres)),
-        memory_(fmt::format("{}/energies/{}/", body.name, body.energy)), rest_shapes_(rest_) {
+        history_name_(fmt::format("{}/energies/{}/", body.name, body.energy)), rest_shapes_(rest_) {
     load_history({});
   }
 
@@ -20,9 +20,9 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
   void load_history(const History& history) override {
     const int n = count();
     material_.h = 0;
-    if (const auto* values = history_values(history, memory_ + inverse_name, 4, n)) inverse_ = *values;
+    if (const auto* values = history_values(history, history_name_ + inverse_name, 4, n)) inverse_ = *values;
     else inverse_ = identities(n);
-    if (const auto* values = history_values(history, memory_ + strain_name, 1, n)) strain_ = *values;
+    if (const auto* values = history_values(history, history_name_ + strain_name, 1, n)) strain_ = *values;
     else strain_.assign(static_cast<size_t>(n), 0.0);
     rest_ = rest_shapes_;
     material_.yields.resize(rest_.size());
@@ -45,8 +45,8 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
       const Vec2 back(std::exp(-flow.strain(0)[l]), std::exp(-flow.strain(1)[l]));
       Eigen::Map<Mat2>(&inverses.values[4 * static_cast<size_t>(t)]) = inverse(t) * v * back.asDiagonal() * v.transpose();
     });
-    history[memory_ + inverse_name] = std::move(inverses);
-    history[memory_ + strain_name] = std::move(strains);
+    history[history_name_ + inverse_name] = std::move(inverses);
+    history[history_name_ + strain_name] = std::move(strains);
   }
 
   // Plastic work: what a commit takes off the value.
@@ -99,7 +99,7 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
   }
   Mat2 inverse(int t) const { return Eigen::Map<const Mat2>(&inverse_[4 * static_cast<size_t>(t)]); }
 
-  std::string memory_;                        // its arrays in the history begin so
+  std::string history_name_;                        // its arrays in the history begin so
   std::vector<SheetRest<Pack>> rest_shapes_;  // before plastic flow; rest_ is with it
   std::vector<double> inverse_, strain_;      // per triangle: Fp^-1 in its frame, column by column, and the accumulated plastic strain
 };

@@ -20,8 +20,8 @@ void CompositeSums::add_point(int q, const Svd3<Pack>& svd, const PrincipalDeriv
   const PackMat3& shape = tets_.shape(pack_, q);
   const auto& c = table_.point[q];
   PrincipalDerivatives d = psi;
-  for (int i = 0; i < 3; ++i) d.gradient(i) *= 1 - share_of_parts;
-  for (int i = 0; i < 9; ++i) d.hessian(i) *= 1 - share_of_parts;
+  for (int i = 0; i < 3; ++i) d.gradient(i) *= 1 - weight_of_parts;
+  for (int i = 0; i < 9; ++i) d.hessian(i) *= 1 - weight_of_parts;
   add_pressure(d, svd.s, pressure);
   const Pack quarter = 1.0 / composite_points;
   const PackMat3 of_edges = quarter * (svd.u * d.gradient.asDiagonal() * svd.v.transpose()) * shape.transpose();

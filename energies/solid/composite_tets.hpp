@@ -30,8 +30,8 @@ class CompositeTets {
   double volume_of(int tet) const { return volume_[tet / pack_width][tet % pack_width]; }
   // Returns the weight of sample k in the energy, a fraction of the volume of a tet.
   static double weight(int k) {
-    return k < composite_points ? (1 - share_of_parts) / composite_points
-                                : share_of_parts / composite_parts;
+    return k < composite_points ? (1 - weight_of_parts) / composite_points
+                                : weight_of_parts / composite_parts;
   }
 
   // Returns the gradients of corners 1 to 3 at sample k, as rows, times the history matrix of the

@@ -13,7 +13,7 @@ namespace tack {
 
 // Fraction of psi_s that composite tets assign to their parts (composite_term.hpp): below 0.02
 // steps stall, beyond 0.1 bending stiffens.
-inline constexpr double share_of_parts = 0.05;
+inline constexpr double weight_of_parts = 0.05;
 
 // psi_s; its substitute in the parts of tets, which has equal stiffness at rest and is infinite at
 // J = 0, so that parts do not invert; and U.

@@ -73,9 +73,9 @@ double jump_of(const BondSample& a, const BondSample& b) {
 }
 
 // Where the force changes most along a ray, looked at ever more closely: what it changes by there.
-double force_jump(const BondLaw& law, const double* memory, double h, double d, double u) {
+double force_jump(const BondLaw& law, const double* history, double h, double d, double u) {
   const auto force = [&](double t) {
-    const BondSample s = law.at(t * d, t * t * u * u, memory, h);
+    const BondSample s = law.at(t * d, t * t * u * u, history, h);
     return Vec2(s.by_d, 2 * s.by_s * t * u);
   };
   double low = 0, high = 1, most = 0;
@@ -100,7 +100,7 @@ TEST_CASE("bonds: derivatives", "[bonds]") {
     for (int i = 0; i < tried; ++i) {
       Situation it = some_situation(law, random);
       const double d = it.d, s = it.u * it.u, e = 1e-4;
-      const auto at = [&](double p, double q) { return law.at(d * (1 + p), s * (1 + q), it.bond.memory(), it.h); };
+      const auto at = [&](double p, double q) { return law.at(d * (1 + p), s * (1 + q), it.bond.history(), it.h); };
       const BondSample here = at(0, 0);
       if (jump_of(at(-2 * e, -2 * e), at(2 * e, 2 * e)) > 0.05) {
         ++kinks;
@@ -117,7 +117,7 @@ TEST_CASE("bonds: derivatives", "[bonds]") {
       check(here.by_ds * d * s, central_difference([&](double p) { return at(p, 0).by_s * s; }, e));
       check(here.by_ss * s * s, central_difference([&](double q) { return at(0, q).by_s * s; }, e));
       double value = 0;
-      law.add_values(1, &d, &s, it.bond.memory(), it.h, &value);
+      law.add_values(1, &d, &s, it.bond.history(), it.h, &value);
       CHECK(value == Approx(here.value).epsilon(1e-13).margin(1e-13 * law.work_of_adhesion()));
     }
     CHECK(kinks < 0.1 * tried);
@@ -129,7 +129,7 @@ TEST_CASE("bonds: forces do not jump", "[bonds]") {
     std::mt19937 random(2);
     for (int i = 0; i < 10; ++i) {
       Situation it = some_situation(law, random);
-      CHECK(force_jump(law, it.bond.memory(), it.h, 10 * it.d, 10 * it.u) <= 1e-5 * law.peak_traction());
+      CHECK(force_jump(law, it.bond.history(), it.h, 10 * it.d, 10 * it.u) <= 1e-5 * law.peak_traction());
     }
   });
 }
@@ -141,10 +141,10 @@ TEST_CASE("bonds: what a step takes from the potential is stored or dissipated",
     for (int i = 0; i < 400; ++i) {
       Situation it = some_situation(law, random);
       const double d = i % 4 == 3 ? -it.d : it.d;  // some are pressed
-      const double before = it.bond.intensity(), value = law.at(d, it.u * it.u, it.bond.memory(), it.h).value;
+      const double before = it.bond.intensity(), value = law.at(d, it.u * it.u, it.bond.history(), it.h).value;
       it.bond.step(d, it.u, it.h);
       const BondChange& change = it.bond.change();
-      const double lost = before - it.bond.intensity(), stored = change.gone ? 0 : law.stored(d, it.u * it.u, it.bond.memory());
+      const double lost = before - it.bond.intensity(), stored = change.gone ? 0 : law.stored(d, it.u * it.u, it.bond.history());
       INFO("intensity " << before << " -> " << it.bond.intensity() << ", h " << it.h);
       CHECK(std::abs(value - stored - (change.dissipated - viscosity * lost * lost / (2 * it.h))) <= 1e-12 * (value + law.work_of_adhesion()));
       CHECK(change.dissipated >= 0);
@@ -158,7 +158,7 @@ TEST_CASE("bonds: new ones store nothing, whole ones have an intensity of 1", "[
   for_each_law([](const BondLaw& law, const std::string&) {
     PulledBond bond(law);
     CHECK(bond.intensity() == 1);
-    for (const double h : {0.0, 1e-3}) CHECK(law.at(0, 0, bond.memory(), h).value == 0);
+    for (const double h : {0.0, 1e-3}) CHECK(law.at(0, 0, bond.history(), h).value == 0);
     CHECK(bond.step(0, 0, 1e-3).by_d == 0);
     CHECK((!bond.change().gone && bond.change().dissipated == 0 && bond.intensity() == 1));
     CHECK(law.clone()->width() == law.width());
@@ -172,7 +172,7 @@ TEST_CASE("bonds that remember have at most one direction of negative curvature"
     std::mt19937 random(4);
     for (int i = 0; i < 1000; ++i) {
       Situation it = some_situation(law, random);
-      const BondSample s = law.at(it.d, it.u * it.u, it.bond.memory(), it.h);
+      const BondSample s = law.at(it.d, it.u * it.u, it.bond.history(), it.h);
       const double mixed = 2 * s.by_ds * it.u, along = 4 * s.by_ss * it.u * it.u + 2 * s.by_s;
       const Eigen::Matrix2d hessian = (Eigen::Matrix2d() << s.by_dd, mixed, mixed, along).finished();
       const auto eigen = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian, Eigen::EigenvaluesOnly).eigenvalues();

@@ -130,10 +130,10 @@ TEST_CASE("rcc without work, viscosity or resistance across", "[bonds]") {
     PulledBond bond(*law);
     CHECK(bond.step(onset, 0, 1e-2).by_d == 0);
     CHECK((bond.intensity() == 0 && bond.change().gone && bond.change().dissipated == 0));
-    CHECK(law->at(0, 0, PulledBond(*law).memory(), 1e-2).by_d == 0);
+    CHECK(law->at(0, 0, PulledBond(*law).history(), 1e-2).by_d == 0);
   }
   const auto law = bond_of("1");
-  const BondSample s = law->at(2 * onset, 1e-2, PulledBond(*law).memory(), 1e-2);
+  const BondSample s = law->at(2 * onset, 1e-2, PulledBond(*law).history(), 1e-2);
   CHECK((s.by_s == 0 && s.by_ss == 0 && s.by_ds == 0));
 }
 
@@ -171,7 +171,7 @@ TEST_CASE("rcc heals under pressure as for a constant one, whatever the step", "
   const double kept = stretched.change().kept;
   CHECK(kept == Approx(1. / 9));
   CHECK(stretched.change().healed == Approx(0.25 * 0.01 / 2 * (1 - kept)));
-  CHECK(unsaturated->at(kept * 0.5 * onset, 0, stretched.memory(), 1).by_d == Approx(stretched.traction()));
+  CHECK(unsaturated->at(kept * 0.5 * onset, 0, stretched.history(), 1).by_d == Approx(stretched.traction()));
 }
 
 TEST_CASE("rcc: intensity of new bonds, and which are none", "[bonds]") {

@@ -205,7 +205,7 @@ TEST_CASE("shells: a sheet that is folded flat, and beyond, has finite forces", 
   CHECK(history.empty());
 }
 
-TEST_CASE("shells: derivatives where fans of hinges are of every shape", "[shells]") {
+TEST_CASE("shells: derivatives of fans of every shape", "[shells]") {
   // About a vertex with 14 triangles, which has fans that do not close; a closed one with three; two triangles back to back.
   for (const int around : {14, 8, 3, 2}) {
     INFO(around);

@@ -23,20 +23,20 @@ inline std::unique_ptr<BondLaw> bond_law(const std::string& yaml,
 class PulledBond {
  public:
   explicit PulledBond(const BondLaw& law, bool on_contact = false)
-      : law_(law), memory_(law.width()) {
-    law.initialize(on_contact, memory_.data());
+      : law_(law), history_(law.width()) {
+    law.initialize(on_contact, history_.data());
   }
 
   // A step that ends at the opening d and the slip u; without pressure if it is none.
   const BondSample& step(double d, double u, double h, double pressure = 0) {
-    sample_ = law_.at(d, u * u, memory_.data(), h);
+    sample_ = law_.at(d, u * u, history_.data(), h);
     const double across = 2 * sample_.by_s * u;
     // Steps are those of implicit Euler: the force at the end is that of all the way; the mean of
     // both ends is what was done.
     work_ += (sample_.by_d + before_[0]) / 2 * (d - d_) + (across + before_[1]) / 2 * (u - u_);
     work_of_ends_ += sample_.by_d * (d - d_) + across * (u - u_);
     before_[0] = sample_.by_d, before_[1] = across, d_ = d, u_ = u;
-    change_ = law_.advance({d, u * u, h, pressure}, memory_.data());
+    change_ = law_.advance({d, u * u, h, pressure}, history_.data());
     dissipated_ += change_.dissipated;
     return sample_;
   }
@@ -58,14 +58,14 @@ class PulledBond {
   // The force at the end of each step times its way.
   double work_of_ends() const { return work_of_ends_; }
   double dissipated() const { return dissipated_; }           // J/m^2
-  double stored() const { return change_.gone ? 0 : law_.stored(d_, u_ * u_, memory_.data()); }
-  double intensity() const { return law_.intensity_of(memory_.data()); }
-  double* memory() { return memory_.data(); }
+  double stored() const { return change_.gone ? 0 : law_.stored(d_, u_ * u_, history_.data()); }
+  double intensity() const { return law_.intensity_of(history_.data()); }
+  double* history() { return history_.data(); }
   const BondChange& change() const { return change_; }
 
  private:
   const BondLaw& law_;
-  std::vector<double> memory_;
+  std::vector<double> history_;
   BondSample sample_;
   BondChange change_;
   double before_[2] = {0, 0}, d_ = 0, u_ = 0, work_ = 0, work_of_ends_ = 0, dissipated_ = 0,

@@ -29,15 +29,15 @@ constexpr double fading = 0.02, winding = 0.005;  // in each step, of the stiffn
 // wound up by a part of that.
 class TetherTerm : public Term {
  public:
-  TetherTerm(const Body& body, const VecX& rest, double stiffness) : Term("tether"), rest_(rest), stiffness_(stiffness), memory_(body.name + "/tether") {
+  TetherTerm(const Body& body, const VecX& rest, double stiffness) : Term("tether"), rest_(rest), stiffness_(stiffness), history_name_(body.name + "/tether") {
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) vertices_.push_back(v);
   }
 
   void load_history(const History& history) override {
-    const std::vector<double>* left = history_values(history, memory_, 1, 1);
+    const std::vector<double>* left = history_values(history, history_name_, 1, 1);
     left_ = left ? left->front() : 1;
   }
-  void commit(const VecX&, History& history) const override { history[memory_] = {1, {left_ * (1 - fading + winding)}, {}}; }
+  void commit(const VecX&, History& history) const override { history[history_name_] = {1, {left_ * (1 - fading + winding)}, {}}; }
 
   double value(const VecX& x) const override {
     double sum = 0;
@@ -77,7 +77,7 @@ class TetherTerm : public Term {
 
   VecX rest_;
   double stiffness_, left_ = 1;
-  std::string memory_;
+  std::string history_name_;
   std::vector<int> vertices_;
 };
 

@@ -1,5 +1,5 @@
-// Patch test of the hinges of a sheet: moments and energies of constant curvatures, and the torque of a strip.
-#include "energies/shell/hinge_fit.hpp"
+// Patch test of the dihedral edges of a sheet: moments and energies of constant curvatures, and the torque of a strip.
+#include "energies/shell/dihedral_stiffness.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -59,7 +59,7 @@ std::vector<Named> sheets() {
   return all;
 }
 
-// How far the hinge from a to b opens where the sheet has the heights `up`, by its normals; positive where apexes rise.
+// How far the dihedral edge from a to b opens where the sheet has the heights `up`, by its normals; positive where apexes rise.
 double opened(const VecX& rest, const VecX& up, int a, int b, int left, int right) {
   const auto slope = [&](int apex) {
     const Vec3 along = vertex(rest, b) - vertex(rest, a), arm = vertex(rest, apex) - vertex(rest, a);
@@ -86,7 +86,7 @@ VecX heights(const SheetBody& s, const Curvature& k) {
 
 }  // namespace
 
-TEST_CASE("hinges have the moments and the energy of a plate that is bent by a constant curvature", "[shells]") {
+TEST_CASE("dihedral edges have the moments and the energy of a plate that is bent by a constant curvature", "[shells]") {
   for (const auto& [name, sheet] : sheets()) {
     const auto triangles = connect_sheet(sheet.body.sheet, "");
     std::set<int> border;  // vertices
@@ -94,7 +94,7 @@ TEST_CASE("hinges have the moments and the energy of a plate that is bent by a c
       for (int i = 0; i < 3; ++i)
         if (t.neighbour[i] < 0) border.insert({t.vertices[(i + 1) % 3], t.vertices[(i + 2) % 3]});
     for (const double poisson : {0.0, 0.3, 0.45}) {
-      const FittedFans fitted = fit_hinges(triangles, sheet.rest, 1, poisson);
+      const FittedFans fitted = fit_dihedral_stiffness(triangles, sheet.rest, 1, poisson);
       CHECK(fitted.off < 0.01);
       for (const Curvature& k : curvatures) {
         INFO(name << ", nu " << poisson << ", " << k.name);
@@ -102,10 +102,10 @@ TEST_CASE("hinges have the moments and the energy of a plate that is bent by a c
         std::map<std::pair<int, int>, double> moment, angle, wanted;
         for (size_t f = 0; f < fitted.fans.size(); ++f) {
           const auto& [shape, v, own] = fitted.fans[f];
-          Eigen::Matrix<double, most_hinges, 1> a = Eigen::Matrix<double, most_hinges, 1>::Zero();
-          for (int i = 0; i < shape.hinges; ++i) a(i) = opened(sheet.rest, up, v[0], v[shape.tip(i)], v[shape.left(i)], v[shape.right(i)]);
+          Eigen::Matrix<double, fan_edges_max, 1> a = Eigen::Matrix<double, fan_edges_max, 1>::Zero();
+          for (int i = 0; i < shape.edge_count; ++i) a(i) = opened(sheet.rest, up, v[0], v[shape.tip(i)], v[shape.left(i)], v[shape.right(i)]);
           const auto m = (fitted.c[f] * a).eval();
-          for (int i = 0; i < shape.hinges; ++i) {
+          for (int i = 0; i < shape.edge_count; ++i) {
             const int tip = v[shape.tip(i)];
             if (border.count(v[0]) + border.count(tip) + border.count(v[shape.left(i)]) + border.count(v[shape.right(i)]) > 0) continue;
             const std::pair<int, int> key = std::minmax(v[0], tip);

@@ -11,16 +11,16 @@
 
 namespace tack {
 
-class PlasticMemory {
+class PlasticHistory {
  public:
-  explicit PlasticMemory(const Body& body);
+  explicit PlasticHistory(const Body& body);
 
   void load_history(const History& history, int samples);
   Mat3 inverse(int i) const {
     return Eigen::Map<const Mat3>(&inverse_[9 * static_cast<size_t>(i)]);
   }                                                              // Fp^-1
   const std::vector<double>& strain() const { return strain_; }  // accumulated plastic strains
-  std::string strain_remembered_as() const { return name_ + strain_name; }
+  std::string strain_name() const { return name_ + strain_name; }
 
   // Applies the return mapping. deformation(i): F Fp^-1 of sample i at the end of the step.
   template <class Deformation>

@@ -1,12 +1,12 @@
-#include "energies/plasticity/plastic_memory.hpp"
+#include "energies/plasticity/plastic_history.hpp"
 
 #include <fmt/format.h>
 
 namespace tack {
 
-PlasticMemory::PlasticMemory(const Body& body) : name_(fmt::format("{}/energies/{}/", body.name, body.energy)) {}
+PlasticHistory::PlasticHistory(const Body& body) : name_(fmt::format("{}/energies/{}/", body.name, body.energy)) {}
 
-void PlasticMemory::load_history(const History& history, int samples) {
+void PlasticHistory::load_history(const History& history, int samples) {
   if (const auto* values = history_values(history, name_ + inverse_name, 9, samples)) {
     inverse_ = *values;
   } else {

@@ -1,4 +1,4 @@
-#include "energies/shell/hinge_fit.hpp"
+#include "energies/shell/dihedral_stiffness.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -14,19 +14,19 @@ namespace tack {
 namespace {
 
 constexpr int most_sweeps = 200, first_sweeps = 50;
-constexpr int few_hinges = 6;     // of a fan, to begin with
-constexpr double met = 1e-3;      // of the moments, what conditions may be off in the mean
+constexpr int few_edges = 6;     // of a fan, to begin with
+constexpr double met = 1e-3;      // tolerated mean error of the conditions, relative to the moments
 constexpr double enough = 2e-3;   // the same after all sweeps, so that small fans will do,
 constexpr double hopeful = 0.01;  // and after the first, so that it is worth while to go on with them
-constexpr double least = 0.01;    // of D: what no C falls below, in angles over the width of a hinge. Less, by the square, where
-constexpr double regular = 6;     // triangles are so long that curvatures turn hinges by more than this, squared, of that width
+constexpr double least = 0.01;    // of D: what no C falls below, in angles over the width of a dihedral edge. Less, by the square, where
+constexpr double regular = 6;     // triangles are so long that curvatures turn dihedral edges by more than this, squared, of that width
 constexpr double lift = 3;        // times that least: what is lifted is lifted to
 constexpr double beside = 0.05;   // of D, to begin with: against angles of no curvature
 constexpr double evenly = 0.5;    // of a change, against in proportion to C
 constexpr double damping = 1e-6;  // of a change, so that conditions that hardly depend on C, at corners, do not drive it off
 
-using Rows = Eigen::Matrix<double, most_hinges, 3>;
-using Row = Eigen::Matrix<double, most_hinges, 1>;
+using Rows = Eigen::Matrix<double, fan_edges_max, 3>;
+using Row = Eigen::Matrix<double, fan_edges_max, 1>;
 
 // Curvatures are (K_nn, K_nt, K_tt), t along an edge and n to its left, or (K_xx, K_xy, K_yy). This leads from the latter to the
 // former.
@@ -52,20 +52,20 @@ struct Apex {
   Vec3 slope(double length) const { return {height / 2, foot, foot * (foot - length) / (2 * height)}; }
 };
 
-// Angles and moments of a fan over the root of the length of their hinge over its width: then C is of the size of D.
+// Angles and moments of a fan over the root of the length of their dihedral edge over its width: then C is of the size of D.
 struct Shares {
   Rows turn = Rows::Zero();                // of a curvature of the fan
-  std::array<double, most_hinges> root{};  // of length over width
-  std::array<Mat3, most_hinges> edge;      // to_edge of each hinge
+  std::array<double, fan_edges_max> root{};  // of length over width
+  std::array<Mat3, fan_edges_max> edge;      // to_edge of each dihedral edge
   double least = 0;                        // what C does not fall below
   FanMatrix metric;                        // of changes of C
 };
 
 struct End {
-  int fan, hinge;
+  int fan, edge;
 };
 
-// The conditions of a hinge, as both ends see them, in the frame of the first.
+// The conditions of a dihedral edge, as both ends see them, in the frame of the first.
 struct Conditions {
   std::array<End, 2> ends;
   std::array<Rows, 2> turn;
@@ -76,47 +76,48 @@ struct Conditions {
 class Fit {
  public:
   // proportional: to C, changes are in part; that converges where triangles are long, and is slower where they are not.
-  Fit(const std::vector<SheetTriangle>& sheet, const std::vector<HingeFan>& fans, const VecX& rest, double poisson, bool proportional)
+  Fit(const std::vector<SheetTriangle>& sheet, const std::vector<DihedralFan>& fans, const VecX& rest, double poisson, bool proportional)
       : sheet_(sheet), fans_(fans), rest_(rest), proportional_(proportional) {
     material_ << 1, 0, poisson, 0, 2 * (1 - poisson), 0, poisson, 0, 1;
-    for (const HingeFan& fan : fans_) begin(fan);
-    find_hinges();
+    for (const DihedralFan& fan : fans_) begin(fan);
+    find_dihedral_edges();
   }
 
-  // At most so many sweeps. Afterwards each C is definite, and conditions are off() in the mean.
+  // Does at most so many sweeps. Afterwards each C is definite, and error() is the mean error of the
+  // conditions.
   void solve(int sweeps) {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double sum = 0;
-      for (size_t h = 0; h < hinges_.size(); ++h) sum += meet(h);
+      for (size_t h = 0; h < edges_.size(); ++h) sum += meet(h);
       int lifted = 0;
       for (size_t f = 0; f < fans_.size(); ++f) lifted += make_definite(f);
-      if (lifted == 0 && sum <= met * met * static_cast<double>(hinges_.size())) break;
+      if (lifted == 0 && sum <= met * met * static_cast<double>(edges_.size())) break;
     }
   }
 
-  double off() const {
+  double error() const {
     double sum = 0;
-    for (const Conditions& c : hinges_) sum += off(c).squaredNorm();
-    return std::sqrt(sum / static_cast<double>(hinges_.size()));
+    for (const Conditions& c : edges_) sum += error(c).squaredNorm();
+    return std::sqrt(sum / static_cast<double>(edges_.size()));
   }
 
   // [J], for D = stiffness.
   std::vector<FanMatrix> matrices(double stiffness) const {
     std::vector<FanMatrix> out = c_;
     for (size_t f = 0; f < fans_.size(); ++f)
-      for (int i = 0; i < most_hinges; ++i)
-        for (int k = 0; k < most_hinges; ++k) out[f](i, k) *= stiffness * shares_[f].root[i] * shares_[f].root[k];
+      for (int i = 0; i < fan_edges_max; ++i)
+        for (int k = 0; k < fan_edges_max; ++k) out[f](i, k) *= stiffness * shares_[f].root[i] * shares_[f].root[k];
     return out;
   }
 
  private:
-  Vec3 at(const HingeFan& fan, int k) const { return vertex(rest_, fan.vertices[static_cast<size_t>(k)]); }
+  Vec3 at(const DihedralFan& fan, int k) const { return vertex(rest_, fan.vertices[static_cast<size_t>(k)]); }
 
-  void begin(const HingeFan& fan) {
+  void begin(const DihedralFan& fan) {
     const auto& [closed, n] = fan.shape;
     const Vec3 middle = at(fan, 0);
     // Directions of the ring, unrolled.
-    std::array<double, most_ring + 1> angle{};
+    std::array<double, ring_max + 1> angle{};
     const int triangles = fan.shape.triangles();
     for (int j = 0; j < triangles; ++j) {
       const Vec3 a = at(fan, 1 + j) - middle, b = at(fan, 1 + (j + 1) % fan.shape.ring()) - middle;
@@ -161,38 +162,38 @@ class Fit {
     shares_.push_back(s);
   }
 
-  // Beyond the hinges of a fan, C is the identity.
+  // Beyond the dihedral edges of a fan, C is the identity.
   static void clear_beyond(FanMatrix& c, int n) {
-    for (int i = n; i < most_hinges; ++i) {
+    for (int i = n; i < fan_edges_max; ++i) {
       c.row(i).setZero();
       c.col(i).setZero();
       c(i, i) = 1;
     }
   }
 
-  void find_hinges() {
+  void find_dihedral_edges() {
     struct Found {
       Edge key;
       End end;
     };
     std::vector<Found> all;
     for (size_t f = 0; f < fans_.size(); ++f) {
-      for (int i = 0; i < fans_[f].shape.hinges; ++i) {
+      for (int i = 0; i < fans_[f].shape.edge_count; ++i) {
         const int a = fans_[f].vertices[0], b = fans_[f].vertices[static_cast<size_t>(fans_[f].shape.tip(i))];
         all.push_back({{std::min(a, b), std::max(a, b)}, {static_cast<int>(f), i}});
       }
     }
     std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
-      return std::tie(a.key, a.end.fan, a.end.hinge) < std::tie(b.key, b.end.fan, b.end.hinge);
+      return std::tie(a.key, a.end.fan, a.end.edge) < std::tie(b.key, b.end.fan, b.end.edge);
     });
-    for (size_t k = 0; k + 1 < all.size(); k += 2) hinges_.push_back(conditions({all[k].end, all[k + 1].end}));
+    for (size_t k = 0; k + 1 < all.size(); k += 2) edges_.push_back(conditions({all[k].end, all[k + 1].end}));
   }
 
   Conditions conditions(const std::array<End, 2>& ends) {
     Conditions out{ends, {}, {}, {}};
     std::array<Rows, 2> weighted;
-    const HingeFan &fan = fans_[ends[0].fan], &other = fans_[ends[1].fan];
-    const int i = ends[0].hinge, k = ends[1].hinge, tip = fan.shape.tip(i);
+    const DihedralFan &fan = fans_[ends[0].fan], &other = fans_[ends[1].fan];
+    const int i = ends[0].edge, k = ends[1].edge, tip = fan.shape.tip(i);
     const double length = (at(fan, tip) - at(fan, 0)).norm(), root = shares_[ends[0].fan].root[i];
     const double unit = length / root;  // the root of length times width
     // Seen from the other end, t and n point the other way; where what is up is another, t alone does.
@@ -203,13 +204,13 @@ class Fit {
                         fan.vertices[tip], left, allowed);
     Mat3 normal = damping * Mat3::Identity();
     for (int s = 0; s < 2; ++s) {
-      Mat3 seen = shares_[ends[s].fan].edge[ends[s].hinge].inverse();
+      Mat3 seen = shares_[ends[s].fan].edge[ends[s].edge].inverse();
       if (s == 1 && turned) seen.col(1) *= -1;
       out.turn[s] = shares_[ends[s].fan].turn * (seen * allowed) / unit;
       const FanMatrix& metric = shares_[ends[s].fan].metric;
       weighted[s] = metric * out.turn[s];
-      const Vec3 own = weighted[s].row(ends[s].hinge).transpose();
-      normal += (metric(ends[s].hinge, ends[s].hinge) * (out.turn[s].transpose() * weighted[s]) + own * own.transpose()) / 2;
+      const Vec3 own = weighted[s].row(ends[s].edge).transpose();
+      normal += (metric(ends[s].edge, ends[s].edge) * (out.turn[s].transpose() * weighted[s]) + own * own.transpose()) / 2;
     }
     out.moment = allowed * Vec3(material_(0, 0), 0, material_(0, 2));
     out.inverse = normal.inverse();
@@ -237,13 +238,13 @@ class Fit {
   bool make_definite(size_t f) {
     FanMatrix& c = c_[f];
     const double low = shares_[f].least;
-    if (above(low, c, fans_[f].shape.hinges)) return false;
-    const SymmetricEigen<most_hinges> eigen(c);
+    if (above(low, c, fans_[f].shape.edge_count)) return false;
+    const SymmetricEigen<fan_edges_max> eigen(c);
     const Row& values = eigen.values();
     if (!(values.minCoeff() < low)) return false;
     c = eigen.vectors() * (values.array() < low).select(Row::Constant(lift * low), values).asDiagonal() * eigen.vectors().transpose();
     c = (0.5 * (c + c.transpose())).eval();
-    clear_beyond(c, fans_[f].shape.hinges);
+    clear_beyond(c, fans_[f].shape.edge_count);
     return true;
   }
 
@@ -260,16 +261,16 @@ class Fit {
     return true;
   }
 
-  Vec3 off(const Conditions& h) const {
+  Vec3 error(const Conditions& h) const {
     Vec3 sum = -h.moment;
-    for (int s = 0; s < 2; ++s) sum += h.turn[s].transpose() * c_[h.ends[s].fan].col(h.ends[s].hinge);
+    for (int s = 0; s < 2; ++s) sum += h.turn[s].transpose() * c_[h.ends[s].fan].col(h.ends[s].edge);
     return sum;
   }
 
-  // Makes a hinge meet its conditions; what they were off by, squared.
+  // Makes a dihedral edge meet its conditions. Returns their squared error before.
   double meet(size_t number) {
-    const Conditions& h = hinges_[number];
-    const Vec3 by = off(h), factors = h.inverse * by;
+    const Conditions& h = edges_[number];
+    const Vec3 by = error(h), factors = h.inverse * by;
     for (int s = 0; s < 2; ++s) {
       const auto& [fan, i] = h.ends[s];
       FanMatrix& c = c_[fan];
@@ -286,33 +287,33 @@ class Fit {
   }
 
   const std::vector<SheetTriangle>& sheet_;
-  const std::vector<HingeFan>& fans_;
+  const std::vector<DihedralFan>& fans_;
   const VecX& rest_;
   bool proportional_;
   Mat3 material_;  // moments of curvatures: M_xx, 2 M_xy, M_yy
   std::vector<Shares> shares_;
   std::vector<FanMatrix> c_;
-  std::vector<Conditions> hinges_;
+  std::vector<Conditions> edges_;
   std::vector<std::array<Rows, 2>> weighted_;  // how far curvatures turn them, in the metric of their fans; if proportional
 };
 
 }  // namespace
 
-FittedFans fit_hinges(const std::vector<SheetTriangle>& sheet, const VecX& rest, double stiffness, double poisson) {
-  FittedFans out{hinge_fans(sheet, few_hinges), {}, 0};
+FittedFans fit_dihedral_stiffness(const std::vector<SheetTriangle>& sheet, const VecX& rest, double stiffness, double poisson) {
+  FittedFans out{dihedral_fans(sheet, few_edges), {}, 0};
   if (out.fans.empty()) return out;
   const auto take = [&](const Fit& fit) {
     out.c = fit.matrices(stiffness);
-    out.off = fit.off();
+    out.error = fit.error();
   };
   Fit fit(sheet, out.fans, rest, poisson, false);
   fit.solve(first_sweeps);
-  if (fit.off() <= hopeful) fit.solve(most_sweeps - first_sweeps);
-  if (fit.off() <= enough) {
+  if (fit.error() <= hopeful) fit.solve(most_sweeps - first_sweeps);
+  if (fit.error() <= enough) {
     take(fit);
     return out;
   }
-  out.fans = hinge_fans(sheet, most_hinges);
+  out.fans = dihedral_fans(sheet, fan_edges_max);
   Fit again(sheet, out.fans, rest, poisson, true);
   again.solve(most_sweeps);
   take(again);

@@ -1,5 +1,5 @@
-// Bending of a sheet: the energies of its fans of hinges (fan_stencils.hpp), a batch for each of
-// their shapes. Turns of angles beyond (-pi, pi] are remembered.
+// Bending of a sheet: the energies of its fans of dihedral edges (fan_stencils.hpp), with a batch
+// for each shape of fan. History variables: the whole turns of the angles.
 #pragma once
 
 #include "energies/shell/fan_stencils.hpp"
@@ -7,11 +7,12 @@
 
 namespace tack {
 
-class HingeTerm : public Term {
+class DihedralTerm : public Term {
  public:
-  // stiffness: D [N m]. `rest_angles`: of the sheet as it is at rest; else it wants to be flat.
-  HingeTerm(std::string name, const Body& body, const VecX& rest, double stiffness, double poisson,
-            bool rest_angles);
+  // stiffness: D [N m]. rest_angles: true if the rest mesh is free of stress, false if the flat
+  // sheet is.
+  DihedralTerm(std::string name, const Body& body, const VecX& rest, double stiffness,
+               double poisson, bool rest_angles);
 
   void load_history(const History& history) override;
   void begin_step(const StepStart& start) override;
@@ -24,9 +25,9 @@ class HingeTerm : public Term {
   std::vector<const StencilRanges*> ranges() const override;
 
  private:
-  std::string memory_;  // its array in the history
+  std::string history_name_;   // of its history array
   std::vector<FanStencils> fans_;
-  std::vector<double> turns_;  // of each hinge of each fan
+  std::vector<double> turns_;  // of each dihedral edge of each fan
 };
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-#include "energies/shell/hinge_term.hpp"
+#include "energies/shell/dihedral_term.hpp"
 #include "energies/shell/sheet_geometry.hpp"
 #include "framework/config/field.hpp"
 #include "framework/scene/energy.hpp"
@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-class HingeBending : public Energy {
+class DihedralBending : public Energy {
  public:
   enum class Rest { flat, mesh };
 
@@ -25,7 +25,7 @@ class HingeBending : public Energy {
 
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
     require_sheet(body, rest, type());
-    return std::make_unique<HingeTerm>(std::string(type()), body, rest, bending_stiffness(body), poisson_, rest_ == Rest::mesh);
+    return std::make_unique<DihedralTerm>(std::string(type()), body, rest, bending_stiffness(body), poisson_, rest_ == Rest::mesh);
   }
   std::optional<double> young() const override { return young_; }
   double bending_stiffness(const Body& body) const override {
@@ -39,7 +39,7 @@ class HingeBending : public Energy {
   Rest rest_ = Rest::flat;
 };
 
-TACK_REGISTER(Energy, HingeBending, "hinge_bending",
+TACK_REGISTER(Energy, DihedralBending, "hinge_bending",
               "Plate bending of a sheet at the edges between its triangles. Without mass: combine it with a membrane.",
               "Grinspun et al. 2003, Discrete Shells; Comodi 1989 for the moments of hinges");
 

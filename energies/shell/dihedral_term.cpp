@@ -1,4 +1,4 @@
-#include "energies/shell/hinge_term.hpp"
+#include "energies/shell/dihedral_term.hpp"
 
 #include <fmt/format.h>
 
@@ -9,68 +9,68 @@
 
 namespace tack {
 
-HingeTerm::HingeTerm(std::string name, const Body& body, const VecX& rest, double stiffness, double poisson, bool rest_angles)
-    : Term(std::move(name)), memory_(fmt::format("{}/energies/{}/turns", body.name, body.energy)) {
+DihedralTerm::DihedralTerm(std::string name, const Body& body, const VecX& rest, double stiffness, double poisson, bool rest_angles)
+    : Term(std::move(name)), history_name_(fmt::format("{}/energies/{}/turns", body.name, body.energy)) {
   const std::vector<SheetTriangle> sheet = connect_sheet(body.sheet, fmt::format("object '{}': ", body.name));
-  const FittedFans fitted = fit_hinges(sheet, rest, stiffness, poisson);
-  const std::vector<HingeFan>& fans = fitted.fans;
+  const FittedFans fitted = fit_dihedral_stiffness(sheet, rest, stiffness, poisson);
+  const std::vector<DihedralFan>& fans = fitted.fans;
   if (fans.empty())
     throw InputError(fmt::format("object '{}': no two triangles of its sheet share an edge, so nothing can bend; weld its vertices, "
                                  "or take the bending energy away", body.name));
-  size_t hinges = 0;
+  size_t edge_count = 0;
   for (size_t first = 0, last = 0; first < fans.size(); first = last) {
     while (last < fans.size() && fans[last].shape == fans[first].shape) ++last;
     fans_.emplace_back(&fans[first], &fitted.c[first], static_cast<int>(last - first));
     if (rest_angles) fans_.back().set_rest(rest);
-    hinges += static_cast<size_t>(fans_.back().hinges());
+    edge_count += static_cast<size_t>(fans_.back().edge_count());
   }
-  turns_.assign(hinges, 0.0);
+  turns_.assign(edge_count, 0.0);
 }
 
-void HingeTerm::load_history(const History& history) {
-  if (const auto* values = history_values(history, memory_, 1, static_cast<int>(turns_.size()))) turns_ = *values;
+void DihedralTerm::load_history(const History& history) {
+  if (const auto* values = history_values(history, history_name_, 1, static_cast<int>(turns_.size()))) turns_ = *values;
   else std::fill(turns_.begin(), turns_.end(), 0.0);
 }
 
-void HingeTerm::begin_step(const StepStart& start) {
+void DihedralTerm::begin_step(const StepStart& start) {
   const double* turns = turns_.data();
   for (FanStencils& fans : fans_) {
     fans.begin_step(start.x, turns);
-    turns += fans.hinges();
+    turns += fans.edge_count();
   }
 }
 
 // Nothing is remembered of a sheet that no angle of which has passed pi.
-void HingeTerm::commit(const VecX& x, History& history) const {
+void DihedralTerm::commit(const VecX& x, History& history) const {
   std::vector<double> all(turns_.size());
   double* turns = all.data();
   for (const FanStencils& fans : fans_) {
     fans.turns(x, turns);
-    turns += fans.hinges();
+    turns += fans.edge_count();
   }
-  if (std::all_of(all.begin(), all.end(), [](double t) { return t == 0; })) history.erase(memory_);
-  else history[memory_] = {1, std::move(all), {}};
+  if (std::all_of(all.begin(), all.end(), [](double t) { return t == 0; })) history.erase(history_name_);
+  else history[history_name_] = {1, std::move(all), {}};
 }
 
-double HingeTerm::value(const VecX& x) const {
+double DihedralTerm::value(const VecX& x) const {
   double sum = 0;
   for (const FanStencils& fans : fans_) sum += fans.value(x);
   return sum;
 }
 
-std::vector<StencilBatch> HingeTerm::batches() const {
+std::vector<StencilBatch> DihedralTerm::batches() const {
   std::vector<StencilBatch> all;
   for (const FanStencils& fans : fans_) all.push_back(fans.batch());
   return all;
 }
 
-std::vector<const StencilRanges*> HingeTerm::ranges() const {
+std::vector<const StencilRanges*> DihedralTerm::ranges() const {
   std::vector<const StencilRanges*> all;
   for (const FanStencils& fans : fans_) all.push_back(&fans);
   return all;
 }
 
-void HingeTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
+void DihedralTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
   for (const FanStencils& fans : fans_) {
     const StencilBatch batch = fans.batch();
     const size_t width = 3 * static_cast<size_t>(batch.arity), slots = 9 * static_cast<size_t>(hessian_blocks(batch.arity));
