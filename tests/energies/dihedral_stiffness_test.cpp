@@ -95,7 +95,7 @@ TEST_CASE("dihedral edges have the moments and the energy of a plate that is ben
         if (t.neighbour[i] < 0) border.insert({t.vertices[(i + 1) % 3], t.vertices[(i + 2) % 3]});
     for (const double poisson : {0.0, 0.3, 0.45}) {
       const FittedFans fitted = fit_dihedral_stiffness(triangles, sheet.rest, 1, poisson);
-      CHECK(fitted.off < 0.01);
+      CHECK(fitted.error < 0.01);
       for (const Curvature& k : curvatures) {
         INFO(name << ", nu " << poisson << ", " << k.name);
         const VecX up = heights(sheet, k);
