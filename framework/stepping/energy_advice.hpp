@@ -1,15 +1,14 @@
-// Advice on energy that a step gained or lost numerically. TimeIntegrator::energy_advice covers the
-// part of time integration.
+// Advice on numerical energy gain or loss of steps. TimeIntegrator::energy_advice has that on time
+// integration.
 #pragma once
 
 namespace tack {
 
 inline constexpr const char* areas_advice =
-    "covered areas are taken anew in every step; if half the time.step does not help, they jump "
-    "where parts of surfaces change their "
-    "nearest ones: finer meshes there make that less, damping takes what it makes";
+    "overlap areas are re-evaluated in every step; if half the time.step does not help, they jump "
+    "where regions of surfaces change their nearest ones: refine the meshes there, or add damping";
 inline constexpr const char* repeats_advice =
-    "steps that would have made energy were done again with implicit Euler, which damps: refine "
+    "steps with a numerical energy gain were repeated with implicit Euler, which damps: refine "
     "time.step";
 
 }  // namespace tack

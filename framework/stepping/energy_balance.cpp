@@ -16,13 +16,13 @@
 namespace tack {
 namespace {
 
-constexpr double tolerated_gain = 0.01;   // of the reference energy
-constexpr double tolerated_loss = 0.005;  // of it, in a step
-// Growth that is warned of during the run: at least `growth` of the reference energy, in
-// `growing_steps` consecutive steps. Fewer steps do not count: the energy that has moved so far may
-// be next to nothing of the energy that is going to move.
-constexpr double growth = 0.1;
-constexpr int growing_steps = 16;
+constexpr double gain_max = 0.01;   // of the reference energy
+constexpr double loss_max = 0.005;  // of it, in a step
+// Numerical energy gain that is warned of during the run: at least `warned_gain` of the reference
+// energy, in `warned_steps` consecutive steps. In fewer steps, the energy that has moved so far may be
+// a small fraction of the energy that will move.
+constexpr double warned_gain = 0.1;
+constexpr int warned_steps = 16;
 
 EnergyAccount account_of(const EnergyBalance::Energies& energies) {
   EnergyAccount account;
@@ -79,7 +79,8 @@ double EnergyBalance::contact_at(const VecX& x) const {
   return sum;
 }
 
-// Usually known from the first evaluation of the potential. Leaves contact at `end`.
+// Returns the energy of contact at the start of the step [J], usually known from the first evaluation
+// of the potential. Leaves contact at `end`.
 double EnergyBalance::contact_at_start(const VecX& start, const VecX& end,
                                        const IncrementalPotential& potential) const {
   if (contact_) return *contact_;
@@ -98,7 +99,7 @@ double EnergyBalance::contact_at_start(const VecX& start, const VecX& end,
 }
 
 // Adds the gradient of all energies stored in objects and between them, at every vertex. If given,
-// `potential` may already hold most of it.
+// `potential` already has most of it.
 void EnergyBalance::add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const {
   const Records& records = world_.records;
   std::vector<const Term*> terms;
@@ -115,8 +116,8 @@ void EnergyBalance::add_stored_gradient(const VecX& x, VecX& gradient, Increment
   }
 }
 
-// Sets the account of the run's first state; later steps take it from the step before.
-void EnergyBalance::open(const State& state) {
+// Opens the account of the first state of the run; later steps continue that of the step before.
+void EnergyBalance::open_account(const State& state) {
   start_.open = true;
   start_.contact = *contact_;
   for (const EnergyRecord& r : world_.records.energies())
@@ -126,17 +127,17 @@ void EnergyBalance::open(const State& state) {
   add_inertia_and_weight(state, start_.gradient);
 }
 
-void EnergyBalance::begin(const State& state, bool to_places) {
-  taken_ = {};
+void EnergyBalance::begin(const State& state, bool has_prescribed_motion) {
+  dissipated_ = {};
   start_ = state.energy;
   contact_.reset();
   if (start_.open && start_.contact == 0) {
     contact_ = 0;
-  } else if (to_places || !start_.open) {
+  } else if (has_prescribed_motion || !start_.open) {
     if (world_.contact) world_.contact->move_to(state.x);
     contact_ = contact_at(state.x);
   }
-  if (!start_.open) open(state);
+  if (!start_.open) open_account(state);
   if (world_.contact && groups_.needs_contact(state)) world_.contact->move_to(state.x);
   groups_.begin(state);
   const auto [kinetic, gravity] = energies_of_free_vertices(world_, state);
@@ -147,9 +148,9 @@ void EnergyBalance::begin(const State& state, bool to_places) {
 
 void EnergyBalance::end(const VecX& x) {
   groups_.end(x);
-  taken_ = EnergyFlows(world_.records);
+  dissipated_ = EnergyFlows(world_.records);
   for (const auto& load : world_.following_loads)
-    if (!load->stores()) taken_.loads += load->work(x, world_.dofs);
+    if (!load->stores()) dissipated_.loads += load->work(x, world_.dofs);
   std::vector<std::string> written;
   for (const FlowRecord& record : world_.records.flows()) {
     std::vector<double> amounts(record.columns.size());
@@ -158,28 +159,27 @@ void EnergyBalance::end(const VecX& x) {
       const std::string& column = record.columns[i].name;
       const bool first = std::find(written.begin(), written.end(), column) == written.end();
       if (first) written.push_back(column);
-      double& amount = taken_.amount(column);
+      double& amount = dissipated_.amount(column);
       amount = first ? amounts[i] : amount + amounts[i];
     }
   }
 }
 
-double EnergyBalance::load_work(const State& state, const VecX& way, double h) {
+double EnergyBalance::load_work(const State& state, const VecX& displacement, double h) {
   if (world_.load_term.empty()) return 0;
   const VecX both =
-      world_.load_term.forces_at(state.time - h, way.size()) + world_.load_term.forces_at(state.time, way.size());
+      world_.load_term.forces_at(state.time - h, displacement.size()) + world_.load_term.forces_at(state.time, displacement.size());
   double work = 0;
   for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
     if (!world_.dofs.moves(v)) continue;
-    const double of_vertex = vertex(both, v).dot(vertex(way, v)) / 2;
+    const double of_vertex = vertex(both, v).dot(vertex(displacement, v)) / 2;
     work += of_vertex;
     groups_.add_load_work(v, of_vertex);
   }
   return work;
 }
 
-// Adds inertia and weight of fixed vertices: vertices that several unknowns move pass theirs on to
-// fixed ones, too, and partly fixed vertices have their own.
+// Adds inertia and weight of vertices that depend on fixed ones, and of partly fixed vertices.
 void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) const {
   for (const int v : world_.dofs.dependents())
     if (world_.dofs.mixed(v)) vertex(gradient, v) += world_.mass(v) * (vertex(state.a, v) - world_.gravity);
@@ -189,25 +189,25 @@ void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) c
   }
 }
 
-// gradient: of elastic and contact energy at x.
-double EnergyBalance::prescribed_work(const VecX& way, const VecX& gradient, const VecX& x) {
+// Returns the work of the prescribed motion [J]. gradient: of elastic and contact energy at x.
+double EnergyBalance::prescribed_work(const VecX& displacement, const VecX& gradient, const VecX& x) {
   VecX sum = start_.gradient.size() > 0 ? VecX(start_.gradient + gradient) : VecX(2 * gradient), end = gradient;
-  VecX drag = VecX::Zero(way.size());
+  VecX drag = VecX::Zero(displacement.size());
   for (const ForceRecord& record : world_.records.forces())
     if (!record.stored) record.add(x, "", drag);
   for (VecX* forces : {&sum, &end, &drag}) world_.dofs.move_to_independents(*forces);
   double work = 0, at_end = 0;
-  const auto add = [&](int v, const Vec3& held_way) {
-    const double mean = (vertex(sum, v) / 2 - vertex(drag, v)).dot(held_way), last = (vertex(end, v) - vertex(drag, v)).dot(held_way);
+  const auto add = [&](int v, const Vec3& fixed_displacement) {
+    const double mean = (vertex(sum, v) / 2 - vertex(drag, v)).dot(fixed_displacement), last = (vertex(end, v) - vertex(drag, v)).dot(fixed_displacement);
     work += mean;
     at_end += last;
     groups_.add_prescribed_work(v, mean, last);
   };
   for (int v = 0; v < world_.dofs.vertex_count(); ++v)
-    if (!world_.dofs.moves(v)) add(v, vertex(way, v));
+    if (!world_.dofs.moves(v)) add(v, vertex(displacement, v));
   for (const DofMap::PartlyFixedBlock& h : world_.dofs.partly_fixed_blocks()) {
     const int v = world_.dofs.vertex_of_block(h.block);
-    add(v, h.projection * vertex(way, v));
+    add(v, h.projection * vertex(displacement, v));
   }
   jerk_ = std::max(0.0, at_end - work);
   return work;
@@ -215,17 +215,17 @@ double EnergyBalance::prescribed_work(const VecX& way, const VecX& gradient, con
 
 EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double h, bool motion_prescribed,
                                  IncrementalPotential& potential) {
-  const VecX way = state.x - state.x_before;
+  const VecX displacement = state.x - state.x_before;
   EnergyAccount end = account_of(energies);
-  EnergyFlows flows = taken_;
-  flows.loads += load_work(state, way, h);
+  EnergyFlows flows = dissipated_;
+  flows.loads += load_work(state, displacement, h);
   flows.prescribed_motion = released_;
   jerk_ = 0;
   if (motion_prescribed) {
     end.gradient = VecX::Zero(state.x.size());
     add_stored_gradient(state.x, end.gradient, &potential);
     add_inertia_and_weight(state, end.gradient);
-    flows.prescribed_motion += prescribed_work(way, end.gradient, state.x);
+    flows.prescribed_motion += prescribed_work(displacement, end.gradient, state.x);
   }
   for (const EnergyFlows::Published& flow : flows.published)
     if (flow.kind == FlowKind::dissipated) end.account(flow.account, start_) += flow.amount;
@@ -257,46 +257,47 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   flows.reference_energy = concerned.largest();
   flows.groups = groups_.close(state, h);
   end.groups = state.energy.groups;
-  flows.gained = watch(end, flows);
+  flows.gained = track_gain(end, flows);
   warn_of_growth(end, state, flows);
   state.energy = std::move(end);
   return flows;
 }
 
-// Returns by how much velocity errors of the solver's tolerance may change the energy [J].
+// Returns the change of the energy by velocity errors of the tolerance of the solver [J].
 double EnergyBalance::solver_noise() const {
-  const double off = solver_.velocity_tolerance();
-  return world_.mass.sum() * off * off;
+  const double error = solver_.velocity_tolerance();
+  return world_.mass.sum() * error * error;
 }
 
-// Growth counts from the lowest point, so that earlier losses are no credit. A prescribed motion
-// that starts with a jerk acts with the force of the end of the step, and that is no gain.
-bool EnergyBalance::watch(EnergyAccount& account, const EnergyFlows& flows) {
+// Returns whether the step has a noticeable numerical energy gain. Gains count from the lowest energy
+// so far, so that earlier losses do not hide them. A prescribed motion that starts with a jerk acts
+// with the force at the end of the step, which is no numerical gain.
+bool EnergyBalance::track_gain(EnergyAccount& account, const EnergyFlows& flows) {
   const double lowest = account.numerical_gain_low;
   account.numerical_gain -= flows.numerics + flows.areas + jerk_;
   account.numerical_gain_low = std::min(account.numerical_gain_low, account.numerical_gain);
   account.numerical_gain_min = std::min(account.numerical_gain_min, account.numerical_gain);
-  // A scene that has just set out has next to no energy to lose; and energy that comes and goes, as
-  // Newmark's energy of vibrations does, is not lost.
+  // Losses count if half of the reference energy is kinetic. A loss that a later gain compensates, as
+  // in vibrations with Newmark, is none.
   const double reference_energy = account.reference_energy.largest();
-  lost_ = 2 * start_.kinetic >= reference_energy && lowest - account.numerical_gain > tolerated_loss * reference_energy + flows.noise;
-  // Dissipation by friction and damping, part of the reference energy, is known to first order
+  lost_ = 2 * start_.kinetic >= reference_energy && lowest - account.numerical_gain > loss_max * reference_energy + flows.noise;
+  // Dissipation by friction and damping, a part of the reference energy, is known to first order
   // only.
-  if (account.numerical_gain - account.numerical_gain_low <= tolerated_gain * reference_energy + flows.noise) return false;
+  if (account.numerical_gain - account.numerical_gain_low <= gain_max * reference_energy + flows.noise) return false;
   account.numerical_gain_low = account.numerical_gain;
   return true;
 }
 
 void EnergyBalance::warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows) {
   const double gain = account.numerical_gain - account.numerical_gain_min, reference_energy = account.reference_energy.largest();
-  account.growing_steps = gain > growth * reference_energy + flows.noise ? account.growing_steps + 1 : 0;
+  account.growing_steps = gain > warned_gain * reference_energy + flows.noise ? account.growing_steps + 1 : 0;
   warning_.clear();
-  if (account.growth_warned || account.growing_steps < growing_steps) return;
+  if (account.growth_warned || account.growing_steps < warned_steps) return;
   account.growth_warned = true;
-  warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of the most that was at play so far, and "
-                         "nothing put it in (steps.csv: {})",
+  warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of the reference energy so far, "
+                         "without a source (steps.csv: {})",
                          state.step, state.time, gain, 100 * gain / reference_energy,
-                         flows.made_by_areas() ? "dissipated_areas" : "dissipated_numerics");
+                         flows.gained_by_areas() ? "dissipated_areas" : "dissipated_numerics");
 }
 
 }  // namespace tack

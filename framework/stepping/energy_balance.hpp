@@ -1,12 +1,14 @@
 // Energy balance of each step. Let E be the kinetic energy and gravity of the free vertices plus
 // all elastic and contact energies. A step changes it by
-//   E' - E = loads + script + healing - friction - adhesion - plastic - damping - areas - numerics.
+//   E' - E = loads + prescribed motion + healing
+//            - friction - adhesion - plastic - damping - areas - numerics.
 //
 //   loads     work of external loads, with the mean of their forces at both ends
-//   script    work of the prescribed motion: the mean of the elastic and contact forces at both
-//             ends, plus friction and damping, times the displacement of fixed vertices; and the
-//             energy that vertices bring along when released, or take along when fixed
-//   healing   energy that bonds which heal under pressure store
+//   prescribed motion
+//             its work: the mean of the elastic and contact forces at both ends, plus friction and
+//             damping, times the displacement of fixed vertices; and the energy that vertices add
+//             when released, or remove when fixed
+//   healing   energy that bonds store when they heal under pressure
 //   friction  dissipation by sliding: force times slip, never negative
 //   adhesion  dissipation by tangential adhesion, and by bonds that fail
 //   plastic   work of plastic flow, stress times plastic strain, including hardening, which is
@@ -14,17 +16,17 @@
 //   damping   dissipation by the damping of objects: C v . v h with the mean velocities of the
 //             step, never negative
 //   areas     contact energy lost (below zero: gained) when its areas were re-evaluated at the
-//             start of the step, with nothing moving, less the work of the overlap-boundary forces
+//             start of the step, without motion, less the work of the overlap-boundary forces
 //             (contact/overlap_boundary_term.hpp), which is in the energy at the end of a step
-//   numerics  the rest: energy that the integrator lost (below zero: made). For implicit Euler in a
-//             linear problem it is 1/2 |v' - v|_M^2 + 1/2 |x' - x|_K^2.
+//   numerics  the remainder: numerical energy loss of the integrator (below zero: gain). For
+//             implicit Euler in a linear problem it is 1/2 |v' - v|_M^2 + 1/2 |x' - x|_K^2.
 //
 // Terms publish the flows from healing to damping (core/records.hpp); further published flows count
-// by their kind. `rim` is the work of the overlap-boundary forces within the change of the contact
-// energy: adhering surfaces pull area into their overlap.
+// by their kind. Column `work_rim` is the work of the overlap-boundary forces within the change of
+// the contact energy: adhering surfaces pull area into their overlap.
 //
 // Gravity is a potential here, loads are work. Normal adhesion is a potential: its energy rises by
-// what detachment dissipates, until areas that come back at zero gap give it back.
+// the work of detachment, and falls when areas return to zero gap.
 #pragma once
 
 #include <optional>
@@ -46,47 +48,47 @@ class EnergyBalance {
 
   EnergyBalance(const World& world, const Minimizer& solver);
 
-  // Starts a step from `state`: contact has taken its areas, the fixed vertices are known, nothing
-  // has moved. to_places: the prescribed motion moves vertices in this step, so that its first
-  // evaluation is elsewhere.
-  void begin(const State& state, bool to_places);
-  // Ends the step at x, before it is kept; the terms must still be in the state of the step.
+  // Begins a step from `state`: areas of contact are evaluated, fixed vertices are known, and nothing
+  // has moved. has_prescribed_motion: a prescribed motion moves vertices in this step, so that the
+  // potential is not first evaluated at `state`.
+  void begin(const State& state, bool has_prescribed_motion);
+  // Ends the step at x, before it is accepted; the terms must still be in the state of the step.
   void end(const VecX& x);
-  // Keeps the step from begin()'s state to `state`, which has those energies, after end().
-  // motion_prescribed: whether the prescribed motion may move vertices, in this or another step.
+  // Accepts the step from the state of begin() to `state`, which has these energies, after end().
+  // motion_prescribed: whether a prescribed motion may move vertices, in this or another step.
   EnergyFlows close(State& state, const Energies& energies, double h, bool motion_prescribed,
                     IncrementalPotential& potential);
-  // Returns the warning of the step, or "". Once in a run it warns of numerical energy gain above a
-  // tenth of the reference energy in consecutive steps. Smaller or passing gains are reported at
-  // the end of the run (output/energy_losses.hpp).
+  // Returns the warning of the step, or "". It is given once in a run, for a numerical energy gain
+  // above a tenth of the reference energy in consecutive steps. Smaller or temporary gains are
+  // reported at the end of the run (output/energy_losses.hpp).
   const std::string& warning() const { return warning_; }
-  // Returns whether time integration lost more than 0.5% of the reference energy in the step, below
-  // all earlier levels.
+  // Returns whether time integration lost more than 0.5% of the reference energy in the step, beyond
+  // earlier gains.
   bool lost() const { return lost_; }
-  // Names of the groups in EnergyFlows::groups; known once a step has begun.
+  // Returns the names of the groups in EnergyFlows::groups; known once a step has begun.
   const std::vector<std::string>& group_names() const { return groups_.names(); }
 
  private:
-  void open(const State& state);
+  void open_account(const State& state);
   double contact_at(const VecX& x) const;
   double contact_at_start(const VecX& start, const VecX& end,
                           const IncrementalPotential& potential) const;
   void add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const;
-  double load_work(const State& state, const VecX& way, double h);
+  double load_work(const State& state, const VecX& displacement, double h);
   void add_inertia_and_weight(const State& state, VecX& gradient) const;
-  double prescribed_work(const VecX& way, const VecX& gradient, const VecX& x);
-  bool watch(EnergyAccount& account, const EnergyFlows& flows);
+  double prescribed_work(const VecX& displacement, const VecX& gradient, const VecX& x);
+  bool track_gain(EnergyAccount& account, const EnergyFlows& flows);
   void warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows);
   double solver_noise() const;
 
   const World& world_;
   const Minimizer& solver_;
   GroupBalance groups_;
-  EnergyAccount start_;         // of the state that the step starts from
-  double released_ = 0;         // J: energy brought by released or fixed vertices
-  std::optional<double> contact_;  // J: contact at the start, with the step's areas, if known
-  EnergyFlows taken_;  // dissipation found by end()
-  double jerk_ = 0;  // J: EnergyFlows::jerk
+  EnergyAccount start_;         // at the start of the step
+  double released_ = 0;         // energy added by released or fixed vertices [J]
+  std::optional<double> contact_;  // contact energy at the start, with the areas of the step [J]
+  EnergyFlows dissipated_;         // set by end()
+  double jerk_ = 0;                // EnergyFlows::jerk [J]
   std::string warning_;
   bool lost_ = false;
 };

@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-// Joins vertices that one account has to hold.
+// Sets of vertices that belong to one account.
 class VertexSets {
  public:
   VertexSets(const World& world, const VecX& x) : world_(world), x_(x), sets_(static_cast<int>(x.size()) / 3) {
@@ -50,7 +50,8 @@ class VertexSets {
   void join_all() {
     for (int v = 1; v < x_.size() / 3; ++v) sets_.join(0, v);
   }
-  // A term without stencils may act on anything. Fixed bodies that nothing moves join nothing.
+  // Joins the vertices of the stencils of a term. A term without batches may act on all vertices. Fixed
+  // bodies without motion join no sets.
   void join_stencils(const Term& term) {
     int first = -1;
     const std::vector<StencilBatch> batches = term.batches();
@@ -89,7 +90,8 @@ std::array<double, 2> ballistic_energies(const World& world, int body, const Sta
   return {before.squaredNorm() / (2 * mass), after.squaredNorm() / (2 * mass)};
 }
 
-// Vertices of bodies of no group, and of none at all that act on nothing else, have no number.
+// Finds the groups. Vertices of other bodies, and of interactions with other bodies only, have group
+// -1.
 void GroupBalance::find(const VecX& x) {
   found_ = true;
   if (world_.meeting.bodies.size() < 2) return;
@@ -116,7 +118,7 @@ void GroupBalance::find(const VecX& x) {
     names_[g] = fmt::format("'{}'", world_.bodies[first[g]].name) + (count[g] > 1 ? fmt::format(" and {} more", count[g] - 1) : "");
 }
 
-// The first group among the vertices; -1: none. Notes where there is another one.
+// Returns the first group among the vertices; -1: none. Marks both groups if there is a second one.
 int GroupBalance::group_of(std::span<const int> vertices) const {
   int found = -1;
   for (const int v : vertices) {

@@ -1,11 +1,11 @@
 // Energy balance (energy_balance.hpp) of each group of bodies that do not interact with the others.
 // In the sum over a scene, a heavy body that bounces would hide the losses of a small one. Groups
-// are the meeting groups of the world, joined where
-//   - a body that a motion moves may touch, or is attached to, several of them: its work is theirs,
-//   - a term has stencils of several of them, and does not tell their energies apart
-//     (Term::visit_energies, FlowRecord::visit_energies).
-// Losses by contact areas and by the integrator are one sum here. A group whose contact has ended
-// in another group has no account of its own from then on.
+// are the meeting groups of the world. Some are joined:
+//   - groups that one prescribed body may touch, or is attached to: its work belongs to all of them,
+//   - groups of one term that does not report the energies of its stencils (Term::visit_energies,
+//     FlowRecord::visit_energies).
+// Losses by contact areas and by the integrator are one sum here. A group that has been in contact
+// with another group has no account of its own from then on.
 #pragma once
 
 #include <array>
@@ -24,20 +24,21 @@ class GroupBalance {
   GroupBalance(const World& world, double velocity_tolerance)
       : world_(world), tolerance_(velocity_tolerance) {}
 
-  // Names of the groups by their first bodies; empty: all bodies are one group, nothing is counted.
+  // Returns the names of the groups by their first bodies; empty: all bodies are one group, without
+  // accounts.
   const std::vector<std::string>& names() const { return names_; }
 
-  // Returns whether begin() evaluates contact, which has to be at the state.
+  // Returns whether begin() evaluates contact, which then must be at the state.
   bool needs_contact(const State& state) const;
-  // Starts a step from `state`. Finds the groups at the first call.
+  // Begins a step from `state`. Finds the groups at the first call.
   void begin(const State& state);
   // Ends the step at x; the terms must still be in the state of the step.
   void end(const VecX& x);
-  // Adds work on a vertex [J]: of loads; and of the motion that moves it, with the mean of the
-  // forces and with those at the end of the step.
+  // Adds work on a vertex [J], of loads or of its prescribed motion. at_end: the work by the forces at
+  // the end of the step instead of the mean forces.
   void add_load_work(int vertex, double work);
   void add_prescribed_work(int vertex, double work, double at_end);
-  // Keeps the step to `state` of size h: sets the accounts in `state`.
+  // Accepts the step of size h to `state`: sets the accounts in `state`, and returns the flows.
   std::vector<GroupFlow> close(State& state, double h);
 
  private:
@@ -54,7 +55,7 @@ class GroupBalance {
   const double tolerance_;
   bool found_ = false;
   std::vector<std::string> names_;
-  std::vector<int> group_;  // per vertex; -1: of a fixed body that nothing moves
+  std::vector<int> group_;  // per vertex; -1: of a fixed body without motion
   std::vector<GroupAccount> start_;
   std::vector<Step> step_;
   mutable std::vector<char> met_another_;

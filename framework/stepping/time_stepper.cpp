@@ -20,9 +20,9 @@
 namespace tack {
 namespace {
 
-constexpr int max_refinements = 3;  // halvings of a step that makes or loses energy
+constexpr int max_refinements = 3;  // halvings of a step with numerical energy gain or loss
 
-// While it lives, nothing is broken off for want of wall time: a step is begun and kept as a whole.
+// Suspends the wall time limit during its lifetime, so that a step is begun and accepted as a whole.
 class DeadlineSuspension {
  public:
   DeadlineSuspension(PhaseClock& clock, const TimeConfig& time) : clock_(clock), time_(time) { clock_.deadline().limit_run(clock_.begun(), std::nullopt); }
@@ -81,12 +81,13 @@ void TimeStepper::begin_records() {
   world_.participants.begin_step({state_.x, state_.time, 0, &now, inertia ? &state_.v : nullptr});
 }
 
-// Makes those the unknowns that are free in the step from now to now + h.
+// Fixes the vertices with prescribed motion in the middle of a step of size h. All other vertices are
+// unknowns.
 void TimeStepper::fix_vertices(double h) {
-  const bool others = fixed_.activate(state_, state_.time + h / 2);
-  if (others) world_.dofs = fixed_.dofs();
-  stepper_->begin(others);
-  if (!others) return;
+  const bool changed = fixed_.activate(state_, state_.time + h / 2);
+  if (changed) world_.dofs = fixed_.dofs();
+  stepper_->begin(changed);
+  if (!changed) return;
   ++unknowns_;
   potential_.emplace(world_, clock_);
   if (world_.contact) world_.contact->set_free(fixed_.may_move() ? fixed_.moving() : std::vector<char>());
@@ -95,7 +96,7 @@ void TimeStepper::fix_vertices(double h) {
 
 double TimeStepper::next_step_size() const {
   if (control_) return control_->size(state_);
-  // The last part ends exactly where the whole step would.
+  // The last substep ends exactly at the end of the whole step.
   const double whole = time_.step, left = (state_.whole_steps + 1) * whole - state_.time;
   if (state_.h_next <= left * (1 - 1e-9)) return state_.h_next;
   return state_.h_next >= whole ? whole : left;
@@ -108,7 +109,8 @@ double TimeStepper::potential_at(const VecX& x) {
   return potential_->value() / potential_->scale();
 }
 
-// Contact's forces act on velocities for a time that depends on the integrator.
+// Sets the lagged normal forces of friction. Contact acts on velocities for a time that depends on the
+// integrator.
 void TimeStepper::lag_impulses(Step& step) {
   if (!impulses_ || !step.prediction.inertia) return;
   impulses_->begin(state_, step.h, step.prediction.contact_scale * integrator_->end_velocity(state_, step.h).rate);
@@ -162,24 +164,25 @@ std::string TimeStepper::fault(const SolveResult& result) {
   return validation.tolerable ? "" : validation.fault;
 }
 
-void TimeStepper::check_wall_limit(const std::string& wrong) const {
+void TimeStepper::check_wall_limit(const std::string& fault) const {
   if (!clock_.deadline().run_passed()) return;
   throw SimulationError(fmt::format("step {} at t = {} s: the run's wall time is used up (time.wall_limit: {} s){}",
                                     state_.step + 1, state_.time, *time_.wall_limit,
-                                    wrong.empty() ? "" : "; " + wrong));
+                                    fault.empty() ? "" : "; " + fault));
 }
 
-// Treats the held directions of partly held vertices like those of held vertices.
+// Updates velocities and accelerations in the fixed directions of partly fixed vertices as those of
+// fixed vertices.
 void TimeStepper::update_fixed_directions(const VecX& x, double h, VecX& v, VecX& a) const {
   if (world_.dofs.partly_fixed_blocks().empty()) return;
   std::vector<int> vertices;
-  for (const DofMap::PartlyFixedBlock& held : world_.dofs.partly_fixed_blocks()) vertices.push_back(world_.dofs.vertex_of_block(held.block));
+  for (const DofMap::PartlyFixedBlock& block : world_.dofs.partly_fixed_blocks()) vertices.push_back(world_.dofs.vertex_of_block(block.block));
   VecX v_fixed = v, a_fixed = a;
   integrator_->update_fixed(state_, x, h, vertices, v_fixed, a_fixed);
   for (size_t i = 0; i < vertices.size(); ++i) {
-    const Mat3& held = world_.dofs.partly_fixed_blocks()[i].projection;
-    vertex(v, vertices[i]) += held * (vertex(v_fixed, vertices[i]) - vertex(v, vertices[i]));
-    vertex(a, vertices[i]) += held * (vertex(a_fixed, vertices[i]) - vertex(a, vertices[i]));
+    const Mat3& fixed = world_.dofs.partly_fixed_blocks()[i].projection;
+    vertex(v, vertices[i]) += fixed * (vertex(v_fixed, vertices[i]) - vertex(v, vertices[i]));
+    vertex(a, vertices[i]) += fixed * (vertex(a_fixed, vertices[i]) - vertex(a, vertices[i]));
   }
 }
 
@@ -224,8 +227,8 @@ bool TimeStepper::finished() const {
   return state_.time >= time_.duration - 1e-9 * time_.step;
 }
 
-// Commits the attempt. Returns false if it was undone because energy was gained or lost, and
-// smaller steps or another integrator repeat it.
+// Commits a result. Returns false if it was undone because of numerical energy gain or loss, to be
+// repeated with smaller steps or the fallback integrator.
 bool TimeStepper::accept(const SolveResult& result, double h, StepReport& r) {
   const DeadlineSuspension suspension(clock_, time_);
   const double end = (state_.whole_steps + 1) * time_.step;
@@ -271,8 +274,8 @@ bool TimeStepper::resolves_impact(double h) const {
   return 2 * (state_.x - state_.x_before).lpNorm<Eigen::Infinity>() * smallest_refined() / h <= scene_.contact->contact_distance;
 }
 
-// Requests smaller steps after one of size h that made or lost energy. An impact passes. A rotation
-// that is too fast for the step lasts: then the steps that follow are smaller, too.
+// Requests smaller steps after one of size h that gained or lost energy numerically. An impact passes.
+// A rotation that is too fast for the step lasts: then the following steps are smaller too.
 void TimeStepper::request_refinement(double h, bool lasting) {
   state_.h_next = h / 2;
   refined_ = true;
@@ -289,23 +292,23 @@ double TimeStepper::smallest_size() const {
   return (control_ ? std::max(first_size_, time_.smallest_step()) : time_.step) * std::pow(0.5, time_.max_cutbacks);
 }
 
-// Returns whether a faulty result is kept with a warning, because no smaller steps are tried.
+// Returns whether a faulty result is accepted with a warning, because no smaller steps are tried.
 bool TimeStepper::tolerates(double h, const Validation& validation) const { return validation.tolerable && h < smallest_size() * (1 + 1e-9); }
 
-// Rolls back a refused attempt of size h and requests a smaller step.
+// Rejects a result of size h and requests a smaller step.
 void TimeStepper::reject(double h, const Validation& validation) {
   if (h < smallest_size() * (1 + 1e-9))
     throw SimulationError(fmt::format("step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h,
                                       validation.fault, validation.remedy));
   state_.h_next = h / 2;
-  for (int parts = 4; parts <= validation.substeps && state_.h_next > smallest_size() * (1 + 1e-9); parts *= 2) state_.h_next /= 2;
+  for (int substeps = 4; substeps <= validation.substeps && state_.h_next > smallest_size() * (1 + 1e-9); substeps *= 2) state_.h_next /= 2;
   ++cutbacks_;
   if (control_) control_->refined(state_, h, false);
   warn_({WarningKind::step_cutback, fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)", state_.step + 1,
                      state_.time, validation.fault, state_.h_next, std::lround(whole_step() / state_.h_next))});
 }
 
-// Returns whether an attempt of size h is repeated with a smaller step because of its error.
+// Returns whether a result of size h is rejected because of its error.
 bool TimeStepper::rejects_error(const SolveResult& result, double h) {
   if (!control_) return false;
   VecX contact;

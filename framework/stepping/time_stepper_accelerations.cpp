@@ -1,5 +1,5 @@
-// Accelerations that no step has computed: of initial states, of released vertices, and those by
-// dynamic terms.
+// Accelerations that no step has computed: of initial states, of released vertices, and by dynamic
+// terms.
 #include "framework/contact/contact_history.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/core/term_gradient.hpp"
@@ -10,8 +10,8 @@
 
 namespace tack {
 
-// Starts from a state that follows from no step: erases the history that steps have left.
-// Accelerations have to be set afterwards.
+// Begins at a state that no step has computed: erases the history of steps. Accelerations must be set
+// afterwards.
 void TimeStepper::begin_without_history() {
   state_.a = VecX::Zero(state_.x.size());
   state_.history.erase(friction_account_name);
@@ -19,7 +19,8 @@ void TimeStepper::begin_without_history() {
   stepper_->erase_history(state_.history);
 }
 
-// Returns M^-1 times the forces, for Newmark's step and the first guess of vertices without a past.
+// Sets the accelerations of vertices at time t [s] to M^-1 times the forces, for the step of Newmark
+// and the first guess.
 void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
   if (vertices.empty() || !integrator_->predict(state_, time_.step).inertia) return;
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})

@@ -1,4 +1,4 @@
-// Report of accepted steps: a row of numbers, and warnings.
+// Report of accepted steps: metrics and warnings.
 #include <fmt/format.h>
 
 #include <limits>
@@ -45,14 +45,14 @@ StepReport TimeStepper::report(const SolveResult& result, double h) const {
   return r;
 }
 
-// Warns of play in joints that a stiff potential holds, as joints between fixed bodies need.
+// Warns of errors of joints that a stiff potential enforces, e.g. joints between fixed bodies.
 void TimeStepper::warn_of_joints() {
   constexpr double tolerated = 1e-3;  // of the size of the object
   for (const Joint& joint : world_.constraints.joints()) {
     if (!joint.play) continue;
     const double play = joint.play(state_.x), size = extent_of(world_.bodies[static_cast<size_t>(joint.bodies.front())], world_.rest).diagonal().norm();
     if (play > tolerated * size)
-      warn_({WarningKind::joint_play, fmt::format("step {} at t = {:.6g} s: joint '{}' gives way by {:.3g} m, {:.2g}% of its object's size; raise body.stiffness of what it joins, or load it less",
+      warn_({WarningKind::joint_play, fmt::format("step {} at t = {:.6g} s: joint '{}' has an error of {:.3g} m, {:.2g}% of its object's size; raise body.stiffness of what it joins, or load it less",
                          state_.step, state_.time, joint.name, play, 100 * play / size), joint.name});
   }
 }
@@ -60,7 +60,7 @@ void TimeStepper::warn_of_joints() {
 void TimeStepper::warn_of(const SolveResult& result, const StepReport& r) {
   if (!balance_.warning().empty())
     warn_({WarningKind::energy_growth, fmt::format("{}: {}", balance_.warning(),
-                       r.flows.made_by_areas() ? areas_advice : time_.integrator->energy_advice(true, r.flows.in_contact))});
+                       r.flows.gained_by_areas() ? areas_advice : time_.integrator->energy_advice(true, r.flows.in_contact))});
   if (r.affine_strain > tolerated_affine_strain && !std::exchange(warned_of_strain_, true))
     warn_({WarningKind::affine_strain, fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
                        state_.step, state_.time, r.affine_strain, tolerated_affine_strain)});

@@ -129,8 +129,8 @@ std::string robustness_page(const std::vector<HardRow>& rows) {
          "\n## What ended those that gave up\n\n" + who_gave_up(rows) +
          "\n## What is hard in each\n\nEnergy lost: what contact areas and time integration took with the default "
          "solver, implicit Euler's damping\nand the impacts that it does not resolve, of the largest energy in the run. "
-         "Gains: steps in which energy grew by\nmore than a hundredth of what had been at play up to then, and nothing put it in. What was made or lost "
-         "by more\nthan 3% of what was at play in the run is told at its end ([results.md](results.md#energy-that-was-made-or-lost)).\n" +
+         "Gains: steps in which energy grew by\nmore than a hundredth of the reference energy so far, without a source. What was gained or lost "
+         "by more\nthan 3% of the reference energy of the run is reported at its end ([results.md](results.md#energy-that-was-made-or-lost)).\n" +
          what_is_hard(rows);
 }
 
