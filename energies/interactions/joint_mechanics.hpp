@@ -9,7 +9,7 @@
 
 #include "energies/interactions/joint_drive.hpp"
 #include "framework/config/field.hpp"
-#include "framework/probes/of_interaction.hpp"
+#include "framework/probes/interaction_probe.hpp"
 #include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 
@@ -133,7 +133,7 @@ struct MechanicsKeys {
 
 // Probes of the coordinate, and of the forces of motors along it.
 template <class Coordinate, const JointUnits& U>
-class CoordinateProbe : public OfInteraction<JointLimitTerm<Coordinate>, Probe> {
+class CoordinateProbe : public InteractionProbe<JointLimitTerm<Coordinate>, Probe> {
  public:
   Unit unit() const override { return U.value; }
   std::vector<double> sample(const World&, const State& state) override {
@@ -142,7 +142,7 @@ class CoordinateProbe : public OfInteraction<JointLimitTerm<Coordinate>, Probe> 
 };
 
 template <class Coordinate, const JointUnits& U>
-class DriveProbe : public OfInteraction<JointDriveTerm<Coordinate>, Probe> {
+class DriveProbe : public InteractionProbe<JointDriveTerm<Coordinate>, Probe> {
  public:
   Unit unit() const override { return U.effort; }
   std::vector<double> sample(const World&, const State& state) override {

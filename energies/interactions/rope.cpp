@@ -6,7 +6,7 @@
 
 #include "energies/interactions/nearest_ends.hpp"
 #include "framework/assembly/formula_term.hpp"
-#include "framework/probes/of_interaction.hpp"
+#include "framework/probes/interaction_probe.hpp"
 #include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 
@@ -92,7 +92,7 @@ class Rope : public Interaction {
   std::optional<double> length_;  // m
 };
 
-class RopeForce : public OfInteraction<RopeTerm, VectorProbe> {
+class RopeForce : public InteractionProbe<RopeTerm, VectorProbe> {
  public:
   Unit unit() const override { return units::force; }
 

@@ -5,7 +5,7 @@
 
 #include "energies/interactions/nearest_ends.hpp"
 #include "energies/interactions/spring_term.hpp"
-#include "framework/probes/of_interaction.hpp"
+#include "framework/probes/interaction_probe.hpp"
 #include "framework/setup/interaction_builder.hpp"
 
 namespace tack {
@@ -45,7 +45,7 @@ class Spring : public Interaction {
   std::optional<double> breaking_force_;  // N
 };
 
-class SpringForce : public OfInteraction<SpringTerm, VectorProbe> {
+class SpringForce : public InteractionProbe<SpringTerm, VectorProbe> {
  public:
   Unit unit() const override { return units::force; }
 
@@ -53,7 +53,7 @@ class SpringForce : public OfInteraction<SpringTerm, VectorProbe> {
   Vec3 value(const World&, const State& state) override { return term().force(state.x); }
 };
 
-class IntactSprings : public OfInteraction<SpringTerm, Probe> {
+class IntactSprings : public InteractionProbe<SpringTerm, Probe> {
  public:
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World&, const State&) override { return {static_cast<double>(term().intact())}; }

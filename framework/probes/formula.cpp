@@ -30,11 +30,11 @@ class FormulaProbe : public DerivedProbe {
 
   void find(const std::vector<std::string>& columns) override {
     std::vector<std::string> variables{"t"};
-    places_ = {0};
+    value_indices_ = {0};
     for (size_t i = 0; i < columns.size(); ++i) {
       if (!is_variable(columns[i]) || columns[i] == "t" || columns[i] == "pi") continue;
       variables.push_back(columns[i]);
-      places_.push_back(i + 1);
+      value_indices_.push_back(i + 1);
     }
     values_.resize(variables.size());
     zero_ = to_si("0 " + unit_, units::any);
@@ -47,7 +47,7 @@ class FormulaProbe : public DerivedProbe {
     }
   }
   double of(std::span<const double> values) const override {
-    for (size_t i = 0; i < places_.size(); ++i) values_[i] = values[places_[i]];
+    for (size_t i = 0; i < value_indices_.size(); ++i) values_[i] = values[value_indices_[i]];
     return zero_ + one_ * (*formula_)(values_);
   }
 
@@ -65,7 +65,7 @@ class FormulaProbe : public DerivedProbe {
   mutable std::string si_;  // SI unit of the same dimension
   double zero_ = 0, one_ = 1;  // 0 and 1 of the unit, in SI
   std::optional<Formula> formula_;
-  std::vector<size_t> places_;          // per variable: its index among the values
+  std::vector<size_t> value_indices_;          // per variable: its index among the values
   mutable std::vector<double> values_;  // values of the variables
 };
 

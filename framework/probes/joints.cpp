@@ -8,7 +8,7 @@
 #include "framework/config/nearest.hpp"
 #include "framework/core/term_gradient.hpp"
 #include "framework/output/probe.hpp"
-#include "framework/probes/of_interaction.hpp"
+#include "framework/probes/interaction_probe.hpp"
 #include "framework/probes/unbalanced.hpp"
 #include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
@@ -19,17 +19,17 @@ namespace {
 const Joint& joint_named(const World& world, const std::string& name, const std::string& probe, std::string_view type) {
   for (const Joint& joint : world.constraints.joints())
     if (joint.name == name) return joint;
-  refuse_interaction(interaction_named(world, name, probe), probe, type);
+  refuse_interaction_type(interaction_named(world, name, probe), probe, type);
 }
 
 // Returns the dof map without joints.
-DofMap unjoined(const World& world, const State& state) {
+DofMap dofs_without_joints(const World& world, const State& state) {
   const auto assignments = static_cast<std::ptrdiff_t>(world.prescribed_motion.assignments().size());
   std::vector<char> active = state.motion_active;
   if (active.empty()) {
     active = world.prescribed_motion.active(state.time);
-    const std::vector<char> ties = world.constraints.active(state.time);
-    active.insert(active.end(), ties.begin(), ties.end());
+    const std::vector<char> constraints = world.constraints.active(state.time);
+    active.insert(active.end(), constraints.begin(), constraints.end());
   }
   const std::vector<char> free = world.prescribed_motion.free(active);
   return DofMap(free, world.constraints.unjoined_at(free, {active.begin() + assignments, active.end()}), world.prescribed_motion.fixed_directions(active));
@@ -39,7 +39,7 @@ DofMap unjoined(const World& world, const State& state) {
 // x_i = 0, the sum of w_i L and of the unbalanced force is zero at each vertex that is not
 // otherwise determined. Redundant relations get the multipliers of minimum norm.
 Eigen::MatrixXd multipliers(const World& world, const State& state) {
-  const DofMap dofs = unjoined(world, state);
+  const DofMap dofs = dofs_without_joints(world, state);
   VecX unbalanced = unbalanced_forces(world, state);
   dofs.move_to_independents(unbalanced);
   std::vector<Eigen::Triplet<double>> entries;  // block, relation, weight
@@ -56,8 +56,8 @@ Eigen::MatrixXd multipliers(const World& world, const State& state) {
     }
   std::map<int, int> row;  // row of each block
   for (const auto& entry : entries) row.try_emplace(entry.row());
-  // Constraints share the load.
-  for (const DofMap::PartlyFixedBlock& held : dofs.partly_fixed_blocks()) row.erase(held.block);
+  // Prescribed motions carry the load of blocks that they fix in part.
+  for (const DofMap::PartlyFixedBlock& fixed : dofs.partly_fixed_blocks()) row.erase(fixed.block);
   int rows = 0;
   for (auto& [block, number] : row) number = rows++;
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, relations), forces(rows, 3);
@@ -86,7 +86,7 @@ VecX forces_of_joint(const Joint& joint, const World& world, const State& state)
 }
 
 template <class Base>
-class OfJoint : public Base {
+class JointProbe : public Base {
  public:
   void fields(Fields& f) override {
     Base::fields(f);
@@ -102,7 +102,7 @@ class OfJoint : public Base {
   const Joint* joint_ = nullptr;
 };
 
-class JointForce : public OfJoint<VectorProbe> {
+class JointForce : public JointProbe<VectorProbe> {
  public:
   Unit unit() const override { return units::force; }
 
@@ -115,7 +115,7 @@ class JointForce : public OfJoint<VectorProbe> {
   }
 };
 
-class JointTorque : public OfJoint<VectorProbe> {
+class JointTorque : public JointProbe<VectorProbe> {
  public:
   Unit unit() const override { return units::moment; }
 
@@ -129,7 +129,7 @@ class JointTorque : public OfJoint<VectorProbe> {
   }
 };
 
-class JointError : public OfJoint<Probe> {
+class JointError : public JointProbe<Probe> {
  public:
   Unit unit() const override { return units::length; }
   std::vector<double> sample(const World&, const State& state) override { return {joint_error(joint(), state.x)}; }

@@ -13,21 +13,22 @@ namespace {
 
 // Returns the reaction force on each prescribed vertex (3n) [N], which balances its inertia and all
 // other forces, in its prescribed directions; zero for free vertices.
-VecX holding_forces(const World& world, const State& state) {
-  VecX gradient = unbalanced_forces(world, state), held = VecX::Zero(state.x.size());
+VecX reaction_forces(const World& world, const State& state) {
+  VecX gradient = unbalanced_forces(world, state), reactions = VecX::Zero(state.x.size());
   world.dofs.move_to_independents(gradient);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
-    if (!world.dofs.moves(v)) vertex(held, v) = vertex(gradient, v);
+    if (!world.dofs.moves(v)) vertex(reactions, v) = vertex(gradient, v);
   for (const DofMap::PartlyFixedBlock& h : world.dofs.partly_fixed_blocks())
-    if (const int v = world.dofs.vertex_of_block(h.block); !h.scalar) vertex(held, v) = h.projection * vertex(gradient, v);
-  return held;
+    if (const int v = world.dofs.vertex_of_block(h.block); !h.scalar) vertex(reactions, v) = h.projection * vertex(gradient, v);
+  return reactions;
 }
 
-void require_held(const World& world, const VertexSet& set, const std::string& probe) {
+// Throws InputError if some vertices have no prescribed motion at any time.
+void require_fixed(const World& world, const VertexSet& set, const std::string& probe) {
   for (const int v : set.vertices())
     if (!world.prescribed_motion.ever_fixed(v))
-      throw InputError("probe '" + probe + "': a reaction needs held vertices, and some of these are "
-                       "free; give the selection of the motion that holds them");
+      throw InputError("probe '" + probe + "': a reaction needs vertices with prescribed motion, and some of these are "
+                       "free; give the selection of that motion");
 }
 
 // Sum of reaction forces; vertices that are free at present count zero.
@@ -40,12 +41,12 @@ class Reaction : public VectorProbe {
   Unit unit() const override { return units::force; }
   void prepare(const World& world) override {
     set_.prepare(world, name_);
-    require_held(world, set_, name_);
+    require_fixed(world, set_, name_);
   }
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    const VecX forces = holding_forces(world, state);
+    const VecX forces = reaction_forces(world, state);
     Vec3 sum = Vec3::Zero();
     for (const int v : set_.vertices()) sum += vertex(forces, v);
     return sum;
@@ -67,7 +68,7 @@ class Torque : public VectorProbe {
   Unit unit() const override { return units::moment; }
   void prepare(const World& world) override {
     set_.prepare(world, name_);
-    require_held(world, set_, name_);
+    require_fixed(world, set_, name_);
     const Body& body = world.bodies[world.body_of(set_.vertices().front())];
     if (!body.rod) return;
     rod_ = body.rod;
@@ -78,7 +79,7 @@ class Torque : public VectorProbe {
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    const VecX forces = holding_forces(world, state);
+    const VecX forces = reaction_forces(world, state);
     Vec3 sum = Vec3::Zero();
     for (const int v : set_.vertices()) sum += (vertex(state.x, v) - centre_).cross(Vec3(vertex(forces, v)));
     for (const int e : edges_) sum += rod_->radius() * forces(3 * rod_->twists()[e]) * rod_->tangent(e, state.x);

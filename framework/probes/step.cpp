@@ -20,10 +20,10 @@ class StepProbe : public Probe {
   void prepare(const World& world) override {
     std::vector<std::string> names;
     for (const StepMetric& metric : world.step_metrics) names.push_back(metric.name);
-    if (names.empty()) throw InputError(fmt::format("probe '{}': the scene's stepper tells nothing of its steps; take the probe away", name_));
+    if (names.empty()) throw InputError(fmt::format("probe '{}': the scene's stepper reports no step metrics; remove the probe", name_));
     at_ = std::find(names.begin(), names.end(), figure_) - names.begin();
     if (at_ == names.size())
-      throw InputError(fmt::format("probe '{}': the stepper tells nothing named '{}'{}", name_, figure_, suggestion(figure_, names, "figures")));
+      throw InputError(fmt::format("probe '{}': the stepper reports no metric named '{}'{}", name_, figure_, suggestion(figure_, names, "figures")));
   }
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State&) override { return {world.step_metrics[at_].value}; }

@@ -16,8 +16,8 @@ bool alternates(const World& world, const State& state) {
   double off = 0, size = 0;
   for (int v = 0; v < world.dofs.vertex_count(); ++v) {
     if (!world.dofs.owns(v)) continue;
-    const Vec3 mean = (vertex(state.v, v) + vertex(state.v_before, v)) / 2, way = (vertex(state.x, v) - vertex(state.x_before, v)) / state.h_before;
-    off = std::max(off, (mean - way).lpNorm<Eigen::Infinity>());
+    const Vec3 mean = (vertex(state.v, v) + vertex(state.v_before, v)) / 2, velocity = (vertex(state.x, v) - vertex(state.x_before, v)) / state.h_before;
+    off = std::max(off, (mean - velocity).lpNorm<Eigen::Infinity>());
     size = std::max(size, mean.lpNorm<Eigen::Infinity>());
   }
   return size > 0 && off <= round_off * size;

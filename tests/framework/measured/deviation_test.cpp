@@ -14,7 +14,7 @@ MeasuredCurve curve() { return {"load.csv", {0, 1, 3}, {10, 20, 40}, {2, 3, 4}};
 
 }  // namespace
 
-TEST_CASE("deviations of a run from a measured curve, in one number each", "[measured]") {
+TEST_CASE("deviations of a run from a measured curve agree with hand calculation", "[measured]") {
   const Deviation d = deviation_of(curve(), {11, 16, 40}, DeviationScale::point);
   CHECK(d.compared == 3);
   CHECK(d.mean == Approx(0.1));
@@ -37,7 +37,7 @@ TEST_CASE("points that a run never passed do not count", "[measured]") {
   CHECK(deviation_of(curve(), {nan_value, nan_value, nan_value}, DeviationScale::point).compared == 0);
 }
 
-TEST_CASE("of a measured zero nothing is a part", "[measured]") {
+TEST_CASE("the deviation relative to a measured zero is infinite", "[measured]") {
   const MeasuredCurve zero{"", {0, 1}, {0, 2}, {1, 2}};
   CHECK(std::isinf(deviation_of(zero, {0.1, 2}, DeviationScale::point).worst));
   CHECK(deviation_of(zero, {0, 2}, DeviationScale::point).worst == 0);

@@ -32,7 +32,7 @@ const char* text = "# measured by hand\nopening [mm], load [kN]\n1, 2\n3, 4\n2, 
 
 }  // namespace
 
-TEST_CASE("measured data are in SI, in the order of their file, and know their lines", "[measured]") {
+TEST_CASE("measured data are in SI, in the order of their file, with line numbers", "[measured]") {
   const MeasuredCurve curve = File(text).read();
   REQUIRE(curve.size() == 3);
   CHECK(curve.x[2] == Approx(2e-3));
@@ -40,7 +40,7 @@ TEST_CASE("measured data are in SI, in the order of their file, and know their l
   CHECK_THAT(curve.location(1), Contains("load.csv:4"));
 }
 
-TEST_CASE("a part of the data counts", "[measured]") {
+TEST_CASE("from and to select points of the data", "[measured]") {
   const MeasuredCurve curve = File(text).read(", from: 2 mm, to: 3 mm");
   CHECK(curve.y == std::vector<double>{4000, 1000});
   CHECK(curve.lines == std::vector<int>{4, 5});
@@ -48,7 +48,7 @@ TEST_CASE("a part of the data counts", "[measured]") {
   CHECK_THAT(message_of([&] { File(text).read(", from: 5 mm, to: 2 mm"); }), Contains("is above to"));
 }
 
-TEST_CASE("what is wrong with a file of measured data is told", "[measured]") {
+TEST_CASE("errors in a file of measured data are reported", "[measured]") {
   CHECK_THAT(message_of([&] { File("opening [mm], load [kN]\n").read(); }), Contains("load.csv: has no row of numbers"));
   CHECK_THAT(message_of([&] { File("opening [mm], load [mm]\n1, 2\n").read(); }), Contains("column 'load': expects a force (N), got '1 mm', which is a length"));
   CHECK_THAT(message_of([&] { File("opening [mm], force [N]\n1, 2\n").read(); }), Contains("no column 'load'") && Contains("y_column"));

@@ -9,7 +9,7 @@
 
 using namespace tack;
 
-TEST_CASE("an axis has the prefix of its largest number", "[plot]") {
+TEST_CASE("the prefix of an axis suits its largest number", "[plot]") {
   const auto text = [](double largest, const std::string& unit) { return axis_unit(largest, unit).text; };
   CHECK(text(3e-3, "m") == "mm");
   CHECK(axis_unit(3e-3, "m").factor == Approx(1e3));

@@ -16,7 +16,7 @@ const fs::path tutorial = fs::path(TACK_SOURCE_DIR) / "experiments/tutorial";
 
 }  // namespace
 
-TEST_CASE("the tutorial's figure is what journals ask for", "[plot]") {
+TEST_CASE("the tutorial's figure meets the requirements of journals", "[plot]") {
   const TemporaryFolder folder;
   // A few steps with larger cells: the figure's names and ranges, not its numbers.
   const ProgramResult batch = run_tack(folder.path(), {"batch", (tutorial / "stamps.yaml").string(), "-q", "-o", "stamps", "--set",

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Each would make the file "owned" if gnuplot took it for a command.
+// Each name would create the file "owned" if gnuplot executed it.
 const std::vector<std::string> hostile = {
     "x\nsystem(\"touch owned\")\n#",   "x'\nsystem 'touch owned'\n'", "x\r\n!touch owned\r\n",
     "x', 1 title system('touch owned') #", "`touch owned`",            "@system",
@@ -47,7 +47,7 @@ TEST_CASE("no name reaches gnuplot as a command or markup", "[plot]") {
   }
 }
 
-TEST_CASE("every renderer reads the pictures, and nothing of them is cut off", "[plot]") {
+TEST_CASE("every renderer reads the pictures without clipping", "[plot]") {
   const TemporaryFolder folder;
   const Plot plot{.title = "t", .x_label = "x", .y_label = "y", .curves = {{"a", {{1, 2}, {2, 3}}, {{1, 3}, {2, 4}}}}, .levels = {}, .notes = {}};
   const std::string failure = draw(plot, folder.path(), "plot");
@@ -68,7 +68,7 @@ TEST_CASE("every renderer reads the pictures, and nothing of them is cut off", "
   CHECK(y + length * 0.58 < 480);
 }
 
-TEST_CASE("a look sizes pictures for paper", "[plot]") {
+TEST_CASE("a style sets the size of pictures for paper", "[plot]") {
   const TemporaryFolder folder;
   const Plot plot{.title = "of runs", .x_label = "gap", .y_label = "force", .x_unit = "m", .y_unit = "N",
                   .curves = {{"a", {{1e-3, 2}, {2e-3, 3}}, {}}, {"b", {{1e-3, 3}, {2e-3, 4}}, {}}}, .levels = {}, .notes = {}};

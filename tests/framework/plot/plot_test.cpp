@@ -10,7 +10,7 @@
 using namespace tack;
 namespace fs = std::filesystem;
 
-TEST_CASE("axes end where the numbers do", "[plot]") {
+TEST_CASE("axes end at the data", "[plot]") {
   const auto linear = range_of({3, 5, NAN, INFINITY}, false);
   REQUIRE(linear);
   CHECK(linear->low == Approx(2.9));
@@ -25,21 +25,21 @@ TEST_CASE("axes end where the numbers do", "[plot]") {
   CHECK(range_of({0}, false)->high > 0);
 }
 
-TEST_CASE("a logarithmic axis always has ticks to read it by", "[plot]") {
+TEST_CASE("a logarithmic axis always has ticks", "[plot]") {
   CHECK(log_ticks({2.5, 47, true}) == std::vector<double>{5, 10, 20});
   CHECK(log_ticks({0.9, 1100, true}) == std::vector<double>{1, 10, 100, 1000});
   CHECK(log_ticks({1e-17, 1, true}).size() < 12);
   for (const double factor : {2.6, 7.0, 30.0, 1e3, 1e12}) CHECK(log_ticks({3e-4, 3e-4 * factor, true}).size() >= 1);
 }
 
-TEST_CASE("curves that are the same are one, with both names", "[plot]") {
+TEST_CASE("equal curves are merged, with both names", "[plot]") {
   const auto merged = merged_curves({{"a", {{1, 2}}, {}}, {"b", {{1, 3}}, {}}, {"c", {{1, 2}}, {}}, {"d", {}, {}}, {"e", {}, {}}});
   REQUIRE(merged.size() == 4);
   CHECK(merged[0].title == "a, c");
   CHECK(merged[2].title == "d");
 }
 
-TEST_CASE("labels stand where they want to, but apart", "[plot]") {
+TEST_CASE("labels stand near their curves without overlapping", "[plot]") {
   CHECK(*separate_labels({0.2, 0.8}, 0.1) == std::vector<double>{0.2, 0.8});
   const auto close = *separate_labels({0.5, 0.5, 0.52}, 0.1);
   CHECK(close[0] == Approx(0.4067).margin(1e-3));
@@ -55,7 +55,7 @@ TEST_CASE("labels stand where they want to, but apart", "[plot]") {
     for (size_t k = 0; k < i; ++k) CHECK(std::abs(many[i] - many[k]) > 0.1 - 1e-9);
 }
 
-TEST_CASE("28 curves are told apart by colour and dash", "[plot]") {
+TEST_CASE("28 curves differ in colour or dash", "[plot]") {
   const TemporaryFolder folder;
   Plot plot;
   plot.title = "many";
@@ -73,7 +73,7 @@ TEST_CASE("28 curves are told apart by colour and dash", "[plot]") {
   if (!contains(failure, "gnuplot is missing")) CHECK(failure == "");
 }
 
-TEST_CASE("few curves are named at their ends", "[plot]") {
+TEST_CASE("few curves have labels at their ends", "[plot]") {
   const TemporaryFolder folder;
   Plot plot;
   plot.title = "few";

@@ -18,7 +18,7 @@ PlottedRun run_named(const std::string& name, double factor) {
 
 }  // namespace
 
-TEST_CASE("a probe over another, for each run that has both", "[plot]") {
+TEST_CASE("a plot of a probe over another has a curve for each run with both", "[plot]") {
   PlottedRun without{"c", {}, {{"time", "gap"}, {{0, 1}}}, {}, {}, {}};
   const Plot plot = probe_curves({run_named("a", 1), run_named("b", 2), without}, "gap", "force");
   REQUIRE(plot.curves.size() == 2);
@@ -34,7 +34,7 @@ TEST_CASE("a probe over another, for each run that has both", "[plot]") {
   CHECK_THROWS_WITH(probe_curves({run_named("a", 1)}, "gab", "force"), Catch::Contains("did you mean 'gap'"));
 }
 
-TEST_CASE("phases: seconds per step, and their shares", "[plot]") {
+TEST_CASE("bars of phases: seconds per step and percentages", "[plot]") {
   const auto bars = phase_bars({run_named("a", 1)});
   REQUIRE(bars);
   CHECK(bars->parts == std::vector<std::string>{"assembly", "linear_solve"});
@@ -45,7 +45,7 @@ TEST_CASE("phases: seconds per step, and their shares", "[plot]") {
   CHECK(shares.top == 100);
 }
 
-TEST_CASE("laws: a curve of each pair, cut where the barrier pushes harder than adhesion pulls", "[plot]") {
+TEST_CASE("laws: a curve for each pair, clipped where repulsion exceeds the peak of adhesion", "[plot]") {
   PlottedRun run = run_named("a", 1);
   run.laws = {{"pair", "gap", "traction", "barrier", "adhesion"},
               {{"a - b", "0.0001", "-9000", "-9100", "100"}, {"a - b", "0.001", "1000", "0", "1000"}, {"a - c", "0.001", "500", "0", "500"}}};

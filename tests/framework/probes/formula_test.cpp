@@ -1,4 +1,4 @@
-// Probes of probes.
+// Probes of formulas of other probes.
 #include <catch2/catch.hpp>
 
 #include "framework/output/probe_set.hpp"
@@ -30,14 +30,14 @@ TEST_CASE("a formula of other probes and the time", "[probes]") {
   CHECK(values[5] == Approx(-1.5));
 }
 
-TEST_CASE("its unit holds for expectations", "[probes]") {
+TEST_CASE("expectations use the unit of a formula", "[probes]") {
   const std::string probe = "  - {name: a, type: formula, of: c_x * c_y, unit: m^2}\n";
   CHECK_NOTHROW(sampled(probe + "expect: [{probe: a, statistic: final, at_least: 1 cm^2}]\n"));
   CHECK_THROWS_WITH(sampled(probe + "expect: [{probe: a, statistic: final, at_least: 1 kg}]\n"), Catch::Contains("at_least"));
   CHECK_THROWS_WITH(sampled("  - {name: a, type: formula, of: c_x, unit: mm2x}\n"), Catch::Contains("unit"));
 }
 
-TEST_CASE("a formula whose unit is not SI has a column in SI, and is compared as what it is", "[probes]") {
+TEST_CASE("a formula whose unit is not SI has a column in SI, and expectations in its unit hold", "[probes]") {
   const std::string probe = "  - {name: mN, type: formula, of: 1000 * 0.0908, unit: mN}\n  - {name: double, type: formula, of: 2 * mN, unit: N}\n";
   const auto passes = [&](const std::string& criterion) {
     TestScene s(cube + probe + "expect: [{probe: mN, statistic: max, " + criterion + "}]\n");
@@ -60,7 +60,7 @@ TEST_CASE("a formula whose unit is not SI has a column in SI, and is compared as
   CHECK_THROWS_WITH(passes("at_least: 1 mm"), Catch::Contains("at_least"));
 }
 
-TEST_CASE("what a formula cannot see is told with what it can", "[probes]") {
+TEST_CASE("an unknown variable of a formula is reported with the known ones", "[probes]") {
   CHECK_THROWS_WITH(sampled("  - {name: a, type: formula, of: later + 1}\n  - {name: later, type: energy}\n"),
                     Catch::Contains("probe 'a'") && Catch::Contains("c_x, c_y, c_z"));
   CHECK_THROWS_WITH(sampled("  - {name: a, type: formula, of: c_x +}\n"), Catch::Contains("probe 'a'"));

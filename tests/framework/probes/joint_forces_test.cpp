@@ -7,7 +7,7 @@
 
 using namespace tack;
 
-TEST_CASE("joints between bodies of different mass that rest on others carry what statics says", "[probes]") {
+TEST_CASE("joint forces between supported bodies of different mass agree with statics", "[probes]") {
   // Each bar is joined at its left end, at 0 m and 0.5 m, and rests with its right end on a support.
   constexpr double light = 0.98 * 0.05 * 0.05 * 1000 * 9.81, heavy = 4 * light;  // N
   for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {

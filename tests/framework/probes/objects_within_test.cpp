@@ -9,7 +9,7 @@
 
 using namespace tack;
 
-TEST_CASE("objects within a box: copies and no others, where they are now", "[probes]") {
+TEST_CASE("objects_within: copies of the object, at their present positions", "[probes]") {
   const auto ball = [](const char* name, double x) {
     return fmt::format("  - {{name: {}, shape: {{type: sphere, radius: 1 cm, cells: 2}}, place: {{translate: [{}, 0, 0]}}, energies: [{{type: neo_hookean, young: 1e5}}]}}\n", name, x);
   };

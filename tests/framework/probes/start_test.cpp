@@ -129,7 +129,7 @@ void require_all_in(const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("whatever acts, every probe, energy and field can be asked for before the first step", "[probes]") {
+TEST_CASE("every probe, energy and field has a value before the first step, with every load and interaction", "[probes]") {
   require_all_in<Load>(objects);
   require_all_in<Interaction>(objects);
   const std::string of_steppers = "step";
@@ -158,7 +158,7 @@ TEST_CASE("whatever acts, every probe, energy and field can be asked for before 
   CHECK(runs >= 5);
 }
 
-TEST_CASE("loads act at the start of a quasi-static run as they do in it", "[probes]") {
+TEST_CASE("loads act at the start of a quasi-static run as in its steps", "[probes]") {
   const std::string top = "{type: face, direction: [0, 1, 0]}";
   TestRun run("time: {step: 0.5, duration: 1, integrator: quasi_static}\nobjects:\n"
               "  - {name: a, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1 MPa}],\n"
@@ -170,7 +170,7 @@ TEST_CASE("loads act at the start of a quasi-static run as they do in it", "[pro
   CHECK(run.sample(0)[0] == Approx(20));
 }
 
-TEST_CASE("where friction is named and none, probes of it are zero", "[probes]") {
+TEST_CASE("probes of friction are zero for pairs with zero friction", "[probes]") {
   const auto scene = [](const std::string& friction) {
     return "time: {step: 10 ms, duration: 1}\ngravity: [0, -9.81, 0]\ncontact: {distance: 1 mm" + friction + "}\nobjects:\n"
            "  - {name: floor, shape: {type: box, size: [1, 0.1, 1]}, place: {translate: [0, -0.0505, 0]}, motion: [fixed]}\n"

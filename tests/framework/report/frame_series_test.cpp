@@ -59,7 +59,7 @@ TEST_CASE("a page shows outer faces, sheets, rods and particles, each with its o
   CHECK(series.times == std::vector<double>{0, 0.5});
   CHECK(series.written == 2);
   CHECK(series.notes.empty());
-  // No face has both of the tips that the inner face parts.
+  // No face has the opposite vertices of both tets, which the inner face separates.
   const auto place = [&](int v, int frame) {
     const auto& x = series.positions[frame];
     return Vec3(series.origin + Vec3(x[v], x[11 + v], x[22 + v]));
@@ -71,7 +71,7 @@ TEST_CASE("a page shows outer faces, sheets, rods and particles, each with its o
   CHECK(rod.begin()->second == Approx(0.1).margin(1e-6));
 }
 
-TEST_CASE("fields of frames are taken as they are, vectors by their magnitude") {
+TEST_CASE("fields of frames are unchanged, vectors are replaced by their magnitude") {
   const Run run(3);
   const FrameSeries series = read_frames(run.folder.path(), 0);
   REQUIRE(series.fields.size() == 2);
@@ -115,7 +115,7 @@ TEST_CASE("a frame of another mesh ends the series with a note") {
   CHECK(contains(series.notes[0], "another one"));
 }
 
-TEST_CASE("an object that was meshed anew inside goes on, with the same surface") {
+TEST_CASE("the series continues for an object that is remeshed inside, with an equal surface") {
   // A tet of four, around a vertex inside, and a particle; then one tet alone.
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "frames");

@@ -20,7 +20,7 @@ std::string inflated(const std::string& packed, size_t size) {
   return out;
 }
 
-// As report/src/unpack.js reads them.
+// Packing as report/src/unpack.js reads it.
 std::vector<std::vector<std::uint16_t>> frames_of(const std::string& bytes, size_t frames) {
   const size_t n = bytes.size() / 2 / frames;
   std::vector<std::vector<std::uint16_t>> out(frames, std::vector<std::uint16_t>(n));
@@ -69,7 +69,7 @@ TEST_CASE("planes hold the bytes of numbers, lowest first") {
   CHECK(back == 0.1);
 }
 
-TEST_CASE("a quantised number is off by half a step at most") {
+TEST_CASE("the error of a quantised number is at most half a step") {
   std::mt19937 random(3);
   for (const int levels : {2, 1023, 65535}) {
     const Quantizer q{-0.3, 1.7, levels};

@@ -65,7 +65,7 @@ struct Place {
 
 }  // namespace
 
-TEST_CASE("a folder is that of a run, a comparison or a batch by its files") {
+TEST_CASE("the files of a folder determine its kind: run, comparison or batch") {
   const Place place;
   CHECK(kind_of(place.run("run")) == FolderKind::run);
   CHECK(kind_of(place.batch()) == FolderKind::batch);
@@ -78,7 +78,7 @@ TEST_CASE("a folder is that of a run, a comparison or a batch by its files") {
   CHECK_THROWS_WITH(kind_of(place.folder.path() / "none"), Catch::Contains("no such folder"));
 }
 
-TEST_CASE("an unfinished run has a report of what there is") {
+TEST_CASE("an unfinished run has a report of its existing files") {
   const Place place;
   const WrittenReport written = place.report({place.run("run", tiny_scene)});
   CHECK(written.notes.empty());
@@ -100,7 +100,7 @@ TEST_CASE("an unfinished run has a report of what there is") {
   CHECK(contains(place.html(), "<script type=\"text/plain\" id=\"block-0\">"));
 }
 
-TEST_CASE("what cannot be read is told, and the rest is shown") {
+TEST_CASE("unreadable files are reported, and the others are shown") {
   const Place place;
   const fs::path run = place.run("run", "name: [");
   write_file(run / "summary.json", "{\"status\": ");
@@ -125,7 +125,7 @@ TEST_CASE("texts of a scene do not end the data of a report") {
   CHECK_FALSE(contains(html, "<!--"));
 }
 
-TEST_CASE("runs of one name are told apart by their folders") {
+TEST_CASE("labels of runs with equal names differ by their folders") {
   const Place place;
   place.report({place.run("one/x"), place.run("two/x/")});
   const auto data = place.data();
@@ -134,7 +134,7 @@ TEST_CASE("runs of one name are told apart by their folders") {
   CHECK(data["runs"][1]["label"] == "two/x");
 }
 
-TEST_CASE("a batch has its table, the probes of its cases, and the runs that are asked for") {
+TEST_CASE("a batch has its table, the probes of its cases, and the requested runs") {
   const Place place;
   const WrittenReport written = place.report({place.batch()}, {"a"});
   CHECK(written.notes.empty());
@@ -151,7 +151,7 @@ TEST_CASE("a batch has its table, the probes of its cases, and the runs that are
   CHECK_THROWS_WITH(place.report({place.batch()}, {"z"}), Catch::Contains("has no case 'z'"));
 }
 
-TEST_CASE("long tables keep every so manieth row and the last") {
+TEST_CASE("long tables keep every k-th row and the last") {
   const Place place;
   const fs::path run = place.run("run");
   std::string text = "step,time\n";
@@ -163,7 +163,7 @@ TEST_CASE("long tables keep every so manieth row and the last") {
   CHECK(steps["rows"] == 16668);
 }
 
-TEST_CASE("folders that do not go together, pages and files that are not there are refused") {
+TEST_CASE("incompatible folders, missing pages and missing files are refused") {
   const Place place;
   CHECK_THROWS_WITH(place.report({place.batch(), place.run("run")}), Catch::Contains("one of them at a time"));
   CHECK_THROWS_WITH(place.report({place.run("run")}, {"a"}), Catch::Contains("--case is for a batch"));
@@ -186,7 +186,7 @@ TEST_CASE("tack report on the command line") {
   CHECK(contains(none.err, "nowhere: there is no such folder"));
 }
 
-TEST_CASE("a report of a calibration has its points and its curves, and tells what could not be read") {
+TEST_CASE("a report of a calibration has its evaluations and curves, and reports unreadable files") {
   const Place place;
   const WrittenReport written = place.report({place.calibration()});
   REQUIRE(written.notes.size() == 1);

@@ -292,8 +292,8 @@ TEST_CASE("a probe of what no stepper tells is refused where it stands", "[lcp]"
   CHECK(error_of_probe(", stepper: lcp_pgs", "crossing_pairs").first == 0);
   const auto [misspelt, text] = error_of_probe(", stepper: lcp_pgs", "crossing_pair");
   CHECK(misspelt == 2);
-  CHECK(contains(text, "scene.yaml:6:5: probe 'p': the stepper tells nothing named 'crossing_pair'; did you mean 'crossing_pairs'?"));
-  CHECK(contains(error_of_probe("", "sweeps").second, "the scene's stepper tells nothing of its steps; take the probe away"));
+  CHECK(contains(text, "scene.yaml:6:5: probe 'p': the stepper reports no metric named 'crossing_pair'; did you mean 'crossing_pairs'?"));
+  CHECK(contains(error_of_probe("", "sweeps").second, "the scene's stepper reports no step metrics; remove the probe"));
 }
 
 TEST_CASE("what meets on the way between two distant places is stopped there", "[lcp]") {

@@ -1,4 +1,4 @@
-#include "framework/probes/of_interaction.hpp"
+#include "framework/probes/interaction_probe.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ const ActingInteraction& interaction_named(const World& world, const std::string
   throw InputError(fmt::format("probe '{}': no interaction is named '{}'{}", probe, name, suggestion(name, names, "interactions")));
 }
 
-void refuse_interaction(const ActingInteraction& interaction, const std::string& probe, std::string_view type) {
+void refuse_interaction_type(const ActingInteraction& interaction, const std::string& probe, std::string_view type) {
   throw InputError(fmt::format("probe '{}': the interaction '{}' is of type {}, which {} is not a probe of", probe, interaction.name, interaction.type, type));
 }
 

@@ -1,4 +1,4 @@
-// Base of probes of an interaction's term of class TermOf.
+// Base of probes of an interaction, by its term of class TermOf.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 namespace tack {
 
 // Returns the interaction of that name. Throws InputError with the nearest name if there is none.
-// refuse_interaction() throws for one of another type.
 const ActingInteraction& interaction_named(const World& world, const std::string& name,
                                            const std::string& probe);
-[[noreturn]] void refuse_interaction(const ActingInteraction& interaction, const std::string& probe,
+// Throws InputError for an interaction of another type than that of the probe.
+[[noreturn]] void refuse_interaction_type(const ActingInteraction& interaction, const std::string& probe,
                                      std::string_view type);
 
 // Base: Probe or VectorProbe.
 template <class TermOf, class Base>
-class OfInteraction : public Base {
+class InteractionProbe : public Base {
  public:
   void fields(Fields& f) override {
     Base::fields(f);
@@ -29,7 +29,7 @@ class OfInteraction : public Base {
     term_ = nullptr;
     for (const Term* term : interaction.terms)
       if (const auto* found = dynamic_cast<const TermOf*>(term)) term_ = found;
-    if (!term_) refuse_interaction(interaction, this->name_, this->type());
+    if (!term_) refuse_interaction_type(interaction, this->name_, this->type());
   }
 
  protected:

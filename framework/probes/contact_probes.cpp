@@ -99,28 +99,28 @@ class AttachedObjects : public Probe {
   }
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State&) override {
-    std::vector<char> held(world.bodies.size(), 0);
+    std::vector<char> attached(world.bodies.size(), 0);
     const auto& object = world.contact->surface().mesh.vertex_object;
     for_each_kind(world.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
       for (const auto& s : stencils) {
         if (!adhesive_[s.law]) continue;
         const int a = object[s.vertices[0]], b = object[s.vertices[kind.first_vertices]];
-        if (a == index_ && b != index_) held[b] = 1;
-        if (b == index_ && a != index_) held[a] = 1;
+        if (a == index_ && b != index_) attached[b] = 1;
+        if (b == index_ && a != index_) attached[a] = 1;
       }
     });
-    if (world.bonds) add_bonded(*world.bonds, held);
-    return {static_cast<double>(std::count(held.begin(), held.end(), 1))};
+    if (world.bonds) add_bonded(*world.bonds, attached);
+    return {static_cast<double>(std::count(attached.begin(), attached.end(), 1))};
   }
 
  private:
   // Counts bonds with some strength, without those that begin to form.
-  void add_bonded(const BondTerm& bonds, std::vector<char>& held) const {
-    constexpr double least = 0.01;
+  void add_bonded(const BondTerm& bonds, std::vector<char>& attached) const {
+    constexpr double intensity_min = 0.01;
     for (int i = 0; i < bonds.list().size(); ++i) {
       const Bond& bond = bonds.list().bonds()[i];
       if (bond.a == bond.b || (bond.a != index_ && bond.b != index_)) continue;
-      if (bonds.intensity(i) > least) held[bond.a == index_ ? bond.b : bond.a] = 1;
+      if (bonds.intensity(i) > intensity_min) attached[bond.a == index_ ? bond.b : bond.a] = 1;
     }
   }
 

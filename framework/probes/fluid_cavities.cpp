@@ -10,21 +10,21 @@
 namespace tack {
 namespace {
 
-const VolumeTerm& chamber_named(const World& world, const std::string& chamber, const std::string& probe) {
+const VolumeTerm& find_cavity(const World& world, const std::string& name, const std::string& probe) {
   std::vector<std::string> names;
   for (const VolumeTerm* term : world.cavities) {
-    if (term->label() == chamber) return *term;
+    if (term->label() == name) return *term;
     names.push_back(term->label());
   }
-  throw InputError(fmt::format("probe '{}': no chamber or pressure is named '{}'{}", probe, chamber, suggestion(chamber, names, "chambers and pressures")));
+  throw InputError(fmt::format("probe '{}': no chamber or pressure is named '{}'{}", probe, name, suggestion(name, names, "chambers and pressures")));
 }
 
-class Chamber : public Probe {
+class FluidCavityProbe : public Probe {
  public:
   enum class Quantity { pressure, volume, volume_error, amount };
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("chamber", chamber_, "name of the chamber").required();
+    f.text("chamber", cavity_name_, "name of the chamber").required();
     f.choice("quantity", quantity_,
              {{"pressure", Quantity::pressure, "pressure on its surface above ambient [Pa]"},
               {"volume", Quantity::volume, "enclosed volume [m^3]"},
@@ -36,8 +36,8 @@ class Chamber : public Probe {
     return quantity_ == Quantity::pressure ? units::pressure : quantity_ == Quantity::volume ? units::volume : units::none;
   }
   void prepare(const World& world) override {
-    term_ = &chamber_named(world, chamber_, name_);
-    const auto refuse = [&](const char* what) { throw InputError(fmt::format("probe '{}': '{}' {}", name_, chamber_, what)); };
+    term_ = &find_cavity(world, cavity_name_, name_);
+    const auto refuse = [&](const char* what) { throw InputError(fmt::format("probe '{}': '{}' {}", name_, cavity_name_, what)); };
     if (quantity_ == Quantity::volume && !term_->surface().closed()) refuse("is a pressure on a surface that is not closed: it has no volume; ask for its pressure");
     if (quantity_ == Quantity::volume_error && std::isnan(term_->target(0))) refuse("has no volume that it should have: volume_error is of liquids");
     if (quantity_ == Quantity::amount && std::isnan(term_->amount())) refuse("holds no gas: amount is of gases");
@@ -52,12 +52,12 @@ class Chamber : public Probe {
   }
 
  private:
-  std::string chamber_;
+  std::string cavity_name_;
   Quantity quantity_ = Quantity::pressure;
   const VolumeTerm* term_ = nullptr;
 };
 
-TACK_REGISTER(Probe, Chamber, "chamber", "Pressure, volume or content of a fluid cavity, or of the surface that a pressure load acts on.", "");
+TACK_REGISTER(Probe, FluidCavityProbe, "chamber", "Pressure, volume or content of a fluid cavity, or of the surface that a pressure load acts on.", "");
 
 }  // namespace
 }  // namespace tack

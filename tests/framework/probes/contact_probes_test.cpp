@@ -59,7 +59,7 @@ const std::string attached = "{type: attached_objects, name: n, to: floor}";
 
 }  // namespace
 
-TEST_CASE("sliding_speed: the slip of the last step over its size", "[friction]") {
+TEST_CASE("sliding_speed: the slip of the last step over the step size", "[friction]") {
   Probed p(0.5e-3);
   CHECK(p.sample(left_speed) == std::vector<double>{0});
   p.shift("left", Vec3(3e-4, -1e-5, 4e-4));  // the approach does not count
@@ -70,7 +70,7 @@ TEST_CASE("sliding_speed: the slip of the last step over its size", "[friction]"
   CHECK(p.sample(left_speed)[0] == 0);  // out of reach
 }
 
-TEST_CASE("attached_objects: those within reach of adhesion", "[friction]") {
+TEST_CASE("attached_objects: objects within the range of adhesion", "[friction]") {
   CHECK(Probed(1.5e-3).sample(attached) == std::vector<double>{1});  // only the left block adheres
   CHECK(Probed(0.5e-3).sample(attached) == std::vector<double>{1});
   CHECK(Probed(2.5e-3).sample(attached) == std::vector<double>{0});
@@ -78,7 +78,7 @@ TEST_CASE("attached_objects: those within reach of adhesion", "[friction]") {
   CHECK(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: right}") == std::vector<double>{0});
 }
 
-TEST_CASE("friction_force: mu N against the sliding, equal and opposite", "[friction]") {
+TEST_CASE("friction_force: mu N against the sliding direction, equal and opposite on both bodies", "[friction]") {
   Probed p(0.5e-3);
   p.world().friction->begin_step({p.state.x, 0, 0.01});
   p.world().friction->lag(p.state.x);
@@ -96,7 +96,7 @@ TEST_CASE("friction_force: mu N against the sliding, equal and opposite", "[fric
   CHECK_THROWS_AS(p.sample("{type: friction_force, name: f, on: nothing}"), InputError);
 }
 
-TEST_CASE("the area of contact is that which lies opposite, by the reach of each law") {
+TEST_CASE("contact_area: the area of overlap within the range of each law") {
   const auto area = [](Probed& p, const char* object, const char* part) {
     return p.sample(fmt::format("{{type: contact_area, name: a, between: [{}, floor], part: {}}}", object, part))[0];
   };
