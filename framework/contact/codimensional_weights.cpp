@@ -15,12 +15,12 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const double crease_cosine = std::cos(40 * M_PI / 180);
 const double same_patch_cosine = std::cos(30 * M_PI / 180), other_patch_cosine = std::cos(70 * M_PI / 180);
-constexpr double height_per_distance_span = 0.5;                    // height over distance
-constexpr double seed_distance_margin = 0.3;                    // relative: by how much farther a triangle still leads
-constexpr double ridge_sine = 0.1;                        // sine of the angle that a ridge rises by
-constexpr double fade_start = 0.9;                    // of the range, where z begins to fall
+constexpr double height_per_distance_span = 0.5;  // over which f rises from 0 to 1
+constexpr double seed_distance_margin = 0.3;  // over the nearest seed, where psi falls to 0
+constexpr double ridge_sine = 0.1;   // sine of the angle over which an edge becomes a ridge
+constexpr double fade_start = 0.9;   // of the range: where z begins to fall
 
-// From 0 at a to 1 at b.
+// Returns a smooth step from 0 at a to 1 at b.
 double rise(double x, double a, double b) {
   const double t = std::clamp((x - a) / (b - a), 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -38,7 +38,7 @@ double patch_affinity(const TriangleWeight& a, const TriangleWeight& b) {
   return ridge + (1 - ridge) * normal_affinity(cosine);
 }
 
-// The other triangle at an edge; -1: the surface does not go on there.
+// Returns the other triangle at an edge; -1: a boundary, or more than two triangles.
 int CodimensionalWeights::neighbour_across(int triangle, int side) const {
   const int a = mesh_.triangles[triangle][side], b = mesh_.triangles[triangle][(side + 1) % 3];
   int found = -1;
@@ -60,7 +60,7 @@ double CodimensionalWeights::sharpness(int triangle, int side, const Vec3& norma
   return lagged_.topology().smooth_edge(triangle, side) ? 0 : 1 - rise(normal.dot(neighbour_normal), 0, crease_cosine);
 }
 
-// The triangles around a corner of one of them, with normals to the same side.
+// Sets the fan: the triangles at a corner of a triangle, with normals to one side.
 void CodimensionalWeights::find_fan(int triangle, int corner) {
   fan_.assign(1, {triangle, lagged_.normal(triangle), 0});
   fan_edges_.clear();
@@ -93,7 +93,7 @@ CodimensionalWeights::Foot CodimensionalWeights::foot(const Vec3& p, int triangl
   return {triangle, static_cast<int>(type), std::sqrt(squared), std::sqrt(std::max(0.0, squared - height * height))};
 }
 
-// The nearest one of those around the closest point, and the sharpness of what is between.
+// Returns the nearest triangle at the closest feature of another one, and the sharpness in between.
 std::pair<CodimensionalWeights::Foot, double> CodimensionalWeights::descend(const Vec3& p, const Foot& from) {
   std::pair<Foot, double> best{from, 0};
   const auto consider = [&](int triangle, double over) {
@@ -111,8 +111,8 @@ std::pair<CodimensionalWeights::Foot, double> CodimensionalWeights::descend(cons
   return best;
 }
 
-// Over a corner, the point is above the surface in all directions of the normals of triangles, and between those of two
-// that meet in an edge, as it is over that edge.
+// Returns the overshoot at a corner. It is zero in the directions of the normals of its triangles, and
+// between the normals of two triangles that meet in an edge, as over that edge.
 double CodimensionalWeights::overshoot_at_corner(const Vec3& p, const Foot& at) {
   const int corner = mesh_.triangles[at.triangle][at.feature];
   Vec3 towards = p - vertex(lagged_.x(), corner);
@@ -133,7 +133,7 @@ double CodimensionalWeights::overshoot_at_corner(const Vec3& p, const Foot& at) 
   return least;
 }
 
-// On the way down to where the surface is nearest, and there.
+// Returns the overshoot of a point: summed on the path over triangles down to the nearest one.
 double CodimensionalWeights::overshoot(const Vec3& p, Foot at) {
   double sum = 0;
   for (auto [next, over] = descend(p, at); next.triangle != at.triangle; std::tie(next, over) = descend(p, at)) {
@@ -163,7 +163,7 @@ CodimensionalWeights::Seed CodimensionalWeights::seed_of(int vertex_index, int t
           fade > 0 ? at.distance / (front * fade) : infinity};
 }
 
-// Over edges, of those within range.
+// Finds the neighbours across edges of the triangles within range.
 void CodimensionalWeights::find_neighbours(std::span<const int> triangles, double range) {
   uses_.clear();
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
@@ -187,7 +187,8 @@ void CodimensionalWeights::find_neighbours(std::span<const int> triangles, doubl
   std::partial_sum(neighbour_start_.begin(), neighbour_start_.end(), neighbour_start_.begin());
 }
 
-// way: k_ij of all triangles i. From the best one on, each by its best neighbour.
+// Sets membership: k_ij of all triangles i for a seed j, by a search in descending order of k
+// (Dijkstra, with the least value on a path in place of its length).
 void CodimensionalWeights::grow_patch(int seed, double range, double* membership) {
   const TriangleWeight& first = weights_[seed];
   const auto affinity_to_seed = [&](int i) {
@@ -233,7 +234,7 @@ std::vector<TriangleWeight>& CodimensionalWeights::find(int vertex_index, std::s
   nearest_.assign(n, infinity);
   int used = 0;
   for (const int j : seed_order_) {
-    // All further leaders are too far away for triangles that have one already.
+    // All further seeds are too far for triangles that have a seed.
     if (seeds_[j].scaled_distance > (1 + seed_distance_margin) * *std::max_element(nearest_.begin(), nearest_.end())) break;
     memberships_.resize(std::max<size_t>(memberships_.size(), static_cast<size_t>(n) * (used + 1)));
     double* membership = &memberships_[static_cast<size_t>(n) * used++];

@@ -1,4 +1,4 @@
-// From the features that points see to one contact point for each direction (contact_points.hpp).
+// Merges the features of points into contact points, one for each direction (contact_points.hpp).
 #include <algorithm>
 
 #include "framework/contact/contact_points.hpp"
@@ -9,13 +9,13 @@
 namespace tack {
 namespace {
 
-// One feature that a point sees.
+// Feature of a point.
 struct Feature {
-  int point, object, law;              // the vertex or sample, what it sees
-  int own;                             // vertices that the point is made of: 1, or 3 of a sample
+  int point, object, law;              // vertex or interior point; object of the feature
+  int own;                             // number of vertices of the point: 1, or 3 of an interior point
   std::array<int, 3> own_vertices;
   Vec3 own_coefficients;
-  std::array<int, 3> vertices;         // of the feature; -1 from its end on
+  std::array<int, 3> vertices;         // of the feature; the rest is -1
   std::array<double, 3> coefficients;  // of the closest point
   Vec3 normal;                         // unit, from the feature to the point
   double gap, weight;                  // m, m^2
@@ -23,11 +23,12 @@ struct Feature {
 
   int arity() const { return own + 1 + (vertices[1] >= 0) + (vertices[2] >= 0); }
 };
-// Sort key of features: (own, point, object, law), then the number of the feature. Vertices come
-// before samples.
+// Sort key of features: (own, point, object, law), then the index of the feature. Vertices come
+// before interior points.
 using FeatureKey = std::array<int, 5>;
 
-// c: the point, then the corners of the feature, which are the vertices of the stencil from `first` on.
+// Sets the geometry and force of a feature. c: the point, then the corners of the feature, which are
+// the vertices of the stencil from `first` on.
 template <size_t K, size_t N>
 void fill_feature(const std::array<Vec3, K>& c, const std::array<int, N>& vertices, const PairLaw& barrier,
                   Feature& f) {
@@ -102,7 +103,8 @@ class FeatureMerging {
     f.own_coefficients = s.inside;
   }
 
-  // The features of one place: the strongest that is left, with all that agree with it, is a contact point.
+  // Makes the contact points of the features of one point: repeatedly the strongest remaining feature,
+  // with all features whose normals agree.
   void split(std::vector<const Feature*>& group) {
     if (group.size() > 1)
       std::stable_sort(group.begin(), group.end(), [](const Feature* a, const Feature* b) {

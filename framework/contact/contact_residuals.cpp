@@ -16,7 +16,8 @@ inline constexpr int residual_count = std::is_same_v<Kind, EdgeEdgeKind> ? 2 : 1
 template <class Kind>
 using Rows = Eigen::Matrix<double, residual_count<Kind>, 3 * Kind::arity, Eigen::RowMajor>;
 
-// eps_x: the mollifier's threshold, for edge-edge stencils only. False where the energy is not finite.
+// Sets the residuals of a stencil. Returns false where the energy is not finite. eps_x: the threshold
+// of the mollifier, for edge-edge stencils only [m^4].
 template <class Kind>
 bool stencil_residuals(const VecX& x, const StencilOf<Kind>& stencil, const PairLaw& law,
                        const LawRoot& root, double eps_x, double* r, double* jacobian) {
@@ -34,7 +35,7 @@ bool stencil_residuals(const VecX& x, const StencilOf<Kind>& stencil, const Pair
     const double part = std::sqrt(m.value), missing = std::sqrt(std::max(1 - m.value, 0.0));
     const double well = weight * std::sqrt(2 * root.depth());
     if (jacobian) {
-      // Exactly parallel edges: m rises from zero like a square, and its root has no derivative.
+      // At exactly parallel edges m is zero with a quadratic minimum, and its root has no derivative.
       rows.row(0) *= part;
       if (part > 0) rows.row(0) += r[0] / (2 * part) * m.gradient.transpose();
       rows.row(1).setZero();

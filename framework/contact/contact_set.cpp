@@ -38,7 +38,7 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
   SmallestGaps found{infinity, infinity};
   const auto visit = [&](const auto& list, const auto& lengths, const auto& first_of, const auto& second_of) {
     const int n = static_cast<int>(list.size());
-    std::vector<SmallestGaps> partial(chunk_count(n, chunk_size), found);  // only what is nearer counts
+    std::vector<SmallestGaps> partial(chunk_count(n, chunk_size), found);  // begins with the smallest gaps so far
     for_each_chunk(n, [&](int c, int first, int last) {
       SmallestGaps& gaps = partial[c];
       for (int i = first; i < last; ++i) {

@@ -12,14 +12,15 @@
 namespace tack {
 namespace {
 
-// Skin of the candidates: twice as far as vertices may move before they are searched anew. A tenth of an
-// edge adds few candidates to what the extent of the primitives brings along already. It is that of the largest range for all objects: what is within
-// it when a step begins is what areas are divided for.
+// Returns the Verlet skin of the candidates [m]: twice the displacement of vertices at which they are
+// searched again. A tenth of an edge adds few candidates, as the extents of primitives are larger.
+// The largest range holds for all objects, because triangles within it at the start of a step are
+// subdivided.
 double skin_of(double mean_edge, double range) { return std::clamp(0.1 * mean_edge, 0.5 * range, 2 * range); }
 
-// By the first vertex of the side that integrates, and the other object.
+// History array with the key (first vertex of the secondary side, other object).
 const std::string sides_name = "contact/integrating_sides";
-// In older states: two objects each; per pair of objects, whether the first integrates.
+// Arrays of older states: pairs of objects; per pair of objects, whether the first one integrates.
 const std::string coarse_pairs_name = "contact/turned_sides", former_sides_name = "contact/sides";
 
 // Returns the mean length of the edges that may move [m]; 0 without any.

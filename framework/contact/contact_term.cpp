@@ -56,7 +56,7 @@ double kind_value(const VecX& x, const std::vector<PairLaw>& laws,
   });
 }
 
-// Body gets (first, last, samples) for every chunk of stencils of a kind, in parallel.
+// Calls body(first, last, samples) for every chunk of stencils of a kind, in parallel.
 template <class Kind, class Body>
 void for_each_sampled_chunk(const VecX& x, const std::vector<PairLaw>& laws, const StencilsOf<Kind>& stencils,
                             const Body& body) {
@@ -70,7 +70,7 @@ void for_each_sampled_chunk(const VecX& x, const std::vector<PairLaw>& laws, con
   });
 }
 
-// Body gets (stencil index, gap, sample) for every stencil of a kind, in parallel.
+// Calls body(stencil index, gap, sample) for every stencil of a kind, in parallel.
 template <class Kind, class Body>
 void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
                      const StencilsOf<Kind>& stencils, const Body& body) {
@@ -155,7 +155,7 @@ void ContactTerm::derivatives(const VecX& x, Projection projection, double* grad
   });
 }
 
-// Calls act(kind, stencil, gradient) for each, in their order.
+// Calls act(kind, stencil, gradient) for each stencil, in order.
 template <class Act>
 void ContactTerm::for_each_gradient(const VecX& x, LawTerm term, const Act& act) const {
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
@@ -186,9 +186,10 @@ VecX ContactTerm::compressions(const VecX& x, LawTerm term) const {
   for_each_gradient(x, term, [&](auto kind, const auto& stencil, const auto& gradient) {
     using K = decltype(kind);
     const auto& v = stencil.vertices;
-    // Distances are homogeneous of degree one: sum f_i . x_i is the distance times the force, which is positive where it repels.
+    // Distances are homogeneous of degree one, so that sum_i f_i . x_i is the distance times the
+    // force: positive for repulsion.
     double virial = 0;
-    Vec3 push = -gradient.template segment<3>(0);  // on the first side, then its direction where it repels
+    Vec3 push = -gradient.template segment<3>(0);  // force on the first side, then the direction of repulsion
     for (int k = 1; k < K::arity; ++k) {
       virial -= gradient.template segment<3>(3 * k).dot(vertex(x, v[k]) - vertex(x, v[0]));
       if (k < K::first_vertices) push -= gradient.template segment<3>(3 * k);

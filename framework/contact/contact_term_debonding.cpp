@@ -1,4 +1,5 @@
-// Surfaces that a motion takes past the peak of an adhesion of the gap, by the stencils of the configuration where it starts.
+// Marks surfaces that a motion takes past the peak of an adhesion of the gap, by the stencils of the
+// configuration at the start of the motion.
 #include <cmath>
 
 #include "framework/contact/contact_term.hpp"
@@ -9,15 +10,16 @@
 namespace tack {
 namespace {
 
-constexpr double softening = 1e-6;  // the share of the secant stiffness by which a tangent is below zero for certain
+// Negative tangent over secant stiffness from which a law softens, above rounding errors.
+constexpr double softening = 1e-6;
 
 bool softens(const PairLaw& law, double distance) {
   const LawSample s = law.at(distance);
   return s.slope > 0 && s.curvature * (distance - law.offset()) < -softening * s.slope;
 }
 
-// Returns whether the sides adhere at `distance` and no longer at `end`, farther apart: there the
-// law softens or is out of range.
+// Returns whether the law passes its peak from `distance` to `end`: it does not soften at the first,
+// and softens or is out of range at the second, which is larger.
 bool passes_peak(const PairLaw& law, double range, double distance, double end) {
   return end > distance && distance < range && (!(end < range) || softens(law, end)) && !softens(law, distance);
 }

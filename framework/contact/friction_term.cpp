@@ -83,7 +83,7 @@ double FrictionTerm::residual(const VecX& x, const ContactPoints& points) const 
 
 FrictionTerm::PairForces FrictionTerm::normal_forces(const ContactPoints& points) const {
   PairForces sums;
-  auto sum = sums.end();  // most points are of the same two objects as the one before
+  auto sum = sums.end();  // most points are of the objects of the point before
   for_each_record(points, [&](const auto& c) {
     if (system_.pairs().tangential(c.law).mu == 0) return;
     const Objects objects = c.objects();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int rows = 2;
 
-// The residuals of a point, and their derivatives by the moved point.
+// Sets the residuals of a point, and returns their derivatives by the moved point.
 template <class Point>
 Eigen::Matrix<double, 2, 3> residuals_of(const Slip<Point>& slip, const SlipSample& s, double* r) {
   const double along_squared = slip.y > 0 ? 2 * s.value / (slip.y * slip.y) : s.slope_over_y;

@@ -11,13 +11,13 @@ namespace {
 
 constexpr int chunk = 64;
 
-// Finder for consecutive samples; samples inside one triangle share a search.
+// Finder for consecutive interior points; points of one triangle share a search.
 class InteriorPatchFinder {
  public:
   InteriorPatchFinder(const CollisionMesh& mesh, const LaggedSurface& lagged, const BroadPhase& broad_phase)
       : mesh_(mesh), lagged_(lagged), broad_phase_(broad_phase), finder_(mesh, lagged) {}
 
-  // Appends the triangles, and says how many.
+  // Appends the triangles of the patch, and returns their number.
   int find(const InteriorPoint& s, std::vector<int>& out) {
     const Triangle& own = mesh_.triangles[s.triangle];
     if (s.triangle != triangle_ || s.object != object_) search(s.triangle, s.object);
@@ -49,7 +49,7 @@ class InteriorPatchFinder {
   std::vector<int> near_;
 };
 
-// Pieces of some samples: one list of triangles per chunk, and the number of triangles per sample.
+// Patches of some points: one list of triangles per chunk, and the number of triangles per point.
 struct FoundPatches {
   std::vector<std::vector<int>> triangles;
   std::vector<int> count;

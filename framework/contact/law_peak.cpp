@@ -12,7 +12,7 @@ LawPeak largest_traction(const NormalLaw& law) {
   for (int i = 0; i < intervals; ++i)
     if (const double d = width * (i + 0.5), traction = law.at(d).slope; traction > peak.traction) peak = {d, traction};
   if (!(peak.traction > 0)) return {};
-  // Golden section between its neighbours.
+  // Golden section between the neighbouring intervals.
   double a = std::max(peak.gap - width, 1e-9 * width), b = std::min(peak.gap + width, law.range());
   const double ratio = (std::sqrt(5.0) - 1) / 2;
   for (int i = 0; i < 60; ++i) {

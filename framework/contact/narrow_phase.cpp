@@ -22,14 +22,14 @@ bool any_of(const std::vector<char>& marked, std::span<const int> vertices) {
 
 using FoundStencils = ContactSet;  // of one chunk, without thresholds; chunks are joined in order
 
-// Base of the searches for stencils of points and of samples.
+// Base of the searches for stencils of vertices and of interior points.
 class StencilSearch {
  protected:
   StencilSearch(const CollisionMesh& mesh, const PairTable& pairs, const FreeVertices& free, const VecX& x,
                 FoundStencils& found)
       : mesh_(mesh), pairs_(pairs), x_(x), found_(found), free_(free) {}
 
-  // Own: the vertices of the point, before those of what it is near.
+  // Adds a stencil that may move. Own: the number of vertices of the point, before those of the feature.
   template <int Own, class Stencil>
   void add_if_free(std::vector<Stencil>& stencils, const std::type_identity_t<Stencil>& stencil) {
     const std::span<const int> all(stencil.vertices);
@@ -129,7 +129,7 @@ const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, con
   return pairs.edge(object, other, pairs.region_pair(object, other, a, b));
 }
 
-// Returns the area of a pair of edges. An edge without width has no area, and does not count here.
+// Returns the area of a pair of edges. An edge without area does not limit the area of the other.
 double shared_area(double a, double b, double area_ratio_max) {
   const auto [smaller, larger] = std::minmax(a, b);
   return smaller > 0 ? smaller + std::min(larger, area_ratio_max * smaller) : larger;
@@ -194,7 +194,8 @@ bool NarrowPhase::may_integrate(const PointGroup& group) const {
          !lagged_.topology().triangles_at(group.point).empty();
 }
 
-// The groups that integrate and have no view in this step yet. changed: others have one; null: any may have none.
+// Returns the groups that integrate and have no patches in this step yet. changed: only groups with
+// changed primitives may have none; null: any group.
 std::vector<PointGroup> NarrowPhase::groups_without_patches(const ChangedPrimitives* changed) const {
   const auto may_be_new = [&](const PointGroup& g) {
     return !changed || changed->vertices[g.point] || changed->objects[g.object];
@@ -212,7 +213,8 @@ std::vector<PointGroup> NarrowPhase::groups_without_patches(const ChangedPrimiti
   return all;
 }
 
-// later: than what is covered was found.
+// Finds the visible patches of groups. later: whether overlaps of this step are known: then patches
+// have only the area whose overlap is unknown.
 std::vector<GroupPatches> NarrowPhase::find_patches(const Candidates& candidates, const std::vector<PointGroup>& groups, bool later) const {
   std::vector<GroupPatches> found(groups.size());
   for_each_chunk(static_cast<int>(groups.size()), [&](int, int first, int last) {
@@ -229,11 +231,12 @@ std::vector<GroupPatches> NarrowPhase::find_patches(const Candidates& candidates
   return found;
 }
 
-// Edges of one object that are neighbours at rest do not press. changed: for others it stays as it was decided.
+// Chooses the pairs of edges that press, and their laws. Edges of one object that are neighbours at
+// rest do not press. changed: pairs without changed edges keep their law; null: none does.
 void NarrowPhase::choose_edges(const Candidates& candidates, const ChangedPrimitives* changed) {
   constexpr int chunk = 4096;
   const CollisionMesh& mesh = surface_.mesh;
-  // The law of a pair of candidates; -1: it does not press.
+  // Returns the law of an edge-edge candidate; -1: it does not press.
   const auto law_of = [&, largest = pairs_.largest_edge_range()](int i) {
     if (candidates.distance_bounds.edge_edge[i] >= largest) return -1;
     const auto [ia, ib] = candidates.edge_edge[i];
@@ -303,7 +306,7 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
   make_lists(candidates, nullptr);
 }
 
-// earlier: null: all is new.
+// Makes the quadrature points and the patches of interior points. earlier: null: none in this step.
 void NarrowPhase::make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier) {
   if (!pairs_.plain_sums) rods_.find(candidates, lagged_);
   const VertexQuadratureRequest request{surface_, pairs_, lagged_, sides_, rods_, candidates, groups_, patches_, later_patches_, weights_at_start_};

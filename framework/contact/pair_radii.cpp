@@ -38,7 +38,7 @@ std::vector<ClassRange> class_ranges(const PairTable& pairs, const std::function
   return ranges;
 }
 
-// The smallest range of each class with any other; 0 for a class without one.
+// Returns the smallest range of each class with any other; 0 for a class without ranges.
 std::vector<double> smallest_ranges(const PairTable& pairs, const std::vector<ClassRange>& ranges) {
   std::vector<double> smallest(pairs.classes().count(), std::numeric_limits<double>::infinity());
   for (const auto& [a, b, range] : ranges)
@@ -47,8 +47,8 @@ std::vector<double> smallest_ranges(const PairTable& pairs, const std::vector<Cl
   return smallest;
 }
 
-// Inflation radii of classes, so that radius(a) + radius(b) >= range(a, b). vertices: the number of surface
-// vertices of each class.
+// Returns inflation radii of classes with radius(a) + radius(b) >= range(a, b). vertices: the number
+// of surface vertices of each class.
 std::vector<double> distribute_radii(const PairTable& pairs, std::vector<ClassRange> ranges, const std::vector<int>& vertices) {
   std::vector<double> radius = smallest_ranges(pairs, ranges);
   for (double& r : radius) r *= 0.5;

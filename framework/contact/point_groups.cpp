@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// Particle candidates in both directions, (point, other), sorted.
+// Returns particle candidates in both directions, (point, other), sorted.
 std::vector<std::array<int, 2>> particle_pairs(const Candidates& candidates) {
   auto pairs = candidates.point_point;
   for (const auto& [a, b] : candidates.point_point) pairs.push_back({b, a});
@@ -16,7 +16,7 @@ std::vector<std::array<int, 2>> particle_pairs(const Candidates& candidates) {
   return pairs;
 }
 
-// A chunk has the runs that begin in it.
+// Returns the runs of pairs with one point and one object. A chunk has the runs that begin in it.
 template <class ObjectOf>
 std::vector<PointGroup> runs_of(const std::vector<std::array<int, 2>>& pairs, const ObjectOf& object_of,
                                 int PointGroup::* begin, int PointGroup::* end) {
@@ -41,7 +41,7 @@ std::vector<PointGroup> runs_of(const std::vector<std::array<int, 2>>& pairs, co
   return groups;
 }
 
-// Unites the groups of the same point and object.
+// Unites the groups of equal point and object.
 std::vector<PointGroup> united(std::vector<PointGroup> groups) {
   const auto key = [](const PointGroup& g) { return std::array{g.point, g.object}; };
   std::stable_sort(groups.begin(), groups.end(),

@@ -15,12 +15,13 @@
 namespace tack {
 namespace {
 
-constexpr double small_weight = 0.1;  // of the area of a rod or particle: what has less is guarded against as well
+// Weight of a rod or particle below which the safety barrier acts as well.
+constexpr double small_weight = 0.1;
 
-// Makes the pieces of one chunk of groups.
+// Makes the quadrature points of one chunk of groups.
 class QuadratureMaker {
  public:
-  // Makes the pieces of groups in ascending order.
+  // add() expects groups in ascending order.
   QuadratureMaker(const VertexQuadratureRequest& r, const EarlierVertexQuadrature* earlier)
       : r_(r), mesh_(r.surface.mesh), earlier_(earlier), finder_(mesh_, r.lagged), codimensional_(mesh_, r.lagged), patches_(r.patches),
         later_patches_(r.later_patches), earlier_groups_(earlier ? earlier->groups.groups : r.groups.groups) {}
@@ -50,7 +51,8 @@ class QuadratureMaker {
     if (has_rods_or_particles(group)) add_rods_and_particles(group, role);
   }
 
-  // Takes the pieces of a group of triangles that are what they were, if there are any; rods and particles share with what may have changed.
+  // Copies the points of a group of triangles without changed primitives, if it has earlier points.
+  // Rods and particles are made again, as their weights depend on other primitives.
   bool copy_earlier(const PointGroup& group) {
     if (!earlier_ || has_rods_or_particles(group) || topology().is_codimensional(group.point)) return false;
     const ChangedPrimitives& changed = earlier_->changed;
@@ -74,14 +76,14 @@ class QuadratureMaker {
     double range, area;
   };
   struct NearTriangle {
-    int candidate, patch;  // of the group's view; -1: none
+    int candidate, patch;  // index of the patch; -1: none
   };
   struct SafetyBarrier {
     int law;  // -1: none
     double range;
   };
 
-  // That of what is nearest of the group.
+  // Returns the region pair of the nearest primitive of the group.
   int nearest_region_pair(const PointGroup& group, int own) const {
     if (!r_.pairs.has_regions(own, group.object)) return -1;
     const VecX& x = r_.lagged.x();
@@ -102,7 +104,7 @@ class QuadratureMaker {
   double tributary_area(int point) const {
     return r_.lagged.tributary_area(point) + (topology().is_codimensional(point) ? r_.lagged.codimensional_area(point) : 0);
   }
-  // Returns the safety barrier of a side that carries pressure, or the law of one that does not.
+  // Returns the safety barrier of a side that carries pressure, or the law of a side that does not.
   static SafetyBarrier safety_barrier_of(const PairRole& role) {
     if (role.carries_pressure) return {role.safety_barrier, role.safety_barrier_range};
     return {role.law, role.range};
@@ -113,7 +115,7 @@ class QuadratureMaker {
   // Returns whether the pair may come within a range [m] while the candidates are valid.
   bool may_come_within(int i, double range) const { return r_.candidates.distance_bounds.point_triangle[i] < range; }
 
-  // Within one object the law is the one that presses from rest on.
+  // Begins a point. Within one object its law is the one that is cut down to the gap at rest.
   void begin_point(const PointGroup& group, ActingLaw acting) {
     if (const RestGaps* gaps = r_.surface.rest_gaps.get(); gaps && within_object(group))
       if (const int law = gaps->law_of_point(acting.law, group.point); law != acting.law) acting = {law, gaps->range(law), acting.area};
@@ -121,7 +123,7 @@ class QuadratureMaker {
     const int t = end(out_.triangles), e = end(out_.edges), o = end(out_.others);
     out_.points.push_back({group.point, acting.law, acting.area, acting.range, t, t, -1, e, e, o, o});
   }
-  // A piece that acts on nothing, or stands for nothing, is none.
+  // Ends a point. Points without primitives or without area are discarded.
   void end_point() {
     VertexQuadraturePoint& point = out_.points.back();
     point.triangle_end = static_cast<int>(out_.triangles.size());
@@ -181,8 +183,8 @@ class QuadratureMaker {
     for (int i = group.other_begin; i < group.other_end; ++i) out_.others.push_back(particle(i));
   }
 
-  // Adds the pieces of rods and particles. They integrate, so that vertices of surfaces carry none
-  // of that pressure.
+  // Adds the points that act on rods and particles. Codimensional elements integrate, so that
+  // vertices of surfaces carry none of this pressure.
   void add_rods_and_particles(const PointGroup& group, const PairRole& role) {
     const PairRole& codimensional = r_.pairs.codimensional(mesh_.vertex_object[group.point], group.object, region_pair_);
     const double pressure_area = topology().is_codimensional(group.point) ? codimensional_overlap(group) : 0;
@@ -198,7 +200,7 @@ class QuadratureMaker {
     list_rods(group, barrier.range);
     end_point();
   }
-  // Towards rods and particles [m^2]; between two particles each has half.
+  // Returns the overlap area with rods and particles [m^2]; of two particles each has half.
   double codimensional_overlap(const PointGroup& group) const {
     const double radius = topology().particle_radius(group.point);
     if (radius == 0) return r_.rods.area(group.point, group.object);
@@ -207,9 +209,9 @@ class QuadratureMaker {
     return M_PI / 2 * smaller * smaller;
   }
 
-  // Returns the weight of a point whose cells have area a, opposite cells of area b: b^4 / (a^4 +
-  // b^4). Uniform meshes count the overlap once together, a finer mesh nearly all of it. A coarse
-  // point, which may stand for more than the overlap, counts little.
+  // Returns the weight by size, b^4 / (a^4 + b^4), of a point with area a per vertex against b on the
+  // opposite side. Both sides of uniform meshes together count the overlap once; a finer mesh counts
+  // nearly all of it. A coarse point, whose area may exceed the overlap, counts little.
   double size_weight(const PairRole& role, int point, const VisiblePatch& patch) const {
     if (!role.by_size) return role.area_factor;
     const double own = r_.lagged.area_per_vertex(point, patch.normal), opposite = patch.area_per_vertex;
@@ -221,7 +223,7 @@ class QuadratureMaker {
     return role.by_size && patch.overshoot > overshoot_per_size_max * std::sqrt(patch.area) ? 0 : weight * patch.area;
   }
 
-  // By the triangle that leads a piece.
+  // Returns the role of a patch, by its seed triangle.
   const PairRole& role_towards(const PointGroup& group, const VisiblePatch& patch) const {
     const int own = mesh_.vertex_object[group.point];
     return r_.pairs.point(own, group.object, r_.pairs.region_pair(own, group.object, std::array{group.point}, mesh_.triangles[patch.seed_triangle]));
@@ -238,7 +240,7 @@ class QuadratureMaker {
     }
     const QueryPoint from = finder_.at_vertex(group.point);
     const double range_max = std::max(role.range_max(), barrier.law >= 0 ? barrier.range : 0);
-    // A sheet that bends sharply faces its neighbours, nearer than it is thick.
+    // A sheet that bends sharply faces its neighbours at less than its thickness.
     const bool thick = within_object(group) && r_.pairs.offset(group.object, group.object) > 0;
     near_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) {
@@ -263,8 +265,8 @@ class QuadratureMaker {
     end_point();
   }
 
-  // Adds the pieces of a vertex of a rod, or of a particle. The safety barrier acts towards
-  // triangles for which its weight is small.
+  // Adds the points of a vertex of a rod, or of a particle. The safety barrier acts on triangles for
+  // which its weight is small.
   void add_codimensional(const PointGroup& group, const PairRole& role) {
     const PairRole& pressure = r_.pairs.codimensional(mesh_.vertex_object[group.point], group.object, region_pair_);
     const double area = r_.lagged.codimensional_area(group.point);
@@ -284,11 +286,12 @@ class QuadratureMaker {
       return 1 - fraction * fraction * (3 - 2 * fraction);
     });
   }
-  // Normalises the weights where a point is close to a surface at several positions of similar
-  // direction. A rod of projected width w has room for pi w around it, a particle for four of its
-  // cross-sections. Position f has N_f = sum_g m_g max(0, u_f . u_g), with unit vectors u to the
-  // point and multiplicities m that fade in the outer half of the range; weights are divided by the
-  // mean N_f.
+  // Normalises the weights of a point that is close to a surface at several positions of similar
+  // direction, because around a rod of projected width w there is area for pi w only, around a
+  // particle for four of its cross-sections. Feature f has the overlap count
+  //     N_f = sum_g m_g max(0, u_f . u_g),
+  // with unit vectors u from the features to the point, and multiplicities m that fade in the outer
+  // half of the range. Weights are divided by the mean N_f.
   void normalise_weights(int point, double range, std::vector<TriangleWeight>& weights) {
     const VecX& x = r_.lagged.x();
     const Vec3 p = vertex(x, point);
@@ -340,12 +343,12 @@ class QuadratureMaker {
   SortedCursor<GroupPatches> patches_, later_patches_;
   SortedCursor<PointGroup> earlier_groups_;
   VertexQuadrature out_;
-  int region_pair_ = -1;                   // of what is nearest of a group, by the laws that hold
+  int region_pair_ = -1;                   // of the nearest primitive of the group
   std::vector<NearTriangle> near_;  // of a group
-  std::vector<int> triangles_;      // likewise
+  std::vector<int> triangles_;      // of a group
   std::vector<Triangle> near_triangles_;
   PointFeatures features_;
-  std::vector<std::pair<double, Vec3>> feature_directions_;  // where a point is near
+  std::vector<std::pair<double, Vec3>> feature_directions_;  // multiplicity, direction to the point
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-// Offsets of a chunk's lists in the joined lists.
+// Offsets of the lists of a chunk in the joined lists.
 struct QuadratureOffsets {
   size_t point = 0, group = 0, triangle = 0, weight = 0, edge = 0, other = 0, lagged_weight = 0;
 
