@@ -69,7 +69,7 @@ void BondList::set_position(Bond& bond, const double* entry, const std::array<in
   const auto& [own, u, v] = std::tie(entry[0], entry[1], entry[2]);
   const std::vector<int>& object = surface_->mesh.vertex_object;
   const auto refuse = [] {
-    throw InputError("what is remembered of bonds does not fit the objects; it is of another scene: begin the run anew");
+    throw InputError("the stored bonds do not fit the objects, because another scene stored them; start the run again");
   };
   const int vertices = static_cast<int>(object.size()), objects = static_cast<int>(first_triangle_.size()) - 1;
   if (key[0] < 0 || key[0] >= vertices || key[1] < 0 || key[1] >= objects) refuse();
@@ -114,7 +114,7 @@ bool BondList::read(const History& history) {
       // History of pairs that bond by another law here is skipped.
       if (bond.rule < 0 || table_->rules()[bond.rule].type != type) continue;
       if (array.width != position_width + table_->rules()[bond.rule].law->width())
-        throw InputError(fmt::format("bonds of the law '{}' are remembered by {} numbers, and it has {}; it is another law of that name: begin the run anew", type,
+        throw InputError(fmt::format("stored bonds of the law '{}' have {} history variables, but the law has {}; another law of that name stored them: start the run again", type,
                                      array.width - position_width, table_->rules()[bond.rule].law->width()));
       add(bond, entry + position_width);
     }

@@ -26,7 +26,7 @@ void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end,
   unit.first = rows.count();
   unit.rows = fresh.across > 0 ? 3 : 1;
   unit.bond = i;
-  unit.presses = bonds.law_of(i).resists_pressing();
+  unit.resists_compression = bonds.law_of(i).resists_pressing();
   unit.start = Vec3(from.d, frame.col(1).dot(from.u), frame.col(2).dot(from.u));
   unit.free = (Vec3(to.d, frame.col(1).dot(to.u), frame.col(2).dot(to.u)) - unit.start) / step.h();
   for (int k = 0; k < unit.rows; ++k) {
@@ -34,7 +34,7 @@ void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end,
     rows.finish();
   }
   const BondStiffness k = bond_stiffness(bonds, i, unit.start, step.h());
-  sweeps.add(unit, -step.h() * Vec3(k.along * (unit.presses ? unit.start[0] : std::max(unit.start[0], 0.0)), k.across * unit.start[1], k.across * unit.start[2]));
+  sweeps.add(unit, -step.h() * Vec3(k.along * (unit.resists_compression ? unit.start[0] : std::max(unit.start[0], 0.0)), k.across * unit.start[1], k.across * unit.start[2]));
 }
 
 std::vector<double> bond_pressures(const BondTerm& bonds, const std::vector<ContactRow>& contacts, const ContactSystem& system) {

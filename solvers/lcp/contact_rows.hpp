@@ -12,7 +12,7 @@
 
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "solvers/lcp/held_contacts.hpp"
+#include "solvers/lcp/stored_contacts.hpp"
 #include "solvers/lcp/surface_features.hpp"
 
 namespace tack {
@@ -29,26 +29,26 @@ struct ContactRow {
   double mu;
   int object, opposite;                // object of the point, and object of the feature
   Vec3 force;  // force on the point: of the last step, once solved of this step [N]
-  int held;  // index in HeldContacts::points (own = 1) or HeldContacts::edges; -1: none
+  int stored;  // index in StoredContacts::points (own = 1) or StoredContacts::edges; -1: none
 
-  Vec3 moved(const VecX& way) const {  // way: displacements (3n) [m]
+  Vec3 moved(const VecX& displacement) const {  // displacement: 3n [m]
     Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < 4; ++i) sum += coefficients[i] * vertex(way, vertices[i]);
+    for (int i = 0; i < 4; ++i) sum += coefficients[i] * vertex(displacement, vertices[i]);
     return sum;
   }
 };
 
 struct ContactRows {
   std::vector<ContactRow> rows;
-  HeldContacts held;  // stored for the next step; its forces are those of the last step
+  StoredContacts stored;  // stored for the next step; its forces are those of the last step
 };
 
 // Search radius, in margins: pairs within it have rows from the start of a step. Other pairs get
 // rows if they meet during the step (impact_rows.hpp).
-constexpr double near_in_margins = 2;
+constexpr double search_radius_in_margins = 2;
 // Gap kept between edges, as a fraction of the margin. Edge rows only prevent crossings between
 // points.
-constexpr double part_for_edges = 0.5;
+constexpr double edge_gap_fraction = 0.5;
 // Cosine below which a point lies beside a surface, so that it has no side.
 constexpr double beside = 0.2;
 
@@ -56,13 +56,17 @@ constexpr double beside = 0.2;
 double friction_between(const ContactSystem& system, int a, int b);
 
 // Returns an upper bound of the relative displacement of vertices `a` against vertices `b` [m].
-// way: displacements (3n), or empty for none.
+// displacement: 3n, or empty for none.
 template <size_t A, size_t B>
-double relative_way(const VecX& way, const std::array<int, A>& a, const std::array<int, B>& b) {
-  if (way.size() == 0) return 0;
+double relative_displacement(const VecX& displacement, const std::array<int, A>& a,
+                             const std::array<int, B>& b) {
+  if (displacement.size() == 0) return 0;
   double most = 0;
   for (const int i : a)
-    for (const int j : b) most = std::max(most, (vertex(way, i) - vertex(way, j)).squaredNorm());
+    for (const int j : b) {
+      const Vec3 relative = vertex(displacement, i) - vertex(displacement, j);
+      most = std::max(most, relative.squaredNorm());
+    }
   return std::sqrt(most);
 }
 
@@ -72,24 +76,26 @@ class ContactFinder {
   // keep half of it.
   ContactFinder(const ContactSystem& system, double margin);
 
-  // Returns the contacts near at x (3n) and those stored in `before`. way: displacements of the
-  // vertices since `before` (3n) [m]; empty: none.
-  ContactRows find(const VecX& x, const VecX& way, const HeldContacts& before);
+  // Returns the contacts near at x (3n) and those stored in `before`. displacement: of the vertices
+  // since `before` (3n) [m]; empty: none.
+  ContactRows find(const VecX& x, const VecX& displacement, const StoredContacts& before);
 
  private:
   struct Chunk {
     std::vector<ContactRow> rows;
-    std::vector<HeldPoint> points;
-    std::vector<HeldEdges> edges;
+    std::vector<StoredPoint> points;
+    std::vector<StoredEdges> edges;
   };
-  void add_points(const Candidates& candidates, int first, int last, const VecX& x, const VecX& way,
-                  double reach, const HeldContacts& before, Chunk& out) const;
-  void add_edges(int a, int b, const VecX& x, const VecX& way, const HeldContacts& before,
-                 const std::vector<HeldPoint>& sides, Chunk& out) const;
-  double side_of_edges(const NearEdges& near, const VecX& x, const std::vector<HeldPoint>& sides,
-                       const HeldEdges* held) const;
+  void add_points(const Candidates& candidates, int first, int last, const VecX& x,
+                  const VecX& displacement, double search_radius, const StoredContacts& before,
+                  Chunk& out) const;
+  void add_edges(int a, int b, const VecX& x, const VecX& displacement,
+                 const StoredContacts& before, const std::vector<StoredPoint>& sides,
+                 Chunk& out) const;
+  double side_of_edges(const NearEdges& near, const VecX& x, const std::vector<StoredPoint>& sides,
+                       const StoredEdges* stored) const;
   bool share_vertex(int triangle, int other) const;
-  double strayed(const HeldContacts& before, const VecX& way) const;
+  double displaced_depth(const StoredContacts& before, const VecX& displacement) const;
 
   const ContactSystem& system_;
   const ContactSurface& surface_;

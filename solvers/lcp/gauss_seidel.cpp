@@ -76,7 +76,7 @@ Vec3 GaussSeidel::wanted(const RowUnit& unit, const Vec3& w) const {
       return old[i] - (u[i] + unit.start[i] / h + compliance * old[i]) / (w[i] + compliance);
     };
     now[0] = soft(0, k.along);
-    if (!unit.presses) now[0] = std::min(0.0, now[0]);
+    if (!unit.resists_compression) now[0] = std::min(0.0, now[0]);
     for (int i = 1; i < unit.rows; ++i) now[i] = soft(i, k.across);
     return now;
   }

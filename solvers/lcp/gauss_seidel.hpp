@@ -22,7 +22,7 @@ struct RowUnit {
   Vec3 free = Vec3::Zero();         // u* [m/s]
   Vec3 start = Vec3::Zero();        // g, or d and s [m]
   double mu = 0;
-  bool presses = false;             // bonds: resists compression
+  bool resists_compression = false;  // of bonds
 
   int end() const { return first + rows; }
 };

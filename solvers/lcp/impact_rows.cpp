@@ -27,17 +27,17 @@ void ImpactFinder::finish(ContactRow& row, int object, int opposite, const VecX&
   row.force.setZero();
 }
 
-bool ImpactFinder::meets(int point, int triangle, const VecX& x, const VecX& way, Impact& out) const {
+bool ImpactFinder::meets(int point, int triangle, const VecX& x, const VecX& displacement, Impact& out) const {
   const CollisionMesh& mesh = surface_.mesh;
   const Triangle& t = mesh.triangles[triangle];
   const std::array<int, 1> p{point};
   const int object = mesh.vertex_object[point], opposite = mesh.vertex_object[t[0]];
   const double offset = system_.pairs().offset(object, opposite);
   const auto [a, b, c] = corners(x, t);
-  const auto [da, db, dc] = corners(way, t);
-  const Vec3 q = vertex(x, point), dq = vertex(way, point);
+  const auto [da, db, dc] = corners(displacement, t);
+  const Vec3 q = vertex(x, point), dq = vertex(displacement, point);
   const double distance = std::sqrt(squared_distance(corners(x, p), corners(x, t)));
-  if (distance <= offset || distance - offset > relative_way(way, p, t)) return false;
+  if (distance <= offset || distance - offset > relative_displacement(displacement, p, t)) return false;
   if (object == opposite && close_at_rest(surface_, p, t, margin_ + offset)) return false;
   const double when = point_triangle_accd(q, a, b, c, dq, da, db, dc, of_gap, 1, offset);
   if (when >= 1) return false;
@@ -61,17 +61,17 @@ bool ImpactFinder::meets(int point, int triangle, const VecX& x, const VecX& way
   return true;
 }
 
-bool ImpactFinder::edges_meet(int a, int b, const VecX& x, const VecX& way, Impact& out) const {
+bool ImpactFinder::edges_meet(int a, int b, const VecX& x, const VecX& displacement, Impact& out) const {
   const CollisionMesh& mesh = surface_.mesh;
   const Edge &ea = mesh.edges[a], &eb = mesh.edges[b];
   const int object = mesh.vertex_object[ea[0]], opposite = mesh.vertex_object[eb[0]];
-  const double offset = system_.pairs().offset(object, opposite), margin = part_for_edges * margin_;
+  const double offset = system_.pairs().offset(object, opposite), margin = edge_gap_fraction * margin_;
   const auto [a0, a1] = corners(x, ea);
   const auto [b0, b1] = corners(x, eb);
-  const auto [da0, da1] = corners(way, ea);
-  const auto [db0, db1] = corners(way, eb);
+  const auto [da0, da1] = corners(displacement, ea);
+  const auto [db0, db1] = corners(displacement, eb);
   const double distance = std::sqrt(squared_distance(corners(x, ea), corners(x, eb)));
-  if (distance <= offset || distance - offset > relative_way(way, ea, eb)) return false;
+  if (distance <= offset || distance - offset > relative_displacement(displacement, ea, eb)) return false;
   if (object == opposite && close_at_rest(surface_, ea, eb, margin_ + offset)) return false;
   const double when = edge_edge_accd(a0, a1, b0, b1, da0, da1, db0, db1, of_gap, 1, offset);
   if (when >= 1) return false;
@@ -92,16 +92,16 @@ bool ImpactFinder::edges_meet(int a, int b, const VecX& x, const VecX& way, Impa
   return true;
 }
 
-void ImpactFinder::begin(const HeldContacts& near) {
+void ImpactFinder::begin(const StoredContacts& near) {
   found_points_.clear();
   found_edges_.clear();
-  for (const HeldPoint& h : near.points) found_points_.insert({h.point, h.triangle});
-  for (const HeldEdges& h : near.edges) found_edges_.insert({h.a, h.b});
+  for (const StoredPoint& h : near.points) found_points_.insert({h.point, h.triangle});
+  for (const StoredEdges& h : near.edges) found_edges_.insert({h.a, h.b});
 }
 
 void ImpactFinder::find(const VecX& x, const VecX& end, ContactRows& out) {
-  const VecX way = end - x;
-  broad_phase_.update(x, way, system_.pairs().largest_offset(), 0);
+  const VecX displacement = end - x;
+  broad_phase_.update(x, displacement, system_.pairs().largest_offset(), 0);
   const Candidates& candidates = broad_phase_.candidates();
   const int points = static_cast<int>(candidates.point_triangle.size()), all = points + static_cast<int>(candidates.edge_edge.size());
   std::vector<std::vector<Impact>> chunks(chunk_count(all));
@@ -110,18 +110,18 @@ void ImpactFinder::find(const VecX& x, const VecX& end, ContactRows& out) {
     for (int i = first; i < last; ++i) {
       const auto& [a, b] = i < points ? candidates.point_triangle[i] : candidates.edge_edge[i - points];
       if ((i < points ? found_points_ : found_edges_).contains({a, b})) continue;
-      if (i < points ? meets(a, b, x, way, impact) : edges_meet(a, b, x, way, impact)) chunks[chunk].push_back(impact);
+      if (i < points ? meets(a, b, x, displacement, impact) : edges_meet(a, b, x, displacement, impact)) chunks[chunk].push_back(impact);
     }
   });
-  HeldContacts& held = out.held;
+  StoredContacts& stored = out.stored;
   for (const auto& chunk : chunks)
     for (const Impact& impact : chunk) {
       (impact.of_edges ? found_edges_ : found_points_).insert(impact.who);
       const auto& [a, b] = impact.who;
       ContactRow& row = out.rows.emplace_back(impact.row);
-      row.held = static_cast<int>(impact.of_edges ? held.edges.size() : held.points.size());
-      if (impact.of_edges) held.edges.push_back({a, b, row.normal, row.gap, 0, row.force});
-      else held.points.push_back({a, row.opposite, b, impact.side, row.gap, 0, row.force});
+      row.stored = static_cast<int>(impact.of_edges ? stored.edges.size() : stored.points.size());
+      if (impact.of_edges) stored.edges.push_back({a, b, row.normal, row.gap, 0, row.force});
+      else stored.points.push_back({a, row.opposite, b, impact.side, row.gap, 0, row.force});
     }
 }
 

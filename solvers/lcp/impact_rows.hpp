@@ -18,7 +18,7 @@ class ImpactFinder {
   ImpactFinder(const ContactSystem& system, double margin);
 
   // Begins a step. near: contacts that have rows already.
-  void begin(const HeldContacts& near);
+  void begin(const StoredContacts& near);
   // Appends the rows and stored entries of contacts that meet between x and end (3n) and were not
   // found before, in the order of candidates.
   void find(const VecX& x, const VecX& end, ContactRows& out);
@@ -30,8 +30,8 @@ class ImpactFinder {
     ContactRow row;
     double side = 0;
   };
-  bool meets(int point, int triangle, const VecX& x, const VecX& way, Impact& out) const;
-  bool edges_meet(int a, int b, const VecX& x, const VecX& way, Impact& out) const;
+  bool meets(int point, int triangle, const VecX& x, const VecX& displacement, Impact& out) const;
+  bool edges_meet(int a, int b, const VecX& x, const VecX& displacement, Impact& out) const;
   void finish(ContactRow& row, int object, int opposite, const VecX& x, double margin) const;
 
   const ContactSystem& system_;

@@ -71,9 +71,9 @@ class LcpPgsStepper : public Stepper {
   void solve(const Step& step, const VecX* guess, SolveResult& result) override;
   Validation validate(const SolveResult& result) override;
   void commit(History& history) const override {
-    if (world_->contact) step_->held().write(history, world_->contact->surface());
+    if (world_->contact) step_->stored().write(history, world_->contact->surface());
   }
-  void erase_history(History& history) const override { HeldContacts::forget(history); }
+  void erase_history(History& history) const override { StoredContacts::erase(history); }
 
  private:
   std::optional<double> margin_, tolerance_;  // m, m/s

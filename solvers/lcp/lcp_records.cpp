@@ -17,19 +17,19 @@ Vec3 force_of(const ContactRow& c, Direction direction) {
   return direction == Direction::normal ? normal : Vec3(c.force - normal);
 }
 
-ForceRecord forces(std::shared_ptr<const LcpStep> step, const std::string& name, Direction direction, std::vector<std::string> parts) {
-  ForceRecord record{name, direction == Direction::normal ? ForceDirection::normal : ForceDirection::tangential, std::move(parts)};
+ForceRecord forces(std::shared_ptr<const LcpStep> step, const std::string& name, Direction direction, std::vector<std::string> summands) {
+  ForceRecord record{name, direction == Direction::normal ? ForceDirection::normal : ForceDirection::tangential, std::move(summands)};
   record.stored = false;
   // In both kinds of forces the second term is adhesion, which bonds report.
-  const auto none = [](std::string_view part) { return part == "adhesion"; };
-  record.add = [=](const VecX&, std::string_view part, VecX& sum) {
-    if (none(part)) return;
+  const auto none = [](std::string_view summand) { return summand == "adhesion"; };
+  record.add = [=](const VecX&, std::string_view summand, VecX& sum) {
+    if (none(summand)) return;
     for (const ContactRow& c : step->contacts())
       for (int i = 0; i < 4; ++i) vertex(sum, c.vertices[i]) += c.coefficients[i] * force_of(c, direction);
   };
-  record.between = [=](const VecX&, std::string_view part, ObjectPair pair) {
+  record.between = [=](const VecX&, std::string_view summand, ObjectPair pair) {
     Vec3 sum = Vec3::Zero();
-    if (none(part)) return sum;
+    if (none(summand)) return sum;
     for (const ContactRow& c : step->contacts()) {
       if (c.object == pair.a && c.opposite == pair.b) sum += force_of(c, direction);
       else if (c.object == pair.b && c.opposite == pair.a) sum -= force_of(c, direction);
@@ -44,10 +44,10 @@ ForceRecord forces(std::shared_ptr<const LcpStep> step, const std::string& name,
 void publish_impulses(World& world, std::shared_ptr<const LcpStep> step) {
   if (!world.contact) return;
   ForceRecord normal = forces(step, "contact", Direction::normal, {"barrier", "adhesion"});
-  normal.add_compressions = [=](const VecX&, std::string_view part, VecX& pressed) {
-    if (part == "adhesion") return;
+  normal.add_compressions = [=](const VecX&, std::string_view summand, VecX& compressions) {
+    if (summand == "adhesion") return;
     for (const ContactRow& c : step->contacts())
-      for (int i = 0; i < 4; ++i) pressed(3 * c.vertices[i]) += std::abs(c.coefficients[i]) * c.normal.dot(c.force);
+      for (int i = 0; i < 4; ++i) compressions(3 * c.vertices[i]) += std::abs(c.coefficients[i]) * c.normal.dot(c.force);
   };
   // A point stands for a third of the triangles around it, wherever it carries pressure.
   normal.add_areas = [=, system = world.contact.get()](const VecX&, VecX& areas) {

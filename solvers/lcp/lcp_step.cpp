@@ -30,12 +30,12 @@ LcpStep::LcpStep(World& world, PhaseClock& clock, LinearSolver& solver, const Lc
   impacts_.emplace(*world.contact, settings.margin);
 }
 
-double LcpStep::room(const ContactRow& contact) const {
-  const double room = contact.distance - contact.gap;
-  return room < 0 ? settings_.recovery * room : room;
+double LcpStep::gap_excess(const ContactRow& contact) const {
+  const double gap_excess = contact.distance - contact.gap;
+  return gap_excess < 0 ? settings_.recovery * gap_excess : gap_excess;
 }
 
-void LcpStep::add_contact(int contact, const VecX& way) {
+void LcpStep::add_contact(int contact, const VecX& displacement) {
   const ContactRow& c = contacts_.rows[contact];
   const Mat3 frame = frame_of(c.normal);
   RowUnit unit;
@@ -43,8 +43,8 @@ void LcpStep::add_contact(int contact, const VecX& way) {
   unit.rows = c.mu > 0 ? 3 : 1;
   unit.contact = contact;
   unit.mu = c.mu;
-  unit.start[0] = room(c);
-  unit.free = frame.transpose() * c.moved(way) / linear_.h();
+  unit.start[0] = gap_excess(c);
+  unit.free = frame.transpose() * c.moved(displacement) / linear_.h();
   Vec3 impulse = linear_.h() * frame.transpose() * c.force;
   impulse[0] = std::max(impulse[0], 0.0);
   if (const double size = impulse.tail<2>().norm(); size > c.mu * impulse[0]) impulse.tail<2>() *= c.mu * impulse[0] / size;
@@ -64,12 +64,12 @@ void LcpStep::add_bonds(const VecX& x, const VecX& end) {
 
 // Adds contacts that close further than allowed, first those with a force in the last step. Returns
 // their number.
-int LcpStep::add_violated(const VecX& way, double tolerated, bool first) {
+int LcpStep::add_violated(const VecX& displacement, double tolerated, bool first) {
   int added = 0;
   for (size_t i = 0; i < contacts_.rows.size(); ++i) {
     const ContactRow& c = contacts_.rows[i];
     if (taken_[i]) continue;
-    if (!(room(c) + c.normal.dot(c.moved(way)) < -tolerated) && !(first && !c.force.isZero(0))) continue;
+    if (!(gap_excess(c) + c.normal.dot(c.moved(displacement)) < -tolerated) && !(first && !c.force.isZero(0))) continue;
     add_contact(static_cast<int>(i), free_);
     ++added;
   }
@@ -101,10 +101,10 @@ void LcpStep::take_forces() {
       c.force = frame_of(c.normal) * sweeps_->impulse(unit) / linear_.h();
       slid_ -= sweeps_->impulse(unit).tail<2>().dot(sweeps_->velocity(unit).tail<2>());
     }
-  for (HeldPoint& p : contacts_.held.points) p.force.setZero();
-  for (HeldEdges& e : contacts_.held.edges) e.force.setZero();
+  for (StoredPoint& p : contacts_.stored.points) p.force.setZero();
+  for (StoredEdges& e : contacts_.stored.edges) e.force.setZero();
   for (const ContactRow& c : contacts_.rows)
-    if (c.held >= 0) (c.own == 1 ? contacts_.held.points[c.held].force : contacts_.held.edges[c.held].force) = c.force;
+    if (c.stored >= 0) (c.own == 1 ? contacts_.stored.points[c.stored].force : contacts_.stored.edges[c.stored].force) = c.force;
 }
 
 // Updates the history of contacts from the end of the step.
@@ -112,15 +112,15 @@ void LcpStep::look_back(const VecX& x, const VecX& end) {
   if (!finder_) return;
   const PhaseScope scope(clock_, Phase::narrow_phase);
   if (!met_) impacts_->find(x, end, contacts_);
-  contacts_.held.sort();
-  ContactRows now = finder_->find(end, end - x, contacts_.held);
+  contacts_.stored.sort();
+  ContactRows now = finder_->find(end, end - x, contacts_.stored);
   for (const ContactRow& row : now.rows) deepest_ = std::max(deepest_, -row.distance);
-  held_ = std::move(now.held);
+  stored_ = std::move(now.stored);
 }
 
 void LcpStep::solve(const Step& step, SolveResult& result) {
   contacts_ = {};
-  held_ = {};
+  stored_ = {};
   rows_ = {};
   residual_ = deepest_ = 0;
   met_ = false;
@@ -136,8 +136,8 @@ void LcpStep::solve(const Step& step, SolveResult& result) {
   free_ = result.x - x;
   if (finder_) {
     const PhaseScope scope(clock_, Phase::narrow_phase);
-    contacts_ = finder_->find(x, VecX(), HeldContacts::read(step.state.history, world_.contact->surface()));
-    impacts_->begin(contacts_.held);
+    contacts_ = finder_->find(x, VecX(), StoredContacts::read(step.state.history, world_.contact->surface()));
+    impacts_->begin(contacts_.stored);
   }
   taken_.assign(contacts_.rows.size(), 0);
   add_bonds(x, result.x);

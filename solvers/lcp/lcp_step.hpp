@@ -31,7 +31,7 @@ class LcpStep {
   // Results of the last step: contacts with forces, the history for the next step, and the greatest
   // depth of a point behind its side at the end [m].
   const std::vector<ContactRow>& contacts() const { return contacts_.rows; }
-  const HeldContacts& held() const { return held_; }
+  const StoredContacts& stored() const { return stored_; }
   double deepest() const { return deepest_; }
   int rows() const { return rows_.count(); }
   int sweeps() const { return sweeps_ ? sweeps_->sweeps() : 0; }
@@ -41,10 +41,10 @@ class LcpStep {
  private:
   // Returns the distance that a contact may still close [m]. Negative: the distance to restore in
   // this step.
-  double room(const ContactRow& contact) const;
-  void add_contact(int contact, const VecX& way);
+  double gap_excess(const ContactRow& contact) const;
+  void add_contact(int contact, const VecX& displacement);
   void add_bonds(const VecX& x, const VecX& end);
-  int add_violated(const VecX& way, double tolerated, bool first);
+  int add_violated(const VecX& displacement, double tolerated, bool first);
   int add_impacts(const VecX& x, const VecX& end);
   void take_forces();
   void look_back(const VecX& x, const VecX& end);
@@ -57,7 +57,7 @@ class LcpStep {
   std::optional<ContactFinder> finder_;
   std::optional<ImpactFinder> impacts_;
   ContactRows contacts_;
-  HeldContacts held_;
+  StoredContacts stored_;
   std::vector<char> taken_;  // per contact: it has rows
   bool met_ = false;         // contacts met during the step have been added
   VecX free_;                // displacements without impulses (3n) [m]

@@ -37,11 +37,11 @@ VecX LinearizedStep::imposed(const Step& step) {
     of_all_ = std::make_unique<StepPotential>(world_, clock_, terms_, all_, world_.mass);
   }
   of_all_->begin_step(step.state.x, step.prediction.x, step.prediction.scales(), true);
-  VecX q, way, force;
+  VecX q, displacement, force;
   all_.gather(step.state.x, q);
   of_all_->move_to(q);
-  all_.gather(VecX(places_ - step.state.x), way);
-  of_all_->hessian({Projection::clamp}).multiply(way, force);
+  all_.gather(VecX(x_fixed_ - step.state.x), displacement);
+  of_all_->hessian({Projection::clamp}).multiply(displacement, force);
   VecX in_unknowns(world_.dofs.size());
   for (int b = 0; b < world_.dofs.block_count(); ++b)
     in_unknowns.segment<3>(3 * b) = -force.segment<3>(3 * all_.block(world_.dofs.vertex_of_block(b)));
@@ -51,8 +51,8 @@ VecX LinearizedStep::imposed(const Step& step) {
 
 bool LinearizedStep::begin(const Step& step) {
   h_ = step.h;
-  places_ = step.targets;
-  world_.dofs.update_dependents(places_);
+  x_fixed_ = step.targets;
+  world_.dofs.update_dependents(x_fixed_);
   if (!potential_) potential_ = std::make_unique<StepPotential>(world_, clock_, terms_, world_.dofs, world_.mass);
   potential_->begin_step(step.state.x, step.prediction.x, step.prediction.scales(), true);
   VecX q;
@@ -69,8 +69,8 @@ bool LinearizedStep::begin(const Step& step) {
 }
 
 VecX LinearizedStep::end(const VecX& p) const {
-  VecX q, x = places_;
-  world_.dofs.gather(places_, q);
+  VecX q, x = x_fixed_;
+  world_.dofs.gather(x_fixed_, q);
   world_.dofs.scatter(q + free_ + p, x);
   return x;
 }

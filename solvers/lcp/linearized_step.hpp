@@ -46,7 +46,7 @@ class LinearizedStep {
   // prescribed vertex moves.
   DofMap all_;
   std::unique_ptr<StepPotential> of_all_;
-  VecX places_;  // 3n: prescribed vertices at the end of the step, others at its start
+  VecX x_fixed_;  // 3n: prescribed vertices at the end of the step, others at its start
   VecX free_;    // p without impulses
   double h_ = 0;
 };

@@ -24,9 +24,9 @@ NearPoint nearest_in(const CollisionMesh& mesh, int p, int t, const VecX& x) {
   NearPoint near{p, t, 0, {-1, -1, -1}, {0, 0, 0}, 0, Vec3::Zero(), 0};
   for (int i = 0; i < 3; ++i)
     if (l[i] != 0) near.corners[near.count] = v[i], near.weights[near.count++] = l[i];
-  const Vec3 way = q - (l[0] * a + l[1] * b + l[2] * c);
-  near.distance = way.norm();
-  near.normal = near.distance > 0 ? Vec3(way / near.distance) : Vec3::Zero();
+  const Vec3 difference = q - (l[0] * a + l[1] * b + l[2] * c);
+  near.distance = difference.norm();
+  near.normal = near.distance > 0 ? Vec3(difference / near.distance) : Vec3::Zero();
   return near;
 }
 
@@ -80,12 +80,12 @@ Vec3 SurfaceFeatures::normal_at(const NearPoint& near, const VecX& x) const {
   return sum.normalized();
 }
 
-void SurfaceFeatures::near_point(const Candidates& candidates, int first, int last, const VecX& x, double reach, std::vector<NearPoint>& out) const {
+void SurfaceFeatures::near_point(const Candidates& candidates, int first, int last, const VecX& x, double search_radius, std::vector<NearPoint>& out) const {
   std::vector<NearPoint> group;
   for (int i = first; i < last; ++i) {
     const auto& [p, t] = candidates.point_triangle[i];
     NearPoint near = nearest_in(surface_.mesh, p, t, x);
-    if (!(near.distance < reach)) continue;
+    if (!(near.distance < search_radius)) continue;
     // Sorts corners, so that triangles give a shared feature the same key.
     for (int k = 1; k < near.count; ++k)
       for (int j = k; j > 0 && near.corners[j - 1] > near.corners[j]; --j)
@@ -127,11 +127,11 @@ bool SurfaceFeatures::near_edges(int a, int b, const VecX& x, NearEdges& out) co
   out.a = a;
   out.b = b;
   out.at = edge_edge_parameters(a0, a1, b0, b1, EdgeEdgeType::EA_EB);
-  const Vec3 way = (1 - out.at[0]) * a0 + out.at[0] * a1 - (1 - out.at[1]) * b0 - out.at[1] * b1;
-  out.distance = way.norm();
+  const Vec3 difference = (1 - out.at[0]) * a0 + out.at[0] * a1 - (1 - out.at[1]) * b0 - out.at[1] * b1;
+  out.distance = difference.norm();
   // The sign of the distance vector may be lost to rounding; the line across both edges is not.
   const Vec3 line = across.normalized();
-  out.normal = line.dot(way) < 0 ? Vec3(-line) : line;
+  out.normal = line.dot(difference) < 0 ? Vec3(-line) : line;
   out.facing_a = -out.normal.dot(normal_at_edge(a, x));
   out.facing_b = out.normal.dot(normal_at_edge(b, x));
   return true;

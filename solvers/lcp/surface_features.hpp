@@ -38,9 +38,10 @@ class SurfaceFeatures {
   // The surface must outlive it.
   explicit SurfaceFeatures(const ContactSurface& surface);
 
-  // Appends the features nearer than `reach` [m] among candidates first .. last - 1, which have one
-  // point and one object.
-  void near_point(const Candidates& candidates, int first, int last, const VecX& x, double reach,
+  // Appends the features nearer than `search_radius` [m] among candidates first .. last - 1, which
+  // have one point and one object.
+  void near_point(const Candidates& candidates, int first, int last, const VecX& x,
+                  double search_radius,
                   std::vector<NearPoint>& out) const;
   // Returns false if the nearest positions are not inside both edges, or the edges are nearly
   // parallel.

@@ -1,6 +1,6 @@
 // Aggregates: connected groups of neighbouring vertices of one component of a system
-// (BlockMatrix::component). Groups in a plane or on a line (sheets, rods) are small, because bending
-// makes them as soft as a solid over the same number of vertices across.
+// (BlockMatrix::component). Groups in a plane or on a line (sheets, rods) are small, because
+// bending makes them as soft as a solid over the same number of vertices across.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Sizes of the components of a system (BlockMatrix::component), for coarse spaces of preconditioners.
+// Sizes of the components of a system (BlockMatrix::component), for coarse spaces of
+// preconditioners.
 #pragma once
 
 #include <algorithm>

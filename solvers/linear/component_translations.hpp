@@ -25,7 +25,7 @@ class ComponentTranslations {
 
   std::uint64_t version_ = 0;
   int columns_ = -1;
-  std::vector<int> component_of_;    // per column: component, renumbered without gaps; -1: too small
+  std::vector<int> component_of_;  // per column: component, renumbered without gaps; -1: too small
   int components_ = 0;
   std::vector<int> coarse_of_;  // per block of the matrix: index in coarse_; -1: none
   struct Coarse {

@@ -140,19 +140,19 @@ void MultifrontalFactor<T>::assemble(int s, const BlockMatrix& matrix) {
   T* values = values_.get();
   std::fill(values + tree.panel[s], values + tree.panel[s + 1], T(0));
   // The scale of an entry follows from its permuted row and column.
-  for (int k = tree.place_start[s]; k < tree.place_start[s + 1]; ++k) {
-    const SupernodeTree::Place& place = tree.places[k];
-    const auto block = matrix.block(place.block);
-    const std::ptrdiff_t offset = place.at - tree.panel[s];
+  for (int k = tree.entry_start[s]; k < tree.entry_start[s + 1]; ++k) {
+    const SupernodeTree::PanelEntry& entry = tree.entries[k];
+    const auto block = matrix.block(entry.block);
+    const std::ptrdiff_t offset = entry.at - tree.panel[s];
     const int column = tree.first[s] + static_cast<int>(offset / height);
     const int row = tree.rows[tree.row_start[s] + static_cast<int>(offset % height)];
     const double* rows = &scale_(tree.permutation[row]);
     const double* columns = &scale_(tree.permutation[column]);
-    T* out = values + place.at;
+    T* out = values + entry.at;
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i)
         out[i + std::ptrdiff_t(j) * height] =
-            static_cast<T>((place.transposed ? block(j, i) : block(i, j)) * rows[i] * columns[j]);
+            static_cast<T>((entry.transposed ? block(j, i) : block(i, j)) * rows[i] * columns[j]);
   }
 }
 

@@ -28,10 +28,10 @@ Mat3 matrix3(const BlockLanes& lanes) {
 bool RigidMotions::update(const BlockMatrix& matrix) {
   const size_t n = matrix.columns();
   if (matrix.component.size() != n || static_cast<size_t>(matrix.positions.size()) != 3 * n) return false;
-  const bool cut = part_ != matrix.component;
+  const bool cut = component_ != matrix.component;
   if (cut) {
     pieces_.build(matrix);
-    part_ = matrix.component;
+    component_ = matrix.component;
   }
   if (pieces_.count() == 0) return false;
   if (cut || matrix.version != version_) index(matrix);

@@ -32,7 +32,7 @@ class RigidMotions {
   bool factorize();
 
   Aggregates pieces_;
-  std::vector<int> part_;         // BlockMatrix::component when the aggregates were built
+  std::vector<int> component_;         // BlockMatrix::component when the aggregates were built
   std::uint64_t version_ = 0;
   // Per aggregate: columns are axes, scaled so that a vertex moves by 1 as by a translation; or
   // zero.

@@ -9,7 +9,7 @@ SupernodeTree::SupernodeTree(const cholmod_factor& factor, const BlockMatrix& ma
     : size(matrix.size()) {
   read(factor);
   connect();
-  place_blocks(matrix);
+  locate_blocks(matrix);
   cut();
   sort_top();
   local = rows;
@@ -65,25 +65,25 @@ void SupernodeTree::connect() {
     if (parent[s] >= 0) children[next[parent[s]]++] = s;
 }
 
-void SupernodeTree::place_blocks(const BlockMatrix& matrix) {
+void SupernodeTree::locate_blocks(const BlockMatrix& matrix) {
   std::vector<int> inverse(size), node_of(size), node(matrix.blocks());
   for (int k = 0; k < size; ++k) inverse[permutation[k]] = k;
   for (int s = 0; s < nodes(); ++s) std::fill(&node_of[first[s]], &node_of[first[s]] + columns(s), s);
-  place_start.assign(nodes() + 1, 0);
-  places.resize(matrix.blocks());
+  entry_start.assign(nodes() + 1, 0);
+  entries.resize(matrix.blocks());
   const auto for_each_block = [&](const auto& body) {
     for (int c = 0; c < matrix.columns(); ++c)
       for (int b = matrix.column_start[c]; b < matrix.column_start[c + 1]; ++b)
         body(b, inverse[3 * matrix.row[b]], inverse[3 * c]);
   };
-  for_each_block([&](int, int r, int c) { ++place_start[node_of[std::min(r, c)] + 1]; });
-  for (int s = 0; s < nodes(); ++s) place_start[s + 1] += place_start[s];
-  auto next = place_start;
+  for_each_block([&](int, int r, int c) { ++entry_start[node_of[std::min(r, c)] + 1]; });
+  for (int s = 0; s < nodes(); ++s) entry_start[s + 1] += entry_start[s];
+  auto next = entry_start;
   for_each_block([&](int b, int r, int c) {
     const int column = std::min(r, c), row = std::max(r, c), s = node_of[column];
     const auto begin = rows.begin() + row_start[s];
     const auto found = std::lower_bound(begin, rows.begin() + row_start[s + 1], row) - begin;
-    places[next[s]++] = {b, r < c, panel[s] + found + std::ptrdiff_t(column - first[s]) * height(s)};
+    entries[next[s]++] = {b, r < c, panel[s] + found + std::ptrdiff_t(column - first[s]) * height(s)};
   });
 }
 

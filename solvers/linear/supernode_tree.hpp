@@ -33,13 +33,13 @@ struct SupernodeTree {
   std::vector<std::ptrdiff_t> panel;
 
   // Targets of the matrix's blocks, sorted by node: entry (i, j) goes to at + i + j * height(node).
-  struct Place {
+  struct PanelEntry {
     int block;
     bool transposed;
     std::ptrdiff_t at;
   };
-  std::vector<int> place_start;
-  std::vector<Place> places;
+  std::vector<int> entry_start;
+  std::vector<PanelEntry> entries;
 
   // Nodes first..root form a subtree. `local` (aligned with rows) numbers the rows of its nodes
   // within it: its columns, then the rows below its root. For nodes of `top` it holds the rows.
@@ -54,7 +54,7 @@ struct SupernodeTree {
  private:
   void read(const cholmod_factor& factor);
   void connect();
-  void place_blocks(const BlockMatrix& matrix);
+  void locate_blocks(const BlockMatrix& matrix);
   void cut();
   void sort_top();
   void number_locally(const Subtree& tree);

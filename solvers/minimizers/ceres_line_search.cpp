@@ -21,7 +21,7 @@ class GuardedFunction : public ceres::FirstOrderFunction {
   explicit GuardedFunction(GuardedProblem& guarded) : guarded_(guarded) {}
   int NumParameters() const override { return guarded_.size(); }
   bool Evaluate(const double* z, double* cost, double* gradient) const override {
-    if (guarded_.over() || guarded_.gets_nowhere()) return false;
+    if (guarded_.over() || guarded_.makes_no_progress()) return false;
     try {
       return guarded_.evaluate(z, *cost, gradient) == GuardedProblem::Trial::usable;
     } catch (...) {

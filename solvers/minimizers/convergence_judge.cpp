@@ -21,7 +21,7 @@ void ConvergenceJudge::begin() {
   asked_ = next_asked_ = 0;
 }
 
-double ConvergenceJudge::verdict(const MinimizerProblem& problem, MinimizerResult& result) {
+double ConvergenceJudge::stopping_norm(const MinimizerProblem& problem, MinimizerResult& result) {
   VecX p;
   if (!problem.norm_of_direction) return problem.stopping_norm(p, problem.objective.gradient());
   const BlockMatrix& hessian = problem.objective.hessian({Projection::clamp});
@@ -40,13 +40,13 @@ bool ConvergenceJudge::converged(const MinimizerProblem& problem, MinimizerResul
   if (begun_ && gradient > next_gradient_) {
     if (problem.true_residuals && std::isfinite(gradient) && asked_ >= next_asked_) {
       next_asked_ = std::max(asked_ + 1, asked_ < 20 ? 0 : asked_ + asked_ / 10);
-      result.residual = verdict(problem, result);
+      result.residual = stopping_norm(problem, result);
     }
     return false;
   }
   if (!std::isfinite(gradient)) return false;
   begun_ = true;
-  result.residual = verdict(problem, result);
+  result.residual = stopping_norm(problem, result);
   const bool done = result.residual <= 1 && balanced(problem, result);
   next_gradient_ = gradient * std::min(sooner / result.residual, 0.9);
   return done;

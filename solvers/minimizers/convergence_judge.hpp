@@ -21,7 +21,7 @@ class ConvergenceJudge {
  private:
   // Returns the stopping norm, with a solve for the Newton direction if the norm needs it; infinity
   // if the clamped Hessian is singular.
-  double verdict(const MinimizerProblem& problem, MinimizerResult& result);
+  double stopping_norm(const MinimizerProblem& problem, MinimizerResult& result);
 
   std::unique_ptr<LinearSolver> linear_;
   DirectionCheck check_;

@@ -8,7 +8,7 @@
 #include "framework/config/field.hpp"
 #include "framework/core/deadline.hpp"
 #include "geometry/interrupt.hpp"
-#include "solvers/minimizers/tell_iteration.hpp"
+#include "solvers/minimizers/iteration_notifier.hpp"
 
 namespace tack {
 namespace {
@@ -20,10 +20,10 @@ constexpr double least_further = 0.1;
 // A Hessian is too stiff if a step of at least `longish` decreases the objective by `too_much`
 // times the predicted decrease.
 constexpr double longish = 0.3, too_much = 1.25;
-// Retracted steps. little_loss: fraction of the straight step's gain that strains may take;
+// Retracted steps. tolerated_loss: fraction of the straight step's gain that strains may take;
 // shortest_bent: shortest length; shorter: factor on a feasible length; sufficient: Armijo's
 // constant.
-constexpr double little_loss = 1e-6, shortest_bent = 1e-4, shorter = 0.9, sufficient = 1e-4;
+constexpr double tolerated_loss = 1e-6, shortest_bent = 1e-4, shorter = 0.9, sufficient = 1e-4;
 constexpr double almost_whole = 0.9;  // step lengths below it were truncated
 // Fraction of the Newton slope that a conjugate direction must keep.
 constexpr double descent = 0.1;
@@ -53,11 +53,11 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
   Objective& objective = problem.objective;
   objective.move_to(q);
   gradient_before_.resize(0);
-  too_stiff_ = cut_ = unbalanced_ = false;
+  too_stiff_ = truncated_ = unbalanced_ = false;
   judge_.begin();
   stagnation_.begin();
   begin(problem, result);
-  const TellIteration tell(problem);
+  const IterationNotifier notify(problem);
   VecX p;
   while (result.iterations < max_iterations_) {
     if (interrupt_requested) return end(MinimizerStatus::interrupted);
@@ -76,10 +76,10 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     // tolerance, so that a body near its equilibrium is not carried past it.
     accelerated_ = newton_like() && (!last || unbalanced_);
     if (accelerated_) conjugate(problem, q, p, last);
-    room_ = last ? 1 / problem.stopping_norm(p, objective.gradient()) : std::numeric_limits<double>::infinity();
+    feasible_length_ = last ? 1 / problem.stopping_norm(p, objective.gradient()) : std::numeric_limits<double>::infinity();
     const VecX before = last ? q : VecX();
     const MinimizerStatus moved = advance(problem, p, q, result);
-    tell(result);
+    notify(result);
     // Below the tolerance the point is accepted if forces balance, whether or not the last step
     // decreased the objective.
     if (last && balanced(problem, result)) return end(MinimizerStatus::converged);
@@ -102,7 +102,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
 void DescentMinimizer::conjugate(const MinimizerProblem& problem, const VecX& q, VecX& p, bool within) {
   const VecX& gradient = problem.objective.gradient();
   // a truncated step says little of the metric, and longer directions would be truncated again
-  if (cut_) {
+  if (truncated_) {
     gradient_before_.resize(0);
     too_stiff_ = false;
   }
@@ -123,8 +123,8 @@ void DescentMinimizer::conjugate(const MinimizerProblem& problem, const VecX& q,
 MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const VecX& p, VecX& q,
                                           MinimizerResult& result) {
   Objective& objective = problem.objective;
-  cut_ = false;
-  if (problem.retract && newton_like() && advance_bent(problem, p, q, result)) return MinimizerStatus::converged;
+  truncated_ = false;
+  if (problem.retract && newton_like() && advance_with_retraction(problem, p, q, result)) return MinimizerStatus::converged;
   const double t_max = problem.feasible_step(q, p);
   if (!(t_max > 1e-12)) return MinimizerStatus::blocked;
   const PhaseScope scope(problem.clock, Phase::line_search);
@@ -140,7 +140,7 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
   q += found.step * p;
   const double decrease = before - objective.value(), predicted = -(found.step - found.step * found.step / 2) * slope;
   too_stiff_ |= found.step > longish && decrease > too_much * predicted && decrease > 2 * objective.value_noise();
-  cut_ = found.step < almost_whole;
+  truncated_ = found.step < almost_whole;
   stepped(problem, {p, found.step, t_max, found.evaluations, slope, decrease});
   if (accelerated_ && found.step == 1) extend(problem, p, slope, before, q, result);
   return MinimizerStatus::converged;
@@ -148,14 +148,14 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
 
 // Moves q to the end of the retracted step t p, with the largest t that is feasible and descends.
 // Returns false, with q unchanged, if p needs no retraction or no t is found.
-bool DescentMinimizer::advance_bent(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result) {
+bool DescentMinimizer::advance_with_retraction(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result) {
   Objective& objective = problem.objective;
   const double slope = objective.gradient().dot(p), before = objective.value(), noise = objective.value_noise();
   int evaluations = 0;
   double feasible = 1;
   for (double t = 1; t > shortest_bent && -t * slope > 2 * noise;) {
     VecX way = t * p;
-    if (!problem.retract(q, way, t == 1 ? -little_loss * slope : 0)) break;
+    if (!problem.retract(q, way, t == 1 ? -tolerated_loss * slope : 0)) break;
     if (const double part = problem.feasible_step(q, way); part < 1) {
       t *= feasible < 1 ? shorter * part : part;
       feasible = t;
@@ -190,8 +190,8 @@ void DescentMinimizer::extend(const MinimizerProblem& problem, const VecX& p, do
     if (!(next < steep * first_slope) || !(-change > 2 * objective.value_noise())) return;
     const double bend = (next - slope) / length;
     length = bend > 0 ? std::min(-next / bend, longest * way) : longest * way;
-    if (room_ - way < least_further) return;
-    length = std::min(length, room_ - way);
+    if (feasible_length_ - way < least_further) return;
+    length = std::min(length, feasible_length_ - way);
     const VecX step = length * p;
     if (problem.feasible_step(q, step) < 1) return;
     objective.move_to(q + step);

@@ -34,7 +34,7 @@ double extent(const VecX& q) {
 
 GuardedProblem::GuardedProblem(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
                                VecX& q, MinimizerResult& result)
-    : problem_(problem), judge_(judge), tell_(problem), max_iterations_(max_iterations), q_(q), result_(result),
+    : problem_(problem), judge_(judge), notify_(problem), max_iterations_(max_iterations), q_(q), result_(result),
       trials_left_(trials_per_iteration * max_iterations) {
   problem.objective.move_to(q);
   judge_.begin();
@@ -47,7 +47,7 @@ bool GuardedProblem::begin_round() {
   accepted_value_ = objective.value();
   accepted_noise_ = objective.value_noise();
   if (!std::isfinite(accepted_value_) || !accepted_gradient_.allFinite()) stop(MinimizerStatus::not_finite);
-  if (!over()) look();
+  if (!over()) test_accepted_point();
   if (over()) return false;
   VecX diagonal = diagonal_of(objective.hessian({Projection::clamp}));
   const double floor = 1e-12 * diagonal.maxCoeff();
@@ -80,7 +80,7 @@ double GuardedProblem::relative_value(const VecX& q, double value, const VecX& g
 
 GuardedProblem::Trial GuardedProblem::evaluate(const double* z, double& f, double* gradient) {
   trial_usable_ = false;
-  reach_ = 0;
+  feasible_fraction_ = 0;
   ++result_.line_search_evaluations;
   if (interrupt_requested && !over()) stop(MinimizerStatus::interrupted);
   if (--trials_left_ < 0 && !over()) stop(MinimizerStatus::iteration_limit);
@@ -92,8 +92,8 @@ GuardedProblem::Trial GuardedProblem::evaluate(const double* z, double& f, doubl
   const double largest = p.lpNorm<Eigen::Infinity>();
   const double part = largest > longest_ ? longest_ / largest : 1;
   p *= part;
-  reach_ = moved ? part * problem_.feasible_step(q_, p) : 1;
-  if (reach_ < 1) {
+  feasible_fraction_ = moved ? part * problem_.feasible_step(q_, p) : 1;
+  if (feasible_fraction_ < 1) {
     ++blocked_;
     ++idle_;
     return Trial::blocked;
@@ -111,7 +111,7 @@ GuardedProblem::Trial GuardedProblem::evaluate(const double* z, double& f, doubl
   return Trial::usable;
 }
 
-void GuardedProblem::evaluate_wall(const double* z, double& f, double* gradient) {
+void GuardedProblem::evaluate_penalty(const double* z, double& f, double* gradient) {
   const VecX way = (Eigen::Map<const VecX>(z, q_.size()) - (q_ - centre_).cwiseQuotient(scale_)).eval();
   const double length_squared = way.squaredNorm();
   if (!std::isfinite(length_squared)) {
@@ -123,7 +123,7 @@ void GuardedProblem::evaluate_wall(const double* z, double& f, double* gradient)
   // position, so that interpolating methods try there next.
   const VecX tangent = scale_.cwiseProduct(accepted_gradient_) / rho_squared_;
   const double pull = std::max(0.0, -tangent.dot(way));
-  const double steepness = 1 + pull / std::clamp(reach_, 1e-6, 0.5) / std::max(length_squared, 1e-300);
+  const double steepness = 1 + pull / std::clamp(feasible_fraction_, 1e-6, 0.5) / std::max(length_squared, 1e-300);
   f = accepted_f_ + tangent.dot(way) + steepness * length_squared;
   if (gradient) Eigen::Map<VecX>(gradient, q_.size()) = tangent + 2 * steepness * way;
 }
@@ -143,19 +143,19 @@ bool GuardedProblem::accept(const double* z) {
   accepted_gradient_ = objective.gradient();
   trial_usable_ = false;
   ++result_.iterations;
-  look();
-  tell_(result_);
+  test_accepted_point();
+  notify_(result_);
   return true;
 }
 
-void GuardedProblem::look() {
+void GuardedProblem::test_accepted_point() {
   if (over()) return;
   if (interrupt_requested) return stop(MinimizerStatus::interrupted);
   if (judge_.converged(problem_, result_)) return stop(MinimizerStatus::converged);
   if (result_.iterations >= max_iterations_) stop(MinimizerStatus::iteration_limit);
 }
 
-bool GuardedProblem::gets_nowhere() const { return idle_ >= patience; }
+bool GuardedProblem::makes_no_progress() const { return idle_ >= patience; }
 
 MinimizerStatus GuardedProblem::reason() const {
   return tried_ > 0 && blocked_ == tried_ ? MinimizerStatus::blocked : MinimizerStatus::line_search_failed;

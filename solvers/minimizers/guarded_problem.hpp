@@ -16,7 +16,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "solvers/minimizers/convergence_judge.hpp"
-#include "solvers/minimizers/tell_iteration.hpp"
+#include "solvers/minimizers/iteration_notifier.hpp"
 
 namespace tack {
 
@@ -36,7 +36,7 @@ class GuardedProblem {
   Trial evaluate(const double* z, double& f, double* gradient);
   // Returns, after an unusable trial, value and gradient of a quadratic penalty above the last
   // accepted point, for methods that need values everywhere.
-  void evaluate_wall(const double* z, double& f, double* gradient);
+  void evaluate_penalty(const double* z, double& f, double* gradient);
 
   double accepted_value() const { return accepted_f_; }
   // Makes z the accepted point and counts one iteration. Returns false, with nothing changed,
@@ -53,19 +53,20 @@ class GuardedProblem {
   void rethrow() const { if (failure_) std::rethrow_exception(failure_); }
 
   // Returns true after too many consecutive failed trials: the method should restart.
-  bool gets_nowhere() const;
+  bool makes_no_progress() const;
   // fruitless: the last round had no accepted point; reason: the status for that.
   bool fruitless() const { return result_.iterations == iterations_before_; }
   MinimizerStatus reason() const;
 
  private:
-  void look();  // tests convergence and budgets at the accepted point, where the objective is
+  // Tests convergence and budgets at the accepted point, where the objective is.
+  void test_accepted_point();
   VecX unscaled(const double* z) const;
   double relative_value(const VecX& q, double value, const VecX& gradient) const;
 
   const MinimizerProblem& problem_;
   ConvergenceJudge& judge_;
-  const TellIteration tell_;
+  const IterationNotifier notify_;
   const int max_iterations_;
   VecX& q_;
   MinimizerResult& result_;
@@ -77,7 +78,7 @@ class GuardedProblem {
   VecX accepted_gradient_;
 
   VecX trial_;        // the last evaluated point
-  double reach_ = 0;  // feasible fraction of the path to it
+  double feasible_fraction_ = 0;  // feasible fraction of the path to it
   double trial_f_ = 0;
   bool trial_usable_ = false;
 

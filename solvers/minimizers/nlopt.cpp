@@ -1,6 +1,6 @@
 // The gradient methods of NLopt on the guarded problem (guarded_problem.hpp). NLopt has no notion
 // of an invalid point and stops or hangs on infinities: a trial with a blocked path gets the finite
-// quadratic penalty of evaluate_wall() instead. (A box around each round's start in which nothing
+// quadratic penalty of evaluate_penalty() instead. (A box around each round's start in which nothing
 // can collide would shrink with the gaps, to micrometres in contact, and a step would take
 // thousands of rounds.) NLopt does not report accepted points, so every trial lower than all before
 // becomes the accepted point: one iteration.
@@ -29,12 +29,12 @@ double guarded_value(unsigned, const double* z, double* gradient, void* data) no
     if (guarded.evaluate(z, f, gradient) == GuardedProblem::Trial::usable) {
       if (f < guarded.accepted_value()) guarded.accept(z);
     } else {
-      guarded.evaluate_wall(z, f, gradient);
+      guarded.evaluate_penalty(z, f, gradient);
     }
   } catch (...) {
     guarded.fail(std::current_exception());
   }
-  if (guarded.over() || guarded.gets_nowhere()) nlopt_force_stop(opt);
+  if (guarded.over() || guarded.makes_no_progress()) nlopt_force_stop(opt);
   return f;
 }
 

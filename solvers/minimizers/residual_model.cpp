@@ -14,9 +14,9 @@ constexpr double weak_pull = 1e-6;
 
 ResidualModel::ResidualModel(Objective& objective) : squares_(objective.least_squares()), x_(squares_.x) {
   squares_.dofs.gather(x_, q_);
-  held_.assign(squares_.dofs.block_count(), -1);
+  constrained_.assign(squares_.dofs.block_count(), -1);
   for (size_t i = 0; i < squares_.dofs.partly_fixed_blocks().size(); ++i)
-    held_[squares_.dofs.partly_fixed_blocks()[i].block] = static_cast<int>(i);
+    constrained_[squares_.dofs.partly_fixed_blocks()[i].block] = static_cast<int>(i);
   lay_out();
   fold(objective.gradient());
 }
@@ -67,8 +67,8 @@ void ResidualModel::reduce(const Stencil& s) {
       if (const double weight = weights_[s.first_weight + static_cast<size_t>(i) * s.blocks + k]; weight != 0)
         reduced.middleCols(3 * k, 3) += weight * own.middleCols(3 * i, 3);
   for (int k = 0; k < s.blocks; ++k)
-    if (const int held = held_[blocks(s)[k]]; held >= 0)
-      reduced.middleCols(3 * k, 3) -= (reduced.middleCols(3 * k, 3) * squares_.dofs.partly_fixed_blocks()[held].projection).eval();
+    if (const int fixed = constrained_[blocks(s)[k]]; fixed >= 0)
+      reduced.middleCols(3 * k, 3) -= (reduced.middleCols(3 * k, 3) * squares_.dofs.partly_fixed_blocks()[fixed].projection).eval();
 }
 
 bool ResidualModel::evaluate(bool with_jacobian) {

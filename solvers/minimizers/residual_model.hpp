@@ -55,7 +55,7 @@ class ResidualModel {
   VecX q_, x_, root_mass_, target_;  // m; m; kg^1/2; m
   std::vector<int> blocks_;          // blocks of all stencils
   std::vector<double> weights_;
-  std::vector<int> held_;            // per block: index among the map's constrained blocks, or -1
+  std::vector<int> constrained_;     // per block: index among the partly fixed blocks, or -1
   std::vector<double> r_, of_vertices_, jacobian_;
 };
 

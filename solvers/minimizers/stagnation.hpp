@@ -13,24 +13,24 @@ class Stagnation {
  public:
   void begin() { count_ = 0; }
 
-  // Adds an iterate with a step below the tolerance. norm: step over tolerance; imbalance: force
+  // Adds an iterate with a step below the tolerance. norm: step over tolerance; residual: force
   // residual over tolerance. Returns true if the last `window` steps sum up to less than the
   // tolerance, and the residual has not fallen to half.
-  bool stagnates(double norm, double imbalance) {
+  bool stagnates(double norm, double residual) {
     norms_[count_ % window] = norm;
-    imbalances_[count_ % window] = imbalance;
+    residuals_[count_ % window] = residual;
     if (++count_ < window) return false;
     double sum = 0;
     for (const double n : norms_) sum += n;
-    const double first = imbalances_[count_ % window];
-    return sum <= 1 && *std::min_element(imbalances_.begin(), imbalances_.end()) > enough * first;
+    const double first = residuals_[count_ % window];
+    return sum <= 1 && *std::min_element(residuals_.begin(), residuals_.end()) > enough * first;
   }
 
  private:
   static constexpr int window = 8;       // iterations
   static constexpr double enough = 0.5;  // fraction of the residual that may be left after them
 
-  std::array<double, window> norms_{}, imbalances_{};
+  std::array<double, window> norms_{}, residuals_{};
   int count_ = 0;
 };
 

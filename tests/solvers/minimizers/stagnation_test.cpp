@@ -7,12 +7,12 @@ using namespace tack;
 
 namespace {
 
-// After how many of at most 100 iterations of that norm, whose imbalance falls by that factor each, it is given up; 0: never.
+// After how many of at most 100 iterations of that norm, whose residual falls by that factor each, it is given up; 0: never.
 int given_up(double norm, double factor) {
   Stagnation crawl;
-  double imbalance = 1e4;
-  for (int i = 1; i <= 100; ++i, imbalance *= factor)
-    if (crawl.stagnates(norm, imbalance)) return i;
+  double residual = 1e4;
+  for (int i = 1; i <= 100; ++i, residual *= factor)
+    if (crawl.stagnates(norm, residual)) return i;
   return 0;
 }
 

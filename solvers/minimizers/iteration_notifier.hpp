@@ -7,9 +7,9 @@
 
 namespace tack {
 
-class TellIteration {
+class IterationNotifier {
  public:
-  explicit TellIteration(const MinimizerProblem& problem) : problem_(problem) {}
+  explicit IterationNotifier(const MinimizerProblem& problem) : problem_(problem) {}
   // Notifies after an iteration, with the objective at the new point.
   void operator()(const MinimizerResult& result) const {
     if (!problem_.observer) return;

@@ -10,7 +10,7 @@
 
 namespace tack {
 
-struct HeldPoint {
+struct StoredPoint {
   int point, object;
   int triangle;        // of the mesh: the nearest one
   double side;         // 1: in front of the triangle; -1: behind it; 0: none (beside a boundary)
@@ -19,23 +19,23 @@ struct HeldPoint {
   Vec3 force;          // on the point [N]
 };
 
-struct HeldEdges {
+struct StoredEdges {
   int a, b;            // edges of the mesh, ascending
   Vec3 normal;         // from b to a, before any crossing
   double gap, depth;
   Vec3 force;          // on a [N]
 };
 
-struct HeldContacts {
-  std::vector<HeldPoint> points;  // sorted by (point, object), then triangle
-  std::vector<HeldEdges> edges;   // sorted by (a, b)
+struct StoredContacts {
+  std::vector<StoredPoint> points;  // sorted by (point, object), then triangle
+  std::vector<StoredEdges> edges;   // sorted by (a, b)
   bool begun = false;             // a step has been stored
 
   void sort();  // required after entries were added
   // Throws InputError if the history was stored by another scene.
-  static HeldContacts read(const History& history, const ContactSurface& surface);
+  static StoredContacts read(const History& history, const ContactSurface& surface);
   void write(History& history, const ContactSurface& surface) const;
-  static void forget(History& history);
+  static void erase(History& history);
 };
 
 }  // namespace tack
