@@ -89,19 +89,19 @@ int check_gradient_of(const CheckOptions& options) {
   const std::string probe = options.gradient.substr(0, colon), key = options.gradient.substr(colon + 1);
   const ThreadLimit threads(options.threads);
   const GradientCheck c = check_gradient(load_experiment(options.file, options.overrides), probe, key, options.gradient_step);
-  fmt::print("d({})/d({}), and differences of runs with {:.6g} -+ {:.3g}, all in SI\n", probe, key, c.number, c.step);
+  fmt::print("d({})/d({}), and finite differences of runs with {:.6g} -+ {:.3g}, all in SI\n", probe, key, c.number, c.step);
   print_warnings(c.warnings);
   if (c.times.empty()) {
-    fmt::print("there is no time at which all of these runs have a number\n");
+    fmt::print("the runs have values at no common time\n");
     return exit_expectation_failed;
   }
-  fmt::print("{:<11} {:>12} {:>16} {:>16}   off by, of {:.4g}\n", "", "t [s]", "derivative", "difference", c.largest);
+  fmt::print("{:<11} {:>12} {:>16} {:>16}   error, of {:.4g}\n", "", "t [s]", "sensitivity", "difference", c.largest);
   print_gradient(c, "at the end", c.times.size() - 1);
-  print_gradient(c, "at worst", c.worst);
-  fmt::print("half of the {} times are off by less than {:.1e}\n", c.times.size(), c.median_error);
-  fmt::print("the run takes {:.2f} of the user time of one without\n", c.cost);
+  print_gradient(c, "worst", c.worst);
+  fmt::print("median error of {} times: {:.1e}\n", c.times.size(), c.median_error);
+  fmt::print("user time relative to a run without sensitivities: {:.2f}\n", c.cost);
   if (c.error(c.worst) <= tolerated_error) return exit_done;
-  fmt::print("they differ by more than {:g}: solve more exactly (solver.tolerance; quasi-static solver.force_tolerance), and look whether the differences change with "
+  fmt::print("the error exceeds {:g}: lower the tolerances (solver.tolerance; quasi-static solver.force_tolerance), and check whether the differences change with "
              "--gradient-step\n", tolerated_error);
   return exit_expectation_failed;
 }
