@@ -48,7 +48,7 @@ void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char
   constexpr int blocks_at_once = 8;
   for_each(static_cast<int>(blocks_.size()), [&](int k) {
     // No structured binding: the lambda below would capture it, which Clang 14 does not support.
-    const int first = blocks_[k].first, last = blocks_[k].second;
+    const int first = blocks_[k].first, last = blocks_[k].last;
     std::array<double, most_in_block> length_before, d{}, s{};  // at the end
     std::array<Path, most_in_block> paths;
     std::array<BondSample, most_in_block> ends{};
