@@ -1,4 +1,4 @@
-# Every library tack uses, all of them Debian packages (the `tack` script installs them).
+# All libraries that tack uses. They are Debian packages, which the `tack` script installs.
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -15,8 +15,8 @@ find_package(ZLIB REQUIRED)
 find_path(OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)
 find_library(OPENVDB_LIBRARY openvdb REQUIRED)
 find_library(IMATH_LIBRARY NAMES Imath-3_1 Imath REQUIRED)  # half numbers in its headers, for processors that have none
-# Its development package, or, as that depends on 360 others for what is not used here, its libraries and the folder VTK_HEADERS, where the
-# `tack` script has put the headers. Those of the package win.
+# VTK: the development package if it is installed. It depends on 360 packages that tack does not need; without it, VTK's libraries are used with the
+# headers that the `tack` script unpacks into VTK_HEADERS.
 set(VTK_PARTS CommonCore CommonDataModel CommonExecutionModel IOCore IOXML IOGeometry IOLegacy)
 set(VTK_HEADERS ${CMAKE_SOURCE_DIR}/build/vtk CACHE PATH "Where libvtk9-dev was unpacked, if it is not installed")
 find_package(VTK QUIET COMPONENTS ${VTK_PARTS})
@@ -36,13 +36,13 @@ find_library(TACK_GMSH gmsh REQUIRED)
 find_library(TACK_UDUNITS udunits2 REQUIRED)
 find_library(TACK_MUPARSER muparser REQUIRED)
 
-# By their files: the packages' own configurations would add include folders to every target.
+# External minimisers, found by their files: the packages' CMake configurations would add include folders to every target.
 find_path(CERES_INCLUDE ceres/ceres.h REQUIRED)
 find_library(CERES_LIBRARY ceres REQUIRED)
 find_library(GLOG_LIBRARY glog REQUIRED)
 find_path(NLOPT_INCLUDE nlopt.h REQUIRED)
 find_library(NLOPT_LIBRARY nlopt REQUIRED)
-set(TACK_FOREIGN ${CERES_LIBRARY} ${GLOG_LIBRARY} ${NLOPT_LIBRARY})
+set(TACK_EXTERNAL_MINIMISERS ${CERES_LIBRARY} ${GLOG_LIBRARY} ${NLOPT_LIBRARY})
 
 # Debian ships no CMake config for SuiteSparse 5.12.
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)

@@ -1,35 +1,38 @@
-# Which folder is compiled how, and where it goes: docs/developer/building.md explains the four kinds, hot, cold, studies and further.
+# Kinds of folders: how each is compiled and what it is linked into. docs/developer/building.md explains the four kinds hot, cold, studies and further.
+# A folder that no list names is hot.
 include_guard()
 
-# Cold: folders that parse, describe and write. -O1, and each folder is compiled as one file, because its files instantiate mostly the same.
+# Cold: folders that parse, describe and write. They are compiled with -O1, each folder as one file, because its files instantiate mostly the same
+# templates.
 set(TACK_COLD_FOLDERS
     framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/body
     framework/motion framework/world framework/scene framework/setup framework/checks framework/remesh framework/output
     framework/experiment framework/probes framework/profile framework/sensitivity framework/run framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
 
-# Studies: cold folders, and commands of framework/app, that start from runs or laws. The program tack_studies has them, so that a first run need not wait.
+# Studies: cold folders, and commands of framework/app, that start from runs or laws. The program tack_studies has them, so that a first run does not
+# wait for them.
 set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report framework/view)
 set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot render report view)
 list(APPEND TACK_COLD_FOLDERS ${TACK_STUDY_FOLDERS})
 
 # Further: components that most first scenes do without. The program loads the library tack_further when a scene names one
-# (framework/plugin/further_components.cpp). TACK_NAMED_FIRST are the files of these folders that first scenes name.
+# (framework/plugin/further_components.cpp). TACK_FURTHER_EXCEPT: files of these folders that are hot, because first scenes name their components.
 set(TACK_FURTHER_FOLDERS energies/interactions energies/loads energies/particle energies/plasticity energies/rod energies/shell solvers/lcp)
-set(TACK_NAMED_FIRST energies/loads/loads.cpp energies/loads/pressure.cpp)
+set(TACK_FURTHER_EXCEPT energies/loads/loads.cpp energies/loads/pressure.cpp)
 
-# Hot: all other folders, with full optimisation. These are compiled a few files at a time, because their headers are mostly the same; a change
-# recompiles few files all the same. Contact and solids are not among them: what their files inline into each other slows runs down by 2 to 4%.
-# Distances are not either: their rounding at small gaps depends on it.
-set(TACK_UNITED_FOLDERS
+# Hot: all other folders, with -O3. TACK_UNITY_FOLDERS: hot folders that are compiled a few files at a time, because their headers are mostly the same.
+# Contact and solids are compiled file by file: inlining across their files slows runs down by 2 to 4%. Distances are compiled file by file: their
+# rounding at small gaps depends on inlining.
+set(TACK_UNITY_FOLDERS
     geometry/broad_phase geometry/exact framework/assembly framework/bond framework/core framework/stepping
     energies/adhesion solvers/filters solvers/lcp solvers/linear solvers/minimizers)
 
-# Files that are compiled alone: CGAL takes long enough with one, two are hot inside of other folders, one changes with every commit.
-set(TACK_ALONE
+# Files that are compiled alone: those with CGAL take long to compile, two are hot files of other folders, one changes with every commit.
+set(TACK_UNITY_EXCEPT
     geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp geometry/meshing/triangulate.cpp geometry/meshing/distance_grid.cpp
     framework/assembly/psd_projection.cpp framework/view/http_server.cpp
     framework/output/provenance.cpp)
 
-# Folders that are compiled together with another one, "FROM|FROM=INTO" below framework/: each sees what the one before it sees.
-set(TACK_AS_ONE "body|motion|world=scene" "checks=setup")
+# Folders below framework/ that are compiled together with another folder: "FROM|FROM=INTO".
+set(TACK_MERGED_FOLDERS "body|motion|world=scene" "checks=setup")

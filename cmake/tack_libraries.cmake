@@ -1,4 +1,4 @@
-# Libraries that the program opens when it needs them.
+# Libraries that the programs load on demand.
 include_guard()
 
 # tack_own_library(NAME SOURCES ... HEADERS ... LINKS ...): libtack_NAME.so beside the program. geometry/NAME/functions.hpp has the table of its
@@ -6,7 +6,7 @@ include_guard()
 function(tack_own_library NAME)
   cmake_parse_arguments(L "" "" "SOURCES;HEADERS;LINKS" ${ARGN})
   add_library(tack_${NAME} MODULE ${L_SOURCES})
-  tack_cool(tack_${NAME})
+  tack_compile_cold(tack_${NAME})
   # Hidden, because the program has functions of the same names.
   set_target_properties(tack_${NAME} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin CXX_VISIBILITY_PRESET hidden)
   target_link_libraries(tack_${NAME} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt ${L_LINKS})
@@ -23,7 +23,7 @@ function(tack_own_library NAME)
                               PROPERTIES COMPILE_DEFINITIONS TACK_${UPPER}_INTERFACE="${DIGEST}" SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# libtack_meshing.so: operations of CGAL and grids of OpenVDB, with copies of its own of the files of geometry/mesh that they use.
+# libtack_meshing.so: operations of CGAL and grids of OpenVDB, with its own copies of the files of geometry/mesh that they use.
 function(tack_meshing_library)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.cpp)
   foreach(FILE cleanup mesh mesh_quality quality surface triangle_surface)
@@ -36,7 +36,7 @@ function(tack_meshing_library)
                               COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
 endfunction()
 
-# libtack_msh.so: mesh files by Gmsh. Loading Gmsh takes longer than loading all else together.
+# libtack_msh.so: reads and writes mesh files with Gmsh, which takes longer to load than all other libraries together.
 function(tack_msh_library)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/msh/*.cpp)
   file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/msh/*.hpp ${CMAKE_SOURCE_DIR}/geometry/types.hpp
@@ -47,7 +47,7 @@ endfunction()
 # libtack_further.so: further components (tack_folders.cmake). It calls functions of the program that loads it, as a plugin does.
 function(tack_further_library)
   add_library(tack_further MODULE ${CMAKE_SOURCE_DIR}/cmake/plugin_note.cpp)
-  tack_take_layers(tack_further FURTHER)
+  tack_add_objects(tack_further FURTHER)
   set_target_properties(tack_further PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
   target_include_directories(tack_further PRIVATE ${CMAKE_BINARY_DIR}/generated)
   add_dependencies(tack_further tack_build_info)

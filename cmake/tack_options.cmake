@@ -1,4 +1,4 @@
-# How everything is compiled: the target tack_options, and the precompiled headers.
+# Compiler options of all targets (the target tack_options), and the precompiled headers.
 include_guard()
 
 add_library(tack_options INTERFACE)
@@ -30,13 +30,13 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
       -Wno-maybe-uninitialized -Wno-uninitialized -Wno-restrict -Wno-stringop-overflow -Wno-use-after-free -Wno-array-bounds)
   # Without it, -O1 leaves the upper halves of vector registers in use, which slows down functions of libm that are not compiled for AVX.
   set(TACK_CLEAN_REGISTERS $<$<CONFIG:Release>:-fexpensive-optimizations>)
-  # Types of unnamed namespaces are no header's where files are compiled together.
-  set(TACK_UNITED_OPTIONS -Wno-subobject-linkage)
+  # False alarm where files are compiled together: their unnamed namespaces look like those of a header.
+  set(TACK_UNITY_OPTIONS -Wno-subobject-linkage)
 else()
   # Clang also reports names that shadow those of another file's unnamed namespace, where files are compiled together; GCC finds all others.
   set(TACK_COMPILER_OPTIONS -Wno-shadow)
   set(TACK_CLEAN_REGISTERS "")
-  set(TACK_UNITED_OPTIONS "")
+  set(TACK_UNITY_OPTIONS "")
 endif()
 target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic ${TACK_CODE_OPTIONS}
                        -fno-semantic-interposition  # libraries inline as programs do
@@ -53,7 +53,7 @@ endif()
 if(TACK_COVERAGE)
   target_compile_options(tack_options INTERFACE --coverage -fprofile-update=atomic -O1)
   target_link_options(tack_options INTERFACE --coverage)
-  # Behind the tests: the lines and branches that they have run, build/coverage/report/index.html.
+  # After the tests: a report of the lines and branches that they ran, build/coverage/report/index.html.
   add_custom_target(tack_coverage VERBATIM
     COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/report
     COMMAND gcovr --root ${CMAKE_SOURCE_DIR} --object-directory ${CMAKE_BINARY_DIR} --filter ${CMAKE_SOURCE_DIR}/geometry/ --filter ${CMAKE_SOURCE_DIR}/framework/
@@ -62,8 +62,7 @@ if(TACK_COVERAGE)
     COMMENT "Counting the lines that tests have run")
 endif()
 
-# Headers that nearly every file includes are parsed once for hot folders and once for cold ones: GCC takes the optimisation of a precompiled
-# header for that of the file that includes it.
+# Precompiled headers, one for hot and one for cold folders: GCC compiles a file with the optimisation of the precompiled header that it includes.
 set(TACK_PRECOMPILED <Eigen/Core> <Eigen/LU> <fmt/format.h> <tbb/parallel_for.h> <algorithm> <array> <cmath>
     <functional> <map> <memory> <optional> <string> <vector>)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
@@ -74,7 +73,7 @@ foreach(TARGET tack_precompiled tack_precompiled_cold)
 endforeach()
 target_compile_options(tack_precompiled_cold PRIVATE ${TACK_COLD_OPTIONS} ${TACK_CLEAN_REGISTERS})
 
-# tack_precompile_cold(TARGET): TARGET takes the precompiled header of cold folders.
+# tack_precompile_cold(TARGET): compiles TARGET with the precompiled header of cold folders.
 function(tack_precompile_cold TARGET)
   target_precompile_headers(${TARGET} REUSE_FROM tack_precompiled_cold)
   target_compile_options(${TARGET} PRIVATE ${TACK_CLEAN_REGISTERS} -fPIC)  # as the header was: programs would have -fPIE

@@ -1,4 +1,4 @@
-# The programs, the note of their build, and the page of reports.
+# The programs, their build information, and the page of reports.
 include_guard()
 
 # tack_build_info(): commit, compiler and options of the build, for every summary.json. Read again at each build.
@@ -36,7 +36,7 @@ function(tack_report_page)
   add_custom_target(tack_report DEPENDS ${PAGE})
 endfunction()
 
-# tack_app(): the programs, side by side: tack, and tack_studies, which has all commands and which tack starts for those that it lacks.
+# tack_app(): the programs tack and tack_studies. tack_studies has all commands; tack starts it for the commands that tack itself lacks.
 function(tack_app)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/framework/app/*.cpp)
   list(JOIN TACK_STUDY_COMMANDS "|" COMMANDS)
@@ -49,10 +49,10 @@ function(tack_app)
   add_executable(tack_studies ${STUDIES})
   set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack)
   foreach(TARGET tack_app tack_cli tack_studies)
-    tack_cool(${TARGET})
+    tack_compile_cold(${TARGET})
     tack_precompile_cold(${TARGET})
   endforeach()
-  tack_link(tack_cli)
+  tack_link_core(tack_cli)
   tack_link_all(tack_studies)
   target_link_libraries(tack_app PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt CLI11::CLI11)
   foreach(TARGET tack_cli tack_studies)

@@ -1,16 +1,17 @@
-# Files that are compiled together.
+# Unity builds: files that are compiled together.
 include_guard()
 
 option(TACK_UNITY "Compile the files of a folder together: a clean build takes less time, a single change more" ON)
 
-# tack_groups(COUNT SOURCE...): divides sources into groups of one folder (TACK_AS_ONE: several) and at most COUNT files.
+# tack_groups(COUNT SOURCE...): divides sources into groups of at most COUNT files. A group has files of one folder, or of folders that
+# TACK_MERGED_FOLDERS joins.
 # Sets GROUPS to the names of the groups, and IN_<name> to the files of each.
 function(tack_groups COUNT)
   set(FOLDERS "")
   foreach(SOURCE ${ARGN})
     cmake_path(GET SOURCE PARENT_PATH FOLDER)
     cmake_path(RELATIVE_PATH FOLDER BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
-    foreach(RULE ${TACK_AS_ONE})
+    foreach(RULE ${TACK_MERGED_FOLDERS})
       string(REGEX REPLACE "(.*)=.*" "\\1" FROM ${RULE})
       string(REGEX REPLACE ".*=" "" INTO ${RULE})
       string(REGEX REPLACE "framework/(${FROM})$" "framework/${INTO}" FOLDER ${FOLDER})
@@ -39,15 +40,16 @@ function(tack_groups COUNT)
   set(GROUPS ${NAMES} PARENT_SCOPE)
 endfunction()
 
-# tack_unite(TARGET COUNT [FOLDER ...]): compiles the sources of TARGET, or those in the folders, in groups of one folder and at most COUNT files.
-function(tack_unite TARGET COUNT)
+# tack_unity_groups(TARGET COUNT [FOLDER ...]): compiles the sources of TARGET, or those in the folders, in groups of at most COUNT files (tack_groups).
+# The files of TACK_UNITY_EXCEPT are compiled alone.
+function(tack_unity_groups TARGET COUNT)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${TACK_UNITY} UNITY_BUILD_MODE GROUP)
   get_target_property(SOURCES ${TARGET} SOURCES)
   if(ARGN)
     list(JOIN ARGN "|" FOLDERS)
     list(FILTER SOURCES INCLUDE REGEX "/(${FOLDERS})/[^/]+$")
   endif()
-  list(TRANSFORM TACK_ALONE PREPEND ${CMAKE_SOURCE_DIR}/ OUTPUT_VARIABLE ALONE)
+  list(TRANSFORM TACK_UNITY_EXCEPT PREPEND ${CMAKE_SOURCE_DIR}/ OUTPUT_VARIABLE ALONE)
   list(REMOVE_ITEM SOURCES ${ALONE})
   tack_groups(${COUNT} ${SOURCES})
   foreach(GROUP ${GROUPS})
@@ -55,8 +57,8 @@ function(tack_unite TARGET COUNT)
   endforeach()
 endfunction()
 
-# tack_cool(TARGET): compiles TARGET as cold folders are.
-function(tack_cool TARGET)
-  tack_unite(${TARGET} 100)
+# tack_compile_cold(TARGET): compiles TARGET like cold folders: -O1, each folder as one file.
+function(tack_compile_cold TARGET)
+  tack_unity_groups(${TARGET} 100)
   target_compile_options(${TARGET} PRIVATE ${TACK_COLD_OPTIONS})
 endfunction()
