@@ -34,9 +34,9 @@ struct StencilBatch {
   int arity = 0;
   int count = 0;
   const int* vertices = nullptr;
-  // The last `twists` entries of each stencil are scalar dofs (rod/rod_frames.hpp), not positions:
-  // one number, the first of three.
-  int twists = 0;
+  // The last `scalars` entries of each stencil are scalar dofs (rod/rod_frames.hpp), not positions.
+  // A scalar dof is the first of three numbers.
+  int scalars = 0;
   bool rank_one = false;  // every Hessian is c u u^T with a number c and a vector u
 };
 
