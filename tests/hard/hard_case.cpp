@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "tests/hard/judge_steps.hpp"
+#include "tests/hard/steps_balance.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/silence.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The rest of a line that starts with `key`; "" if it does not.
+// Returns the remainder of a line that starts with `key`; "" if it does not.
 std::string rest_of(const std::string& line, const std::string& key) {
   return line.rfind(key, 0) == 0 ? line.substr(key.size()) : "";
 }
@@ -30,12 +30,12 @@ void read_results(const fs::path& results, HardOutcome& outcome) {
   outcome.intersections = summary["intersections"];
   outcome.inverted = summary["inverted_tets"];
   for (const auto& e : summary["expect"])
-    if (!e["pass"]) outcome.missed.push_back(e["name"].get<std::string>() + " " + e["text"].get<std::string>());
-  if (!fs::exists(results / "steps.csv")) return;  // not one step was done
-  const StepsVerdict verdict = judge_steps(results / "steps.csv");
-  outcome.lost = verdict.lost;
-  outcome.made = verdict.made;
-  outcome.unbalanced = verdict.unbalanced;
+    if (!e["pass"]) outcome.missed_expectations.push_back(e["name"].get<std::string>() + " " + e["text"].get<std::string>());
+  if (!fs::exists(results / "steps.csv")) return;  // no step was finished
+  const StepsBalance balance = steps_balance(results / "steps.csv");
+  outcome.energy_loss = balance.energy_loss;
+  outcome.energy_gain = balance.energy_gain;
+  outcome.force_residual = balance.force_residual;
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ HardOutcome run_hard_case(const HardCase& c, const HardSolver& solver) {
   const ProgramResult result = run_tack(folder.path(), arguments);
   HardOutcome outcome;
   outcome.exit_code = result.exit_code;
-  outcome.told = result.out + result.err;
+  outcome.output = result.out + result.err;
   if (fs::exists(folder.path() / "out/summary.json")) read_results(folder.path() / "out", outcome);
   return outcome;
 }
@@ -93,10 +93,10 @@ std::string fault(const HardCase& c, const HardOutcome& o) {
   if (o.intersections > 0 || o.inverted > 0)
     return fmt::format("left {} intersections and {} inverted tets", o.intersections, o.inverted);
   if (o.exit_code != c.exit_code) return fmt::format("ended with {} instead of {}", o.exit_code, c.exit_code);
-  if (!contains(o.told, c.diagnosis)) return fmt::format("did not tell '{}'", c.diagnosis);
+  if (!contains(o.output, c.diagnosis)) return fmt::format("did not print '{}'", c.diagnosis);
   if (c.exit_code == 0 && !o.ran) return "left no results";
-  if (c.exit_code == 0 && o.unbalanced > 1 + 1e-9)
-    return fmt::format("says done with {:.3g} times the unbalanced force that is tolerated", o.unbalanced);
+  if (c.exit_code == 0 && o.force_residual > 1 + 1e-9)
+    return fmt::format("ended normally with {:.3g} times the tolerated force residual", o.force_residual);
   return "";
 }
 

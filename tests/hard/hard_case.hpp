@@ -1,4 +1,4 @@
-// A scene of experiments/hard, and how the program ends it with one solver.
+// A scene of experiments/hard, and the outcome of its run with one solver.
 #pragma once
 
 #include <filesystem>
@@ -10,40 +10,38 @@ namespace tack {
 struct HardCase {
   std::filesystem::path scene;
   std::string name, about;
-  // It must end with: 0, or that of a line `# Ends with CODE: TEXT` in the scene.
+  // Expected exit code: 0, or that of a line `# Ends with CODE: TEXT` in the scene.
   int exit_code = 0;
-  std::string diagnosis;  // TEXT: part of what is told then
+  std::string diagnosis;  // TEXT, which the output must contain
 };
 
 struct HardSolver {
   std::string name;
-  std::vector<std::string> overrides;  // as `--set` takes them
+  std::vector<std::string> overrides;  // arguments of `--set`
 };
 
 struct HardOutcome {
   int exit_code = -1;  // -1: ended by a signal, or not within a minute
-  std::string told;    // what was printed
-  bool ran = false;    // there are results, and the rest is from them
-  std::string error;   // what ended it
+  std::string output;  // printed by the program
+  bool ran = false;    // there are results; the following members are from them
+  std::string error;   // cause of the end
   int iterations = 0, gains = 0, intersections = 0, inverted = 0;
-  std::vector<std::string> missed;  // expectations that do not hold
-  // Energy that contact areas and integrator took, and made; of the largest in the run.
-  double lost = 0, made = 0;
-  // The largest force that nothing balances, over what is tolerated.
-  double unbalanced = 0;
+  std::vector<std::string> missed_expectations;
+  double energy_loss = 0, energy_gain = 0, force_residual = 0;  // as in StepsBalance
 };
 
-// The scenes of experiments/hard, by name.
+// Returns the scenes of experiments/hard, ordered by name.
 std::vector<HardCase> hard_cases();
-// Throws std::runtime_error where the scene has no `about` or another name than its file.
+// Reads a scene. Throws std::runtime_error if it has no `about`, or another name than its file.
 HardCase read_hard_case(const std::filesystem::path& scene);
 
-// The default first.
+// Returns the solvers, the default first.
 const std::vector<HardSolver>& hard_solvers();
 
+// Runs a case with a solver.
 HardOutcome run_hard_case(const HardCase& c, const HardSolver& solver);
 
-// What is wrong with how a case ended; "" if nothing is: it must end as its scene says.
+// Returns the fault of an outcome; "" if the case ended as its scene expects.
 std::string fault(const HardCase& c, const HardOutcome& outcome);
 
 }  // namespace tack

@@ -19,12 +19,12 @@ namespace {
 int check(const std::string& name) {
   const HardCase c = read_hard_case(TACK_SOURCE_DIR "/experiments/hard/" + name + ".yaml");
   const HardOutcome outcome = run_hard_case(c, hard_solvers().front());
-  const std::string wrong = fault(c, outcome);
-  fmt::print("{}{}: {}\n", outcome.told, name, wrong.empty() ? "ends as it must" : wrong);
-  return wrong.empty() ? 0 : 1;
+  const std::string error = fault(c, outcome);
+  fmt::print("{}{}: {}\n", outcome.output, name, error.empty() ? "ends as it must" : error);
+  return error.empty() ? 0 : 1;
 }
 
-// Two at a time: each runs on one thread.
+// Runs all cases, two at a time, each on one thread.
 void run_all(std::vector<HardRow>& rows) {
   const size_t solvers = hard_solvers().size();
   std::atomic<size_t> next = 0;
@@ -52,7 +52,7 @@ int table(const std::string& file, const std::vector<std::string>& names) {
 
 int covers(const std::string& file) {
   const std::vector<std::string> missing = missing_rows(file_text(file), hard_cases());
-  for (const std::string& name : missing) fmt::print("{} has no row for {}; write it anew with `table`\n", file, name);
+  for (const std::string& name : missing) fmt::print("{} has no row for {}; rewrite it with `table`\n", file, name);
   return missing.empty() ? 0 : 1;
 }
 

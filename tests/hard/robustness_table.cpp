@@ -5,9 +5,9 @@
 namespace tack {
 namespace {
 
-std::string percent(double part) {
-  if (part < 5e-5) return "0";
-  return part < 0.1 ? fmt::format("{:.2g}%", 100 * part) : fmt::format("{:.0f}%", 100 * part);
+std::string percent(double fraction) {
+  if (fraction < 5e-5) return "0";
+  return fraction < 0.1 ? fmt::format("{:.2g}%", 100 * fraction) : fmt::format("{:.0f}%", 100 * fraction);
 }
 
 std::string ending(const HardOutcome& o) {
@@ -22,10 +22,10 @@ std::string ending(const HardOutcome& o) {
 
 std::string cell(const HardOutcome& o) {
   if (!o.ran) return ending(o);
-  return fmt::format("{}, {}, {}, {:.2g}", ending(o), o.iterations, percent(o.made), o.unbalanced);
+  return fmt::format("{}, {}, {}, {:.2g}", ending(o), o.iterations, percent(o.energy_gain), o.force_residual);
 }
 
-// A case is `name`, which stands in the first column.
+// Returns the start of the row of a case.
 std::string row_start(const std::string& name) { return fmt::format("\n| `{}` |", name); }
 
 std::string what_is_hard(const std::vector<HardRow>& rows) {
@@ -34,7 +34,7 @@ std::string what_is_hard(const std::vector<HardRow>& rows) {
     const HardOutcome& o = row.outcomes.front();
     text += row_start(row.hard.name) + fmt::format(" {}{} | {} | {} |", row.hard.about,
                 row.hard.exit_code ? fmt::format("; ends with {}", row.hard.exit_code) : "",
-                o.ran ? percent(o.lost) : "", o.ran ? fmt::to_string(o.gains) : "");
+                o.ran ? percent(o.energy_loss) : "", o.ran ? fmt::to_string(o.gains) : "");
   }
   return text + "\n";
 }
@@ -72,13 +72,13 @@ std::string what_fails(const std::vector<HardRow>& rows) {
   std::string text;
   for (const HardRow& row : rows)
     for (size_t s = 0; s < row.outcomes.size(); ++s)
-      for (const std::string& missed : row.outcomes[s].missed)
+      for (const std::string& missed : row.outcomes[s].missed_expectations)
         if (row.outcomes[s].exit_code == 1)
           text += fmt::format("- `{}`, {}: {}\n", row.hard.name, hard_solvers()[s].name, missed);
   return text.empty() ? "None.\n" : text;
 }
 
-// Of `step ... failed with h = ... (REASON; what the last step was cut by); remedy`, or `step ...: REASON; ...`.
+// Returns REASON of `step ... failed with h = ... (REASON; BLOCKER); REMEDY`, or of `step ...: REASON; ...`.
 std::string reason(const std::string& error) {
   const bool failed = error.find(" failed with ") != std::string::npos;
   const size_t start = error.find(failed ? " (" : ": ");

@@ -1,4 +1,4 @@
-// docs/robustness.md: every hard case with every solver.
+// Page docs/robustness.md: every hard case with every solver.
 #pragma once
 
 #include <string>
@@ -10,12 +10,13 @@ namespace tack {
 
 struct HardRow {
   HardCase hard;
-  std::vector<HardOutcome> outcomes;  // of each of hard_solvers()
+  std::vector<HardOutcome> outcomes;  // per solver of hard_solvers()
 };
 
+// Returns the text of the page.
 std::string robustness_page(const std::vector<HardRow>& rows);
 
-// The cases that have no row in a page.
+// Returns the cases without a row in a page.
 std::vector<std::string> missing_rows(const std::string& page, const std::vector<HardCase>& cases);
 
 }  // namespace tack

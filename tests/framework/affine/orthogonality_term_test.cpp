@@ -66,7 +66,7 @@ TEST_CASE("orthogonality as least squares", "[affine]") {
   CHECK((gradient - dense_gradient(f.term, x)).norm() <= 1e-12 * gradient.norm());
 }
 
-TEST_CASE("orthogonality: bent steps turn bodies about centroids that go straight", "[affine]") {
+TEST_CASE("orthogonality: retracted steps rotate bodies about centroids on linear trajectories", "[affine]") {
   Frames f;
   const std::vector<char> free(8, 1);
   const DofMap dofs(free);
@@ -85,7 +85,7 @@ TEST_CASE("orthogonality: bent steps turn bodies about centroids that go straigh
   VecX cheap = straight;
   CHECK_FALSE(f.term.retract(dofs, q, cheap, 1.01 * f.term.value(q + straight)));
   CHECK(cheap == straight);
-  // A body that is held in part stays as it is.
+  // A body with fixed vertices is not retracted.
   std::vector<char> held(8, 1);
   held[0] = 0;
   const DofMap fewer(held);

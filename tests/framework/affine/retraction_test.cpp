@@ -22,7 +22,7 @@ const Vec3 spin(0.3, -0.5, 0.4);
 
 }  // namespace
 
-TEST_CASE("a bent turn strains nothing, however far it goes", "[affine]") {
+TEST_CASE("a retracted rotation is free of strain for any angle", "[affine]") {
   const Mat3 a = turned(1, {1, 2, 3});
   for (const double t : {1e-3, 1.0, 100.0}) {
     const Mat3 straight = t * skew(spin) * a;
@@ -30,14 +30,14 @@ TEST_CASE("a bent turn strains nothing, however far it goes", "[affine]") {
     REQUIRE(retract_change(a, change));
     CHECK(strain(a + change) < 1e-11);
     CHECK(strain(a + straight) > 0.4 * t * t * spin.squaredNorm());
-    // Turned about the spin's axis, by its angle's arctangent.
+    // The rotation is about the axis of the spin, by the arctangent of its angle.
     const Eigen::AngleAxisd turn(Mat3((a + change) * a.transpose()));
     CHECK((turn.axis() - spin.normalized()).norm() < 1e-9);
     CHECK(turn.angle() == Approx(std::atan(t * spin.norm())).epsilon(1e-9));
   }
 }
 
-TEST_CASE("a bent change is the straight one to first order, also of a strained map", "[affine]") {
+TEST_CASE("a retracted change agrees with the linear one to first order, also for a strained map", "[affine]") {
   Mat3 stretch;
   stretch << 1.2, 0.1, 0, 0.1, 0.9, -0.05, 0, -0.05, 1.1;
   const Mat3 a = turned(2, {3, 1, -1}) * stretch;
@@ -50,7 +50,7 @@ TEST_CASE("a bent change is the straight one to first order, also of a strained 
   }
 }
 
-TEST_CASE("what would be turned inside out is not bent", "[affine]") {
+TEST_CASE("inverted maps are not retracted", "[affine]") {
   const Mat3 a = turned(1, {0, 1, 1});
   const Mat3 straight = -1.5 * a + skew(spin) * a;
   Mat3 change = straight;

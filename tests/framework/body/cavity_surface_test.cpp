@@ -11,7 +11,7 @@ using namespace tack;
 
 namespace {
 
-// The surface of a cube around the origin, its vertices behind those that are there.
+// Returns the surface of a cube around the origin, and appends its vertices.
 std::vector<Triangle> cube(double edge, VecX& rest) {
   const Mesh solid = box_tets(Vec3::Constant(edge), {1, 1, 1});
   const int first = static_cast<int>(rest.size() / 3);
@@ -33,8 +33,8 @@ double volume(const std::vector<CavityWall>& parts, const VecX& rest) {
 
 }  // namespace
 
-// Sheets may face either way; the faces of solids lead out of what is between.
-TEST_CASE("a chamber encloses the space between surfaces that lie within each other", "[loads]") {
+// Sheets may have either orientation; the normals of faces of solids point out of the cavity.
+TEST_CASE("a cavity is the space between nested surfaces", "[loads]") {
   VecX rest;
   const auto outer = cube(1, rest), inner = cube(0.5, rest), innermost = cube(0.2, rest);
   for (const bool turn : {false, true}) {
@@ -44,8 +44,8 @@ TEST_CASE("a chamber encloses the space between surfaces that lie within each ot
     CHECK(volume({balloon, within}, rest) == Approx(0.875).epsilon(1e-12));
     CHECK(volume({within, balloon, core}, rest) == Approx(0.883).epsilon(1e-12));
   }
-  // A solid in a balloon: its surface, of which the normals lead out of the chamber.
+  // A solid in a balloon: the normals of its surface point out of the cavity.
   CHECK(volume({{outer, false}, {turned(inner), true}}, rest) == Approx(0.875).epsilon(1e-12));
-  // With a cavity in it, which is another chamber.
+  // The solid has a void, which is another cavity.
   CHECK_THROWS_WITH(volume({{outer, false}, {inner, true}}, rest), Catch::Contains("a cavity lies within another part of its surface, and would count twice"));
 }

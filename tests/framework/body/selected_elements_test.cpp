@@ -1,4 +1,4 @@
-// Energies of a part of an object, and sheets beside tets.
+// Energies of selected elements of an object, and sheets beside tets.
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -35,7 +35,7 @@ TEST_CASE("an energy acts on, and gives mass to, the elements all of whose verti
   CHECK(s.world->tets.size() == 12);  // what must not invert is all of it
 }
 
-TEST_CASE("without a selection an energy acts on all") {
+TEST_CASE("without a selection an energy acts on all elements") {
   TestScene all(bar("[{type: neo_hookean, young: 1e5}]"));
   TestScene chosen(bar("[{type: neo_hookean, young: 1e5, select: {type: all}}]"));
   CHECK(all.world->elastic_terms[0]->batches()[0].count == 12);
@@ -51,7 +51,7 @@ TEST_CASE("selections without an element, and vertices that they leave without m
   CHECK_THROWS_WITH(TestScene(bar("[{type: neo_hookean, young: 1e5, select: {type: tag, name: left}}]")), Catch::Contains("has no mass"));
 }
 
-TEST_CASE("a thickness is for objects with triangles of their own, and energies of triangles need one") {
+TEST_CASE("a thickness is for objects with explicit triangles, and energies of triangles need one") {
   CHECK_THROWS_WITH(TestScene("objects: [{name: cube, shape: {type: box, size: [1, 1, 1]}, shell: {thickness: 1 mm},\n"
                               "  energies: [{type: neo_hookean, young: 1e5}]}]\n"),
                     Catch::Contains("test.yaml:") && Catch::Contains("'cube'") && Catch::Contains("no triangles"));

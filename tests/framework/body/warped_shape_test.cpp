@@ -20,7 +20,7 @@ std::string with(const std::string& shape, const std::string& more = "") {
 
 }  // namespace
 
-TEST_CASE("warped: each vertex goes where the formulas of its place say, and nothing else changes", "[shapes]") {
+TEST_CASE("warped: each vertex moves by the formulas of its position, and nothing else changes", "[shapes]") {
   for (const double unit : {1e-3, 1.0, 1e3}) {
     const std::string grid = fmt::format("{{type: grid, size: [{0}, {0}], cells: [6, 4]}}", 2 * unit);
     const Mesh flat = shape(grid)->make();
@@ -43,7 +43,7 @@ TEST_CASE("warped: each vertex goes where the formulas of its place say, and not
   }
 }
 
-TEST_CASE("warped: a formula that is none is refused with its place, and so are places that are none and tets inside out", "[shapes]") {
+TEST_CASE("warped: invalid formulas, positions that are not finite and inverted tets are refused with their location", "[shapes]") {
   CHECK_THROWS_WITH(TestScene(with("{type: warped, of: {type: box, size: [1, 1, 1]}, y: y + }")), Contains("test.yaml:4:") && Contains("y: "));
   CHECK_THROWS_WITH(TestScene(with("{type: warped, of: {type: box, size: [1, 1, 1]}, z: z + q}")), Contains("test.yaml:4:") && Contains("z: ") && Contains("q"));
   CHECK_THROWS_WITH(TestScene(with("{type: warped, y: y}")), Contains("missing key 'of'"));
@@ -52,7 +52,7 @@ TEST_CASE("warped: a formula that is none is refused with its place, and so are 
   CHECK_THROWS_WITH(shape("{type: warped, of: {type: box, size: [1, 1, 1]}, x: -x}")->make(), Contains("turns 6 of 6 tets inside out"));
 }
 
-TEST_CASE("a selection by a formula holds where it says, and a bad one is refused with its place", "[shapes]") {
+TEST_CASE("a selection by a formula has the vertices that fulfil it, and an invalid one is refused with its location", "[shapes]") {
   TestScene s(with("{type: box, size: [2, 2, 2], cells: [4, 4, 4]}"));
   const auto choose = [&](const std::string& where) {
     const auto selection = bind_component<Selection>(parse_string("{type: formula, where: \"" + where + "\"}", "test"));

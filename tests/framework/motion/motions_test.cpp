@@ -14,7 +14,7 @@ using namespace tack;
 
 namespace {
 
-// A small block, of which a motion holds one face.
+// A small block with a motion of one face.
 std::string block(const std::string& motion, const std::string& more = "") {
   return fmt::format("time: {{step: 0.02, duration: 1, max_halvings: 20}}\n"
                      "objects: [{{name: block, shape: {{type: box, size: [0.1, 0.1, 0.1]}},\n"
@@ -88,7 +88,7 @@ std::string error_of(const std::string& yaml) {
 
 }  // namespace
 
-TEST_CASE("held vertices are where their motion says, at every step") {
+TEST_CASE("fixed vertices are at their prescribed positions in every step") {
   for (const Case& c : cases) {
     INFO(c.motion);
     TestRun run(block(c.motion));
@@ -100,7 +100,7 @@ TEST_CASE("held vertices are where their motion says, at every step") {
   }
 }
 
-TEST_CASE("the time of a motion follows halved steps") {
+TEST_CASE("the time of a motion follows step cutbacks") {
   for (const Case& c : cases) {
     INFO(c.motion);
     TestRun run(block(c.motion, "solver: {type: projected_newton, tolerance: 1e-2, max_iterations: 1}\n"));
@@ -115,7 +115,7 @@ TEST_CASE("the time of a motion follows halved steps") {
   }
 }
 
-TEST_CASE("a motion counts from where and when it seizes vertices") {
+TEST_CASE("a motion starts at the positions and the time at which it fixes vertices") {
   TestRun run("time: {step: 0.02, duration: 1}\n"
                  "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, velocity: [0.5, 0, 0],\n"
                  "  energies: [{type: neo_hookean, young: 1e5}],\n"
@@ -131,7 +131,7 @@ TEST_CASE("a motion counts from where and when it seizes vertices") {
 
 namespace {
 
-// Two arms in line with a block at the end of the second: by hinges at x = 0 and x = 0.1, and straight on.
+// Two arms in line, with hinges at x = 0 and x = 0.1, and a block at the end of the second one.
 std::string chain(const std::string& upper, const std::string& lower, const std::string& hand) {
   return "time: {step: 0.02, duration: 1}\ncontact: {between_held: false, distance: 1e-4}\n"
          "objects:\n"
@@ -145,7 +145,7 @@ const std::string elbow = "type: hinge, carrier: upper, axis: [0, 0, 1], centre:
 
 }  // namespace
 
-TEST_CASE("what is carried goes along with its carrier, and that with its own") {
+TEST_CASE("a motion with a carrier moves along with it, and the carrier with its own") {
   TestRun run(chain(shoulder, elbow, "type: translate, carrier: lower, velocity: [0.1, 0, 0]"));
   CHECK(run.world->prescribed_motion.assignments()[2].motion->rigid());
   for (int i = 1; i <= 7; ++i) {
@@ -165,7 +165,7 @@ TEST_CASE("what is carried goes along with its carrier, and that with its own") 
   }
 }
 
-TEST_CASE("what is seized on the way goes along from where it is") {
+TEST_CASE("vertices that are fixed during a motion move along from their positions") {
   TestRun run(chain(shoulder, elbow, "type: fixed, carrier: upper, from: 0.06"));
   for (int i = 1; i <= 3; ++i) run.step();
   std::vector<Vec3> seized;
@@ -181,7 +181,7 @@ TEST_CASE("what is seized on the way goes along from where it is") {
   CHECK(held == 4);
 }
 
-TEST_CASE("carriers that cannot carry are told") {
+TEST_CASE("impossible carriers are refused") {
   const std::string fixed = "type: fixed";
   const auto told = [](const std::string& text, const std::string& what) {
     INFO(text);
@@ -194,8 +194,8 @@ TEST_CASE("carriers that cannot carry are told") {
   told(chain(shoulder, elbow + ", along: [1, 0, 0]", fixed), "take `along` or `across` away");
 }
 
-// Two motions hold one half of the plate in turn, three the other.
-TEST_CASE("an object that motions hold one after the other for ever needs no material") {
+// Two motions fix one half of the plate in turn, three the other half.
+TEST_CASE("an object that motions fix in turn at all times needs no material") {
   const auto text = [](const std::string& last) {
     const std::string low = "select: {type: face, direction: [-1, 0, 0]}}", high = "select: {type: face, direction: [1, 0, 0]}}";
     return "time: {step: 0.02, duration: 1}\n"
@@ -220,9 +220,9 @@ TEST_CASE("an object that motions hold one after the other for ever needs no mat
   CHECK_THAT(error_of(text("0.05")), Catch::Contains("object 'plate' can move but has no energies"));
 }
 
-// The free end is thrown, so steps fail and are halved around the time at which one motion hands over to
-// the next; what a failed step seized must not count.
-TEST_CASE("a rolled back step seizes nothing") {
+// The free end is thrown, so that steps fail and are cut back around the time at which one motion ends
+// and the next begins. Vertices that a failed step fixed must not count.
+TEST_CASE("a rejected step fixes no vertices") {
   TestRun run("time: {step: 0.02, duration: 1, max_halvings: 20}\n"
                  "solver: {type: projected_newton, tolerance: 1e-2, max_iterations: 1}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.4, 0.1, 0.1], cells: [4, 1, 1]},\n"
@@ -242,7 +242,7 @@ TEST_CASE("a rolled back step seizes nothing") {
   CHECK(run.warnings.size() > 3);
 }
 
-TEST_CASE("wrong motions are told with their place") {
+TEST_CASE("wrong motions are reported with their location") {
   const auto told = [](const std::string& motion, const std::string& what) {
     INFO(motion);
     CHECK_THAT(error_of(block(motion)), Catch::Contains(what));
@@ -272,7 +272,7 @@ TEST_CASE("a formula without a finite value ends the run, by name") {
   CHECK_THROWS_WITH(run.step(), Catch::Contains("motion 0 (formula) of 'block': x: 't < 0.03 ? 0 : 1 / (t - t)' is inf at t = 0.04 s"));
 }
 
-TEST_CASE("places that are no numbers, or too far for their squares, are told with the motion and the object") {
+TEST_CASE("positions that are not finite, or whose squares overflow, are reported with the motion and the object") {
   TestRun far(block("type: translate, velocity: [1e200, 0, 0]"));
   CHECK_THROWS_WITH(far.step(), Catch::Contains("motion 0 (translate) of 'block': puts vertex ") &&
                                     Catch::Contains("it must be finite and at most 1e+100 m away"));

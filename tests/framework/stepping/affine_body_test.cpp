@@ -32,7 +32,8 @@ Momenta momenta(const TestRun& run) {
   return m;
 }
 
-// A free rigid body with principal moments of inertia I, by Runge-Kutta steps of its quaternion and spin.
+// Free rigid body with principal moments of inertia I, by Runge-Kutta steps of its quaternion and
+// angular velocity.
 struct RigidBody {
   Vec3 inertia, spin;  // about its own axes
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
@@ -61,7 +62,7 @@ struct RigidBody {
 
 }  // namespace
 
-TEST_CASE("an affine body that is strained is warned of once", "[affine]") {
+TEST_CASE("strain of an affine body is warned of once", "[affine]") {
   TestRun run("time: {step: 1 ms, duration: 1}\nobjects:\n"
               "  - {name: box, shape: {type: box, size: [0.1, 0.1, 0.1]}, body: {type: affine, density: 1000, stiffness: 10 kPa},\n"
               "     loads: [{type: traction, value: [100, 0, 0], select: {type: face, direction: [1, 0, 0]}},\n"
@@ -88,7 +89,7 @@ TEST_CASE("an affine body has twelve unknowns, and derivatives in them", "[affin
   }
 }
 
-TEST_CASE("free flight of an affine body: a parabola, and momenta that stay", "[affine]") {
+TEST_CASE("free flight of an affine body: parabola and conserved momenta", "[affine]") {
   TestRun run(box("    velocity: [1, 2, 0]\n    spin: [3, 5, -2]\ngravity: [0, -9.81, 0]\n"));
   const Momenta before = momenta(run);
   CHECK(before.linear.norm() == Approx(6 * std::sqrt(5.0)));
@@ -103,7 +104,7 @@ TEST_CASE("free flight of an affine body: a parabola, and momenta that stay", "[
   CHECK((about_centre - before.angular).norm() < 1e-3 * before.angular.norm());
 }
 
-TEST_CASE("a spinning affine body turns as the rigid one", "[affine]") {
+TEST_CASE("a spinning affine body rotates as a rigid body", "[affine]") {
   // About the middle axis, which is unstable.
   TestRun run(box("    spin: [0.2, 20, 0.3]\n"));
   const Vec3 square(0.01, 0.04, 0.09);
@@ -117,7 +118,7 @@ TEST_CASE("a spinning affine body turns as the rigid one", "[affine]") {
   CHECK(largest < 0.01 * 0.187);  // of the distance of a corner from the centre
 }
 
-TEST_CASE("an affine body of a closed surface is that of its tets", "[affine]") {
+TEST_CASE("an affine body of a closed surface equals that of its tets", "[affine]") {
   const std::string text = "time: {step: 1 ms, duration: 1}\nobjects:\n  - {name: ball, shape: {type: box, size: [0.1, 0.2, 0.1], cells: [2, 3, 2]SURFACE}, body: {type: affine, density: 2000}}\n";
   const auto of = [&](const std::string& more) {
     std::string scene = text;
@@ -130,8 +131,8 @@ TEST_CASE("an affine body of a closed surface is that of its tets", "[affine]") 
   CHECK(surface.world->mass.sum() == Approx(4).epsilon(1e-12));
 }
 
-TEST_CASE("an affine body that is held on a line swings as a physical pendulum", "[affine]") {
-  // About its upper edge along z; half a length 0.1 of the diagonal from the centre.
+TEST_CASE("an affine body fixed on a line swings as a physical pendulum", "[affine]") {
+  // It swings about its upper edge along z, half a diagonal of 0.1 m from the centre.
   TestRun run(box("    motion: [{type: fixed, select: {type: box, min: [0.04, 0.09, -1], max: [1, 1, 1]}}]\ngravity: [0, -9.81, 0]\n"));
   CHECK(run.world->dofs.size() == 6);
   const Vec3 pivot(0.05, 0.1, 0);
@@ -151,7 +152,7 @@ TEST_CASE("an affine body that is held on a line swings as a physical pendulum",
   CHECK(std::abs(now - angle) < 0.01 * angle0);
 }
 
-TEST_CASE("an affine body is held by as many places as it has", "[affine]") {
+TEST_CASE("fixed vertices of an affine body make as many frame vertices dependent as they are independent", "[affine]") {
   const auto unknowns = [](const std::string& select) {
     return TestScene(box("    motion: [{type: fixed, select: " + select + "}]\n"
                          "  - {name: other, shape: {type: box, size: [1, 1, 1]}, place: {translate: [5, 0, 0]}, body: affine}\n"))
@@ -163,7 +164,7 @@ TEST_CASE("an affine body is held by as many places as it has", "[affine]") {
   CHECK(unknowns("{type: box, min: [-1, -0.01, -1], max: [1, 1, 1]}") == 12);           // half of it
 }
 
-TEST_CASE("affine bodies that cannot be are told") {
+TEST_CASE("impossible affine bodies are refused") {
   const auto error = [](const std::string& object) {
     TestScene("time: {step: 1 ms, duration: 1}\nobjects: [" + object + "]\n");
   };
@@ -174,20 +175,20 @@ TEST_CASE("affine bodies that cannot be are told") {
                           "select: {type: box, min: [-1, -1, -1], max: [0, 1, 1]}}]}"), Contains("select all of it"));
 }
 
-TEST_CASE("a script that would deform an affine body is told") {
+TEST_CASE("a prescribed motion that would deform an affine body is refused") {
   TestRun run(box("    motion: [{type: formula, x: '0.1 * t * Y * Y', select: {type: box, min: [-1, -1, 0.14], max: [1, 1, 1]}}]\n"));
   CHECK_THROWS_WITH(run.step(), Contains("deform an affine body"));
 }
 
-TEST_CASE("loads on an affine body push it as a whole", "[affine]") {
+TEST_CASE("loads on an affine body accelerate the body as a whole", "[affine]") {
   TestRun run(box("    loads: [{type: body_force, value: [2, 0, 0]}, {type: traction, value: [0, 300, 0], select: {type: face, direction: [0, -1, 0]}}]\n"));
   for (int i = 0; i < 100; ++i) run.step();
   // 300 Pa on 0.03 m^2 and 6 kg: 1.5 m/s^2.
   CHECK((run.world->centre_of_mass(0, run.state().v) - Vec3(0.2, 0.15, 0)).norm() < 1e-5);
 }
 
-TEST_CASE("a stiff grain that lands on its tip and is thrown round takes few iterations", "[affine]") {
-  // It turns by two radians in the step of the impact.
+TEST_CASE("a stiff grain that lands on its tip and rotates takes few iterations", "[affine]") {
+  // It rotates by two radians in the step of the impact.
   TestRun run("time: {step: 10 ms, duration: 1}\ngravity: [0, -9.81, 0]\nobjects:\n"
               "  - {name: floor, shape: {type: box, size: [0.1, 0.01, 0.1]}, place: {translate: [0, -0.005, 0]}, motion: [fixed]}\n"
               "  - name: grain\n    shape: {type: sphere, radius: 2 mm, cells: 3, surface: true}\n"

@@ -28,7 +28,7 @@ int nearest(const TestRun& run, const Vec3& point) {
 
 }  // namespace
 
-TEST_CASE("a tied pair of boxes moves as one mesh", "[attach]") {
+TEST_CASE("two attached boxes move as one mesh", "[attach]") {
   TestRun one(header + beam("beam", 0.4, 4, 0.2, held));
   TestRun two(header + beam("left", 0.2, 2, 0.1, held) +
               beam("right", 0.2, 2, 0.3, "attach: [{select: {type: face, direction: [-1, 0, 0]}, to: left}]"));
@@ -44,7 +44,7 @@ TEST_CASE("a tied pair of boxes moves as one mesh", "[attach]") {
   }
 }
 
-TEST_CASE("meshes that do not match are tied too, with derivatives in the unknowns that are left", "[attach]") {
+TEST_CASE("non-matching meshes are attached, with derivatives by the remaining unknowns", "[attach]") {
   const std::string right =
       "  - {name: right, shape: {type: box, size: [0.2, 0.06, 0.06], cells: [2, 3, 3]}, place: {translate: [0.3, 0.01, 0]}, " + material +
       ", attach: [{select: {type: face, direction: [-1, 0, 0]}, to: left}]}\n";
@@ -57,13 +57,13 @@ TEST_CASE("meshes that do not match are tied too, with derivatives in the unknow
   for (int i = 0; i < 20; ++i) run.step();
   const std::vector<int>& tied = run.world->dofs.dependents();
   CHECK(tied.size() == 16);
-  // Still on the face of the left box.
+  // The vertices stay on the face of the left box.
   const int corner = nearest(run, {0.2, 0.0, 0.0});
   CHECK(run.rest(corner).y() == Approx(0).margin(1e-12));
   CHECK(run.at(corner).y() < -1e-4);
 }
 
-TEST_CASE("what is attached to an affine body rides on it, and is let go with its velocity", "[attach]") {
+TEST_CASE("vertices attached to an affine body follow it, and are released with its velocity", "[attach]") {
   TestRun run("time: {step: 1 ms, duration: 1}\nobjects:\n"
               "  - {name: wheel, shape: {type: box, size: [0.2, 0.2, 0.2]}, body: affine, spin: [0, 0, 5]}\n"
               "  - {name: ball, shape: {type: box, size: [0.02, 0.02, 0.02]}, place: {translate: [0.11, 0, 0]}, energies: [{type: neo_hookean, young: 1e5, density: 100}],\n"
@@ -96,7 +96,7 @@ TEST_CASE("an affine body that is attached to a soft one follows it", "[attach]"
   CHECK(run.at(tip).y() < 0.05 - 1e-3);
 }
 
-TEST_CASE("attachments that cannot be are told") {
+TEST_CASE("impossible attachments are refused") {
   const auto error = [](const std::string& right, const std::string& left = "") {
     TestScene(header + beam("left", 0.2, 2, 0.1, left) + right);
   };

@@ -26,7 +26,7 @@ struct Modes {
 };
 
 // Two strips of length 2 L, thickness h, width b, with a crack of length a at the left end. They
-// stand on supports at both ends. A lever pushes them down: its links hold the upper strip at
+// stand on supports at both ends. A lever pushes them down: its links are fixed to the upper strip at
 // `first` and `second`, the load acts at `pushed` [m from the left end].
 struct Beams {
   double first = 0, second = 0, pushed = 0;
@@ -66,7 +66,7 @@ struct Beams {
     const Modes at_one = rates(loads(), {a, a});
     return std::sqrt(toughness(at_one.mixity()) / at_one.sum());
   }
-  // How far the lever is down where the load is, the crack a long.
+  // Displacement of the lever at the load, with a crack of length a.
   double way(double a) const {
     const double load = sharp_load(a);
     const Modes one = loads(), d = deflections({load * one.opening, load * one.shear}, a);
@@ -82,7 +82,7 @@ struct Beams {
                        "      - {{type: fixed, along: [0, 0, 1]}}\n{}",
                        name, to - from, width, std::lround((to - from) * cells / (2 * half)), (from + to) / 2, y, thickness, offset, modulus, modulus, motions);
   }
-  // Fast until shortly before the crack grows, then slowly from the way `grows` to the way `ends`.
+  // Fast until shortly before the crack grows, then slowly from the displacement `grows` to `ends`.
   std::string scene(double grows, double ends, int steps) const {
     const double reach = 0.02, offset = thickness / 2 - gap / 2, begin = std::min({first, second, pushed}), end = std::max({first, second, pushed});
     const std::string left = "select: {type: face, direction: [-1, 0, 0]}}\n", right = "select: {type: face, direction: [1, 0, 0]}}\n";
@@ -118,7 +118,7 @@ struct Growth {
 };
 
 // Follows the crack from its first broken bond to `until`. rate_of: G over the toughness, and the
-// mixity, from the load and from how far the strips are raised at the end and in the middle.
+// mixity, from the load and the displacements of the strips at the end and in the middle.
 template <class RateOf>
 Growth follow(const Beams& beams, double grows, double ends, int steps, const RateOf& rate_of) {
   TestRun run(beams.scene(grows, ends, steps));
@@ -194,9 +194,9 @@ TEST_CASE("mixed-mode bending: a crack releases its work, one for all modes, whi
   }
 }
 
-// Bonds of Benzeggagh and Kenane spend the work of their own path of opening and slip. Its mixity is
-// that of the load where both reach equally far ahead of the crack: slip reaches sqrt(E h G_II) / tau,
-// opening (E h^3 G_I / sigma^2)^(1/4).
+// Bonds of Benzeggagh and Kenane dissipate the work of their own path of opening and slip. Its mixity
+// is that of the load if both extend equally far ahead of the crack: slip by sqrt(E h G_II) / tau,
+// opening by (E h^3 G_I / sigma^2)^(1/4).
 TEST_CASE("mixed-mode bending: the work of Benzeggagh and Kenane at the mixity of the load", "[bonds]") {
   const auto [lever, mixity] = GENERATE(std::pair(0.086, 0.2), std::pair(0.035, 0.5), std::pair(0.0225, 0.8));
   INFO(mixity);
@@ -205,7 +205,7 @@ TEST_CASE("mixed-mode bending: the work of Benzeggagh and Kenane at the mixity o
   CHECK(g.rate == Approx(1).epsilon(0.03));
 }
 
-// Slip that reaches three times as far as the opening spends more, less than the work of pure shear.
+// Slip that extends three times as far as the opening dissipates more, but less than pure shear.
 TEST_CASE("mixed-mode bending: bonds that slip far ahead of the crack spend more than the mixity of the load says", "[bonds]") {
   const Beams beams{};
   const Growth g = bend(beams, 0.035);
@@ -213,8 +213,8 @@ TEST_CASE("mixed-mode bending: bonds that slip far ahead of the crack spend more
   CHECK(g.rate < beams.work_shear / beams.toughness(g.mixity));
 }
 
-// A sharp crack of the first length carries the most. Where bonds let go over a length in proportion
-// to 1 / strength, the crack is as much longer before it grows.
+// A sharp crack of the first length carries the largest load. Debonding extends over a length in
+// proportion to 1 / strength, by which the crack is longer before it grows.
 TEST_CASE("end-notched flexure: the largest load tends to that of a sharp crack as the strength grows", "[bonds]") {
   const auto missing = [](double strength, int cells) {
     const Beams beams{.strength = strength, .shear_strength = strength, .cells = cells};
@@ -227,7 +227,7 @@ TEST_CASE("end-notched flexure: the largest load tends to that of a sharp crack 
   CHECK(strong > 0);
 }
 
-// Before the crack grows the arm is a beam on springs, which hold it down behind the root as stiffly as they hold it there:
+// Before the crack grows, the arm is a beam on an elastic foundation behind the root of the crack:
 // opening / load = a^3 / (3 E I) (1 + 3/m + 3/m^2 + 3/(2 m^3)), m = a (k / (4 E I))^(1/4), k = K b.
 TEST_CASE("double cantilever: the root of the crack is as stiff as a beam on springs", "[bonds]") {
   const double young = 135.3e9, width = 5e-3, thickness = 1.5e-3, crack = 30e-3, strength = 57e6, onset = 0.5e-6, way = 4e-5;

@@ -1,5 +1,4 @@
-// Convergence criteria of a minimisation: the error bound of a direction, and the balance of
-// forces.
+// Convergence criteria of a minimisation: the error bound of a direction, and the force residual.
 #include "framework/stepping/convergence.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +14,7 @@ using namespace tack;
 
 namespace {
 
-// Two blocks of very different stiffness and mass, the lower one in reach of the floor.
+// Two blocks of very different stiffness and mass, the lower one within contact range of the floor.
 const std::string blocks = step_on_floor(R"(
   - name: lower
     shape: {type: box, size: [0.2, 0.1, 0.2], cells: [2, 1, 2]}
@@ -31,7 +30,7 @@ contact: {distance: 1 mm, friction: {mu: 0.5}}
 
 }  // namespace
 
-TEST_CASE("what a direction misses is bounded, whatever the residual", "[stepping]") {
+TEST_CASE("the error of a direction is bounded for any residual", "[stepping]") {
   StepProblem step(blocks);
   const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: 0.02}");
   Convergence convergence = step.convergence(*minimizer);
@@ -59,7 +58,7 @@ TEST_CASE("what a direction misses is bounded, whatever the residual", "[steppin
   CHECK(sharpest < 20);  // it does not ask for the impossible
 }
 
-TEST_CASE("forces that have a cause are the measure of what is not balanced", "[stepping]") {
+TEST_CASE("the reference force is the largest load, element force or inertia force", "[stepping]") {
   StepProblem step(blocks);
   const auto minimizer =
       component<Minimizer>("{type: projected_newton, balance_tolerance: 0.01, force_floor: 0.002}");
@@ -70,8 +69,8 @@ TEST_CASE("forces that have a cause are the measure of what is not balanced", "[
   const Convergence::ForceResidual found = convergence.force_residual();
   CHECK(found.residual == Approx(gradient.lpNorm<Eigen::Infinity>() / 1e-4));
   CHECK(ratio == Approx(found.residual / found.limit));
-  // No element is strained at the start: the largest cause is the inertia of an upper corner that is to stop,
-  // or the weight of a lower vertex. Contact pushes a hundred times harder.
+  // No element is strained at the start. The reference force is the inertia of an upper corner that stops,
+  // or the weight of a lower vertex. The contact force is a hundred times larger.
   double inertia = 0, weight = 0;
   for (int v = 0; v < step.world->mass.size(); ++v) {
     if (step.world->dofs.block(v) < 0) continue;
@@ -83,7 +82,7 @@ TEST_CASE("forces that have a cause are the measure of what is not balanced", "[
   CHECK(ratio > 1);
 }
 
-TEST_CASE("a step reports the forces that it leaves unbalanced", "[stepping]") {
+TEST_CASE("a step reports its force residual", "[stepping]") {
   TestRun s(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e-6, force_floor: 0.1}\n");
   const StepReport r = s.step();
   CHECK(r.converged);
@@ -95,14 +94,14 @@ TEST_CASE("a step reports the forces that it leaves unbalanced", "[stepping]") {
 
 namespace {
 
-// A cube of the given edge [m] with more, in one step of 10 ms.
+// Scene of a cube of the given edge [m], in one step of 10 ms. more: further settings of time.
 std::string cube(double size, const std::string& more = "") {
   return fmt::format("time: {{step: 0.01, duration: 0.01{}}}\n"
                      "objects:\n  - {{name: cube, shape: {{type: box, size: [{}, {}, {}]}}, energies: [{{type: neo_hookean, young: 1e5, density: 1000}}]}}\n",
                      more, size, size, size);
 }
 
-// Returns the imbalance that a step tolerates where nothing acts [N].
+// Returns the limit of the force residual without forces [N].
 double floor_of(const std::string& yaml) {
   StepProblem step(yaml);
   const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: 0.01}");
@@ -114,7 +113,7 @@ double floor_of(const std::string& yaml) {
 
 }  // namespace
 
-TEST_CASE("the force floor is what no vertex feels, and above round-off", "[stepping]") {
+TEST_CASE("the force floor is above round-off and below the velocity tolerance", "[stepping]") {
   StepProblem dynamic(cube(0.1));
   CHECK(floor_of(cube(0.1)) == Approx(dynamic.world->mass.maxCoeff() * 0.01 / 0.01));
   const double quasi_static = floor_of(cube(0.1, ", integrator: quasi_static"));
@@ -123,8 +122,8 @@ TEST_CASE("the force floor is what no vertex feels, and above round-off", "[step
   CHECK(floor_of(cube(0.2, ", integrator: quasi_static")) == Approx(4 * quasi_static));  // stiffness times size
 }
 
-// A soft strip bends under a load at its end, and steel that it does not touch lies about, or is pressed.
-TEST_CASE("a quasi-static strip bends as it does alone, whatever it does not touch", "[stepping]") {
+// A soft strip bends under a load at its end. Steel that it does not touch lies beside it, or is pressed.
+TEST_CASE("a quasi-static strip bends independently of bodies that do not touch it", "[stepping]") {
   const auto tip = [](const std::string& steel) {
     TestRun s("time: {step: 0.25, duration: 1, integrator: quasi_static}\n"
               "objects:\n"

@@ -17,7 +17,7 @@ using namespace tack;
 
 namespace {
 
-// A block whose lower face is held, deflected by its lowest mode.
+// A block with a fixed lower face, deflected by its lowest mode.
 struct Vibration : TestScene {
   Vibration(const std::string& integrator, double h, double alpha, double beta)
       : TestScene(fmt::format(
@@ -72,7 +72,7 @@ struct Vibration : TestScene {
   std::optional<TimeStepper> stepper;
 };
 
-// The decay rate over some periods, in units of zeta w.
+// Returns the decay rate over some periods, in units of zeta w.
 double decay_rate(const std::string& integrator, double alpha, double beta, int steps_per_period, int periods) {
   const Vibration probe(integrator, 1, alpha, beta);
   const double h = 2 * M_PI / probe.omega / steps_per_period;
@@ -82,7 +82,7 @@ double decay_rate(const std::string& integrator, double alpha, double beta, int 
   return std::log(start / run.envelope()) / (run.zeta * run.omega * run.stepper->state().time);
 }
 
-// The largest distance from u = exp(-zeta w t) (cos w_d t + zeta w / w_d sin w_d t) in one period.
+// Returns the largest distance from u = exp(-zeta w t) (cos w_d t + zeta w / w_d sin w_d t) in one period.
 double error_of(const std::string& integrator, int steps) {
   constexpr double alpha = 2, beta = 0.01;
   const Vibration probe(integrator, 1, alpha, beta);
@@ -140,7 +140,7 @@ TEST_CASE("stiffness damping leaves free fall alone, mass damping ends at g / al
   }
 }
 
-TEST_CASE("what damping dissipates is what a vibration loses", "[damping]") {
+TEST_CASE("damping dissipates the energy that a vibration loses", "[damping]") {
   for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {
     INFO(integrator);
     const double h = integrator == "newmark" ? 5e-3 : 1e-3;
@@ -163,7 +163,7 @@ TEST_CASE("what damping dissipates is what a vibration loses", "[damping]") {
   }
 }
 
-TEST_CASE("what a script does against damping is dissipated", "[damping]") {
+TEST_CASE("the work of a prescribed motion against damping is dissipated", "[damping]") {
   for (const std::string integrator : {"implicit_euler", "newmark"}) {
     INFO(integrator);
     TestRun run(header(integrator) + "objects: [" + block +
@@ -179,7 +179,7 @@ TEST_CASE("what a script does against damping is dissipated", "[damping]") {
   }
 }
 
-TEST_CASE("damping terms are what their derivatives say", "[damping]") {
+TEST_CASE("damping terms have the derivatives of their value", "[damping]") {
   TestScene scene(header("implicit_euler") + "objects: [" + block + ", damping: {stiffness: 20 ms, mass: 3 1/s}}]\n");
   int damping = 0;
   for (const DerivativeCheck& check : check_derivatives(*scene.world, 0.01, scene.clock)) {
@@ -190,7 +190,7 @@ TEST_CASE("damping terms are what their derivatives say", "[damping]") {
   CHECK(damping == 1);
 }
 
-TEST_CASE("quasi-static steps refuse damping, and damping takes units of its own", "[damping]") {
+TEST_CASE("quasi-static steps refuse damping, and damping coefficients have units", "[damping]") {
   const auto scene = [](const std::string& integrator, const std::string& damping) {
     TestScene(header(integrator) + "objects: [" + block + ", damping: " + damping + "}]\n");
   };
@@ -201,7 +201,7 @@ TEST_CASE("quasi-static steps refuse damping, and damping takes units of its own
   CHECK_NOTHROW(scene("newmark", "{mass: 0.1 1/s}"));
 }
 
-TEST_CASE("an affine body takes damping of its mass, and refuses that of its stiffness", "[damping]") {
+TEST_CASE("an affine body has mass damping, and refuses stiffness damping", "[damping]") {
   const auto affine = [](const std::string& damping) {
     return header("newmark") + "objects: [{name: rigid, shape: {type: box, size: [0.2, 0.1, 0.1]}, body: affine,\n"
            "  velocity: [1, 2, 0], spin: [0, 0, 0.1], damping: " + damping + "}]\n";
@@ -216,6 +216,6 @@ TEST_CASE("an affine body takes damping of its mass, and refuses that of its sti
   CHECK_THROWS_WITH(TestRun(affine("{stiffness: 1 ms}")), Catch::Contains("'rigid' is an affine body"));
 }
 
-TEST_CASE("a scene without damping has no terms of it", "[damping]") {
+TEST_CASE("a scene without damping has no damping terms", "[damping]") {
   CHECK(TestScene(header("newmark") + "objects: [" + block + "}]\n").world->damping_terms.empty());
 }

@@ -1,5 +1,5 @@
 // A bond or an adhesion that does not fail in statics does not fail in long steps: no step starts
-// beyond its peak.
+// beyond the peak of the traction.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ std::vector<Law> bond_laws() {
     try {
       laws.push_back({v.yaml, bond_law(v.yaml)->peak_traction(), 5e-4, 6e-4});
     } catch (const InputError&) {
-      // numbers that are of another law
+      // values that belong to another law
     }
   }
   return laws;
@@ -55,7 +55,7 @@ std::vector<Law> gap_laws() {
       const std::shared_ptr<const NormalAdhesion> law = law_of(v.yaml, distance);
       PairLaw pair;
       pair.add(law);
-      // lennard_jones pulls from its gap of equilibrium on; below it a cube would fall freely.
+      // lennard_jones attracts from its equilibrium gap on; below it a cube would fall freely.
       double gap = std::max(1.2 * distance, pair.well().gap);
       while (gap < law->range() && !(pair.at(gap).slope > 0) && !(pair.at(gap).curvature > 0)) gap *= 1.01;
       laws.push_back({v.yaml, law->peak_traction(), distance, gap});
@@ -66,7 +66,7 @@ std::vector<Law> gap_laws() {
   return laws;
 }
 
-// A cube below a plate, which it is bonded to.
+// A cube below a plate to which it is bonded.
 std::string hanging(const Law& law, const std::string& integrator, double h, double gravity, const std::string& plate, const std::string& cube = "") {
   return fmt::format(
       "gravity: [0, {}, 0]\n"
@@ -85,7 +85,7 @@ double opening(const TestRun& run) {
   return run.world->centre_of_mass(0, s.x).y() - run.world->centre_of_mass(1, s.x).y();
 }
 
-// By how far the two are farther apart after some steps.
+// Returns the increase of the distance of cube and plate after some steps [m].
 double opened(TestRun& run, int steps) {
   const double start = opening(run);
   for (int i = 0; i < steps; ++i) run.step();
@@ -123,12 +123,12 @@ TEST_CASE("a cube hangs by an eighth of the strength of any adhesion in steps of
   CHECK(in_statics == laws.size());
 }
 
-TEST_CASE("bonds hold what goes along in steps of many times their onset", "[bonds]") {
+TEST_CASE("bonds carry a moving cube in steps of many times their onset", "[bonds]") {
   for (const Law& law : bond_laws())
     for (const std::string& integrator : integrators)
       for (const double speed : {1e-3, 1.0}) {
         INFO(law.yaml << ", " << integrator << ", " << speed << " m/s");
-        // Led by a plate that moves, across and along its bonds, by a force of a thirtieth of the strength where it begins to.
+        // A moving plate pulls it across and along the bonds, at first by a thirtieth of the strength.
         const double acceleration = law.peak * side * side / (30 * mass), until = speed / acceleration, h = std::min(1e-2, until / 2);
         const std::string way = fmt::format("t < {0} ? 0.5 * {1} * t * t : {2} * (t - {0} / 2)", until, acceleration, speed);
         TestRun run(hanging(law, integrator, h, 0, fmt::format("motion: [{{type: formula, x: \"{0}\", y: \"{0}\"}}]", way)));
@@ -136,7 +136,7 @@ TEST_CASE("bonds hold what goes along in steps of many times their onset", "[bon
       }
 }
 
-TEST_CASE("steps of what lets go of nothing start where they always did") {
+TEST_CASE("the start of steps without debonding is the inertial motion") {
   const Law law{"{type: bonded, peak_traction: 800}", 800, 5e-4, 6e-4};
   const auto unchanged = [](TestRun& run) {
     const Step step = run.stepper.open(1e-3);
@@ -152,7 +152,7 @@ TEST_CASE("steps of what lets go of nothing start where they always did") {
   unchanged(free_fall);
   TestRun uniform(hanging(law, "implicit_euler", 1e-3, 0, "velocity: [3, 2, 1], body: {type: affine, density: 1000}", ", velocity: [3, 2, 1]"));
   unchanged(uniform);
-  // Torn off at once, the cube starts without its acceleration.
+  // The prediction would debond the cube, so that it starts without its acceleration.
   TestRun hung(hanging(law, "implicit_euler", 1e-2, 9.81, "motion: [fixed]"));
   const Step step = hung.stepper.open(1e-2);
   VecX full;

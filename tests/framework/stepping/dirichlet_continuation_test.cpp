@@ -10,7 +10,7 @@ using namespace tack;
 
 namespace {
 
-// A ball on grains in a pan that lies still for 0.4 s and is turned then.
+// A ball on grains in a pan that rests for 0.4 s and then rotates.
 std::string rocked_pan(const std::string& step, const std::string& stiffness) {
   return fmt::format(
       "gravity: [0, -9.81, 0]\n"
@@ -39,8 +39,8 @@ std::string rocked_pan(const std::string& step, const std::string& stiffness) {
 
 }  // namespace
 
-// Pulled all the way at once, grains were to turn by more in an iteration than they may move, and gaps were used up.
-TEST_CASE("a pan is turned under grains and a ball without a step that has to be halved for it") {
+// In one stage, the grains would have to rotate in an iteration by more than CCD allows, and gaps would vanish.
+TEST_CASE("a pan rotates under grains and a ball without step cutbacks") {
   const auto [step, stiffness] = GENERATE(table<std::string, std::string>({{"16 ms", "2 kPa"}, {"40 ms", "10 kPa"}}));
   INFO("steps of " << step << ", " << stiffness);
   TestRun run(rocked_pan(step, stiffness));
@@ -50,9 +50,9 @@ TEST_CASE("a pan is turned under grains and a ball without a step that has to be
   CHECK_FALSE(run.intersects());
 }
 
-// Bonds would break on the straight way, so the strip is walked down. Rollers under the other strip
-// had moved with the walk, and were put back through the gap.
-TEST_CASE("rollers stay in their places while prescribed motion is continued") {
+// Bonds would break along linear trajectories, so that the strip moves by continuation. The rollers
+// under the other strip must stay fixed meanwhile.
+TEST_CASE("rollers stay at their positions during Dirichlet continuation") {
   const char* const strip =
       "shape: {type: grid, size: [0.08, 0.002], cells: [80, 1]}, shell: {thickness: 1 mm}, contact_offset: 0.47 mm,\n"
       "     energies: [{type: stvk_membrane, young: 1 GPa, poisson: 0}, {type: hinge_bending, young: 1 GPa, poisson: 0}]";

@@ -17,7 +17,7 @@ using namespace tack;
 
 namespace {
 
-// k/2 |x_v - X_v|^2 of every vertex of an object, within a length from where it was at rest; farther away it lets go.
+// k/2 |x_v - X_v|^2 of every vertex of an object within a distance of its rest position; 0 beyond.
 class SnappingTerm : public Term {
  public:
   SnappingTerm(const Body& body, const VecX& rest, double stiffness, double length) : Term("snapping"), rest_(rest), stiffness_(stiffness), length_(length) {
@@ -68,7 +68,7 @@ TACK_REGISTER(Energy, Snapping, "snapping", "Holds every vertex to where it was,
 
 bool has_inertia(const std::string& integrator) { return integrator != "quasi_static"; }
 
-// A cube of 1 g hangs from a fixed one by bonds, beyond the reach of the barrier. Their stiffness is 40 N/m to 40 kN/m.
+// A cube of 1 g hangs from a fixed one by bonds, beyond the range of the barrier. Their stiffness is 40 N/m to 40 kN/m.
 constexpr double mass = 1e-3, area = 1e-4;  // kg, m^2
 std::string hanging(const std::string& integrator, double h, const std::string& law, double weight, double damping) {
   return fmt::format(
@@ -88,7 +88,7 @@ std::string hanging(const std::string& integrator, double h, const std::string& 
 
 }  // namespace
 
-TEST_CASE("what hangs by bonds at rest pulls with its weight: every integrator, every law", "[dynamic]") {
+TEST_CASE("a cube at rest loads its bonds with its weight: every integrator, every law", "[dynamic]") {
   const std::vector<std::map<std::string, std::string>> settings = {
       {},
       {{"envelope", "{type: expression, traction: 1e9 * d * exp(-d / 1e-5), range: 2e-4}"}},
@@ -100,7 +100,7 @@ TEST_CASE("what hangs by bonds at rest pulls with its weight: every integrator, 
     if (std::find(tested.begin(), tested.end(), law.type) != tested.end()) continue;
     tested.push_back(law.type);
     const auto bond = bond_law(law.yaml);
-    // Critically damped, from a load of a fiftieth of the strength.
+    // The start is critically damped, from a load of a fiftieth of the strength.
     const double d = 1e-9, stiffness = area * PulledBond(*bond).step(d, 0, 1).by_d / d, weight = 0.02 * area * bond->peak_traction();
     const double omega = std::sqrt(stiffness / mass);
     for (const std::string& integrator : Registry<TimeIntegrator>::kind().names())
@@ -115,7 +115,7 @@ TEST_CASE("what hangs by bonds at rest pulls with its weight: every integrator, 
   CHECK(tested.size() >= 6);
 }
 
-TEST_CASE("bonds carry a cube round with m w^2 r: every integrator", "[dynamic]") {
+TEST_CASE("bonds carry a cube on a circle with m w^2 r: every integrator", "[dynamic]") {
   constexpr double w = 50, h = M_PI / 180 / w, x = 0.10545;  // rad/s, s, m
   for (const std::string& integrator : Registry<TimeIntegrator>::kind().names()) {
     if (!has_inertia(integrator)) continue;
@@ -133,7 +133,7 @@ TEST_CASE("bonds carry a cube round with m w^2 r: every integrator", "[dynamic]"
         "solver: {{type: projected_newton, tolerance: 1e-6}}\n"
         "probes: [{{name: pull, type: contact_force, on: cube, from: hold}}, {{name: centre, type: centre_of_mass, object: cube}}]\n",
         h, integrator, w, x, w * x, w));
-    // It swings on its bonds, 6 steps and more a period.
+    // It swings on its bonds, with 6 steps or more per period.
     double ratio = 0;
     constexpr int before = 30, steps = 150;
     for (int i = 0; i < steps; ++i) {
@@ -145,7 +145,7 @@ TEST_CASE("bonds carry a cube round with m w^2 r: every integrator", "[dynamic]"
   }
 }
 
-TEST_CASE("a dynamic term is followed by what it says of itself, with no contact in the scene", "[dynamic]") {
+TEST_CASE("a term that declares itself dynamic is integrated as one, without contact in the scene", "[dynamic]") {
   const auto held = [](const std::string& integrator, double h, const std::string& more) {
     return fmt::format("time: {{step: {}, duration: 1, integrator: {}}}\n", h, integrator) +
            "solver: {type: projected_newton, tolerance: 1e-9, force_floor: 1e-9}\n"
@@ -155,13 +155,13 @@ TEST_CASE("a dynamic term is followed by what it says of itself, with no contact
   for (const std::string& integrator : Registry<TimeIntegrator>::kind().names()) {
     if (!has_inertia(integrator)) continue;
     INFO(integrator);
-    // At rest, of 1 kg on 800 N/m.
+    // Rest position of 1 kg on 800 N/m.
     TestRun resting("gravity: [0, -9.81, 0]\n" + held(integrator, 0.01, ", damping: {mass: 57}}]\n"));
     for (int i = 0; i < 60; ++i) resting.step();
     double pull = 0;
     for (int v = 0; v < 8; ++v) pull += 100 * (resting.rest(v) - resting.at(v)).y();
     CHECK(pull == Approx(9.81).epsilon(1e-3));
-    // It lets go on the way: two-step integrators have no history across that.
+    // The term becomes zero during the motion; two-step integrators drop their history there.
     TestRun leaving(held(integrator, 0.01, ", velocity: [2, 0, 0]}]\n"));
     for (int i = 0; i < 40 && (leaving.at(0) - leaving.rest(0)).x() < 0.05; ++i) leaving.step();
     const bool follows = leaving.config.time.integrator->follows_contact();

@@ -1,4 +1,4 @@
-// The energy balance against closed forms.
+// Energy balance against closed forms.
 #include "framework/stepping/energy_balance.hpp"
 
 #include <catch2/catch.hpp>
@@ -42,7 +42,7 @@ EnergyFlows total(TestRun& run, int steps) {
 
 const std::string block = "{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1e5}]";
 
-// Pushed over a floor by a sticky, rough slider that a script drives; beside it a pad slips on bonds that heal under its weight.
+// A block pushed over a floor by an adhesive, rough slider with prescribed motion. Beside it a pad slips on bonds that heal under its weight.
 const std::string driven =
     "gravity: [0, -9.81, 0]\n"
     "objects:\n"
@@ -60,7 +60,7 @@ const std::string driven =
 
 }  // namespace
 
-TEST_CASE("the balance of energy adds up in every step, and every part of it is in play", "[energy_balance]") {
+TEST_CASE("the energy balance adds up in every step, and each of its flows occurs", "[energy_balance]") {
   for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {
     INFO(integrator);
     TestRun run(header(integrator, 0.01) + driven);
@@ -100,8 +100,8 @@ TEST_CASE("free fall: implicit Euler loses 1/2 m (h g)^2 a step, Newmark nothing
   }
 }
 
-// A held block that swings so little that it is a linear spring.
-TEST_CASE("what implicit Euler loses on a spring is 1/2 |dv|_M^2 + 1/2 |dx|_K^2", "[energy_balance]") {
+// A fixed block with a vibration so small that it is a linear spring.
+TEST_CASE("implicit Euler loses 1/2 |dv|_M^2 + 1/2 |dx|_K^2 on a spring", "[energy_balance]") {
   TestRun run(header("implicit_euler", 1e-3) + "objects: [" + block +
                  ", motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}], velocity: [1e-4, 2e-5, 0]}]\n");
   for (int i = 0; i < 20; ++i) {
@@ -114,7 +114,7 @@ TEST_CASE("what implicit Euler loses on a spring is 1/2 |dv|_M^2 + 1/2 |dx|_K^2"
   }
 }
 
-TEST_CASE("a bouncing block's balance: what it has is what it had, less what numerics took", "[energy_balance]") {
+TEST_CASE("a bouncing block has the energy of the start less the numerical losses", "[energy_balance]") {
   TestRun run(header("newmark", 1e-3) +
                  "gravity: [0, -9.81, 0]\nobjects:\n"
                  "  - {name: floor, shape: {type: box, size: [0.5, 0.02, 0.5]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n"
@@ -151,7 +151,7 @@ TEST_CASE("friction that stops a block has dissipated 1/2 m v^2", "[energy_balan
   CHECK(stop("implicit_euler", 1e-3) == Approx(1).margin(0.02));
 }
 
-TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_balance]") {
+TEST_CASE("the work of a prescribed motion is stored, that of a load accelerates", "[energy_balance]") {
   SECTION("stretched slowly") {
     TestRun run(header("quasi_static", 0.1) +
                    "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]},\n"
@@ -170,7 +170,7 @@ TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_
     CHECK(sum.loads == Approx(kinetic(*run.world, run.state().v)).epsilon(1e-6));
     CHECK(sum.loads > 0.1);
   }
-  SECTION("what is released takes its energy along") {
+  SECTION("released vertices add their energy") {
     TestRun run(header("implicit_euler", 0.01) + "objects: [" + block +
                    ", motion: [{type: translate, velocity: [2, 0, 0], until: 0.035}]}]\n");
     const EnergyFlows sum = total(run, 6);
@@ -179,7 +179,7 @@ TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_
   }
 }
 
-TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
+TEST_CASE("numerical energy gain is noticed", "[energy_balance]") {
   TestRun run(header("implicit_euler", 0.01) + "objects: [" + block + ", velocity: [1, 0, 0]}]\n");
   World& world = *run.world;
   StepPotential potential(world, run.clock);
@@ -200,7 +200,7 @@ TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
   CHECK_FALSE(step_to(1.006).gained);
   CHECK_FALSE(step_to(0.5).gained);
   CHECK(step_to(0.6).gained);  // what was lost before is no credit
-  // The run may be of far more than has moved so far, so that only what lasts is told before its end.
+  // The reference energy may still grow, so that only lasting gains are warned of before the end of the run.
   const auto told_after = [&](double speed, int steps) {
     int told = 0;
     for (int i = 1; i <= steps; ++i) {
@@ -220,8 +220,8 @@ TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
   CHECK(state.energy.told);
 }
 
-TEST_CASE("a step that would make energy is done again in smaller ones", "[energy_balance]") {
-  // Newmark's rule turns this tumbling block inside out at large steps, in free flight.
+TEST_CASE("a step with numerical energy gain is repeated with smaller steps", "[energy_balance]") {
+  // Newmark inverts this tumbling block at large steps, in free flight.
   TestRun run(fmt::format(
       "time: {{step: 20 ms, duration: 10, integrator: newmark}}\n"
       "solver: {{type: projected_newton, linear: cholmod, tolerance: 1 mm/s}}\n"
@@ -241,7 +241,7 @@ TEST_CASE("a step that would make energy is done again in smaller ones", "[energ
   CHECK(run.state().time == Approx(0.2));
 }
 
-// A box that is held at the middle of its bottom spins about its axis, which leans by 20 degrees, and turns by 0.1 rad in a step.
+// A box fixed at the middle of its bottom spins about its axis, inclined by 20 degrees, by 0.1 rad in a step.
 TEST_CASE("Newmark keeps the energy of a heavy top, and its precession", "[energy_balance]") {
   constexpr double width = 0.1, height = 0.06, spin = 100, lean = 20 * std::numbers::pi / 180, duration = 0.2;
   TestRun run(fmt::format(

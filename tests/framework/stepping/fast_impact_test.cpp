@@ -1,4 +1,4 @@
-// Impacts whose displacement per step would be hundreds of times the plate's thickness.
+// Impacts with displacements per step of hundreds of times the thickness of the plate.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -20,8 +20,8 @@ std::string face(const std::string& direction) { return "select: {type: face, di
 
 }  // namespace
 
-TEST_CASE("three planes of symmetry: uniaxial tension, exactly", "[held]") {
-  // A tenth of a percent of strain on rollers: stress E e, and the sides contract by nu e.
+TEST_CASE("three planes of symmetry: uniaxial tension, exactly", "[fixed]") {
+  // At a strain of 0.1% on rollers the stress is E e, and the sides contract by nu e.
   TestRun run(scene("{type: fixed, along: [1, 0, 0], " + face("[-1, 0, 0]") + "}, {type: fixed, along: [0, 1, 0], " + face("[0, -1, 0]") +
                         "}, {type: fixed, along: [0, 0, 1], " + face("[0, 0, -1]") +
                         "}, {type: translate, along: [1, 0, 0], velocity: [0.02, 7, 7], " + face("[1, 0, 0]") + "}",
@@ -41,7 +41,7 @@ TEST_CASE("three planes of symmetry: uniaxial tension, exactly", "[held]") {
   CHECK(std::abs(pull[1]) < 1e-6);
 }
 
-TEST_CASE("a block in free fall on an inclined guide slides along it", "[held]") {
+TEST_CASE("a block in free fall on an inclined guide slides along it", "[fixed]") {
   TestRun run(scene("{type: fixed, across: [1, -1, 0]}", "gravity: [0, -10, 0]\n", "newmark"));
   for (int i = 0; i < 20; ++i) run.step();
   const double t = run.state().time, way = 10 / std::sqrt(2.0) * t * t / 2;
@@ -49,7 +49,7 @@ TEST_CASE("a block in free fall on an inclined guide slides along it", "[held]")
     CHECK((run.at(v) - run.rest(v) - way / std::sqrt(2.0) * Vec3(1, -1, 0)).norm() < 1e-6);
 }
 
-TEST_CASE("an affine body on a guide, and one pushed by a scripted plate that slides freely", "[held]") {
+TEST_CASE("an affine body on a guide, and one pushed by a prescribed plate that slides freely", "[fixed]") {
   TestRun run("time: {step: 5 ms, duration: 1}\ngravity: [0, -10, 0]\nobjects:\n"
               "  - {name: bead, shape: {type: box, size: [0.1, 0.1, 0.1]}, body: affine, motion: [{type: fixed, across: [0, 1, 0]}]}\n");
   for (int i = 0; i < 20; ++i) run.step();
@@ -58,7 +58,7 @@ TEST_CASE("an affine body on a guide, and one pushed by a scripted plate that sl
   CHECK(std::hypot(c.x(), c.z()) < 1e-12);
 }
 
-TEST_CASE("a roller that is driven into something walks there", "[held]") {
+TEST_CASE("a roller that is driven into an obstacle moves by Dirichlet continuation", "[fixed]") {
   TestRun run("time: {step: 10 ms, duration: 1}\nobjects:\n"
               "  - {name: pad, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, energies: [{type: neo_hookean, young: 1e5, density: 1000}], "
               "motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}\n"
@@ -72,7 +72,7 @@ TEST_CASE("a roller that is driven into something walks there", "[held]") {
   CHECK(top == Approx(0.152 - 0.02).epsilon(1e-9));
 }
 
-TEST_CASE("motions of single directions that contradict each other are told") {
+TEST_CASE("contradicting motions of single directions are refused") {
   CHECK_THROWS_WITH(TestScene(scene("{type: fixed, along: [1, 0, 0]}, {type: fixed, along: [1, 1, 0]}")), Contains("not at right angles"));
   CHECK_THROWS_WITH(TestScene(scene("{type: fixed, along: [1, 0, 0], across: [0, 1, 0]}")), Contains("either along or across"));
   CHECK_THROWS_WITH(TestScene(scene("{type: fixed, along: [0, 0, 0]}")), Contains("must not be zero"));

@@ -13,13 +13,13 @@ using namespace tack;
 
 namespace {
 
-// Something that is free, out of everything's way.
+// A free body far from all others.
 const std::string far = "{name: far, shape: {type: box, size: [0.01, 0.01, 0.01]}, place: {translate: [0, 0, 9]}, "
                         "energies: [{type: neo_hookean, young: 1e5}]}";
 
 }  // namespace
 
-TEST_CASE("half turns a step are made in parts, which push what is in the way") {
+TEST_CASE("a half turn in one step is made in substeps that push obstacles") {
   const auto parts = [](const std::string& motion) {
     TestScene scene("time: {step: 0.01, duration: 1}\nobjects: [" + far +
                     ", {name: bar, shape: {type: box, size: [0.2, 0.02, 0.02], cells: [4, 1, 1]}, motion: [" +
@@ -42,7 +42,7 @@ TEST_CASE("half turns a step are made in parts, which push what is in the way") 
   CHECK(parts("{type: formula, x: '-200 * X * t'}") == 1);  // walks if it has to
 }
 
-TEST_CASE("a paddle that turns by 135 degrees a step hits what is in its way") {
+TEST_CASE("a paddle that rotates by 135 degrees in a step hits obstacles") {
   TestRun run("time: {step: 0.01, duration: 1}\n"
                  "objects:\n"
                  "  - {name: paddle, shape: {type: box, size: [0.2, 0.01, 0.1], cells: [4, 1, 2]},\n"
@@ -55,7 +55,7 @@ TEST_CASE("a paddle that turns by 135 degrees a step hits what is in its way") {
   CHECK(vertex(run.state().v, first).norm() > 0.5);  // m/s; nothing if the paddle leapt past
 }
 
-TEST_CASE("candidates within a rigid group are searched only while it is dissolved, and those of others not even then") {
+TEST_CASE("candidates within a rigid group are searched only while self-pairs are enabled, those of other groups never") {
   TestRun run("time: {step: 0.01, duration: 1}\n"
                  "objects: [" + far + ", {name: sheet, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [4, 1, 4]},\n"
                  "  motion: [{type: translate, velocity: [1, 0, 0]}]},\n"

@@ -1,4 +1,4 @@
-// Unconstrained quasi-static bodies.
+// Free bodies of quasi-static steps.
 #include "framework/stepping/free_bodies.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace tack;
 
 namespace {
 
-// A cube of 1 N on a floor, at that gap, with a traction on its upper face.
+// A cube of 1 N above a floor at a gap, with a traction on its upper face.
 std::string cube(const std::string& gap, const std::string& traction, const std::string& more = "") {
   return "time: {step: 0.25, duration: 1, integrator: quasi_static}\ngravity: [0, -9.81, 0]\n"
          "objects:\n"
@@ -39,7 +39,7 @@ std::string error_of(const std::string& yaml, double until) {
 
 }  // namespace
 
-TEST_CASE("a quasi-static body that contact alone holds comes to rest, also from a distance", "[stepping]") {
+TEST_CASE("a quasi-static body supported by contact alone comes to rest, also from a distance", "[stepping]") {
   CHECK(error_of(cube("0.0505", "50"), 0.99).empty());
   CHECK(error_of(cube("0.055", "50"), 0.99).empty());
 }
@@ -58,7 +58,7 @@ TEST_CASE("a quasi-static body that falls past all others is named in its first 
   CHECK(contains(error, "nothing supports 'other'"));
 }
 
-TEST_CASE("a quasi-static body that is held in some directions is free in the others", "[stepping]") {
+TEST_CASE("a quasi-static body fixed in some directions is free in the others", "[stepping]") {
   const auto held = [](const char* directions) {
     return std::string("time: {step: 0.25, duration: 1, integrator: quasi_static}\ngravity: [0, -9.81, 0]\n"
                        "objects:\n"
@@ -73,7 +73,7 @@ TEST_CASE("a quasi-static body that is held in some directions is free in the ot
   CHECK(error_of(held(", along: [0, 1, 0]"), 0.99).empty());
 }
 
-// tack check.
+// The check of `tack check`.
 TEST_CASE("a body without equilibrium is found before the run", "[checks]") {
   const auto check = [](const std::string& yaml) {
     TestRun s(yaml);
@@ -85,13 +85,13 @@ TEST_CASE("a body without equilibrium is found before the run", "[checks]") {
   INFO(falls.error);
   CHECK(contains(falls.error, "nothing supports 'other'"));
   CHECK(contains(falls.error, "fix it (motion, attach)"));
-  // With inertia it falls, and that is that.
+  // With inertia it falls without an error.
   std::string dynamic = cube("0.0505", "50", beside);
   dynamic.replace(dynamic.find("quasi_static"), 12, "implicit_euler");
   CHECK(check(dynamic).error.empty());
 }
 
-TEST_CASE("a torque on a body that nothing holds is told before the run", "[checks]") {
+TEST_CASE("a torque on an unsupported body is reported before the run", "[checks]") {
   const auto warnings_of = [](const char* upper, const char* lower, const char* motion = "") {
     TestRun s(std::string("time: {step: 0.25, duration: 1, integrator: quasi_static}\n"
                           "objects:\n"

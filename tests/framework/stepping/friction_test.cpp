@@ -117,7 +117,7 @@ TEST_CASE("fully implicit friction is nearer to small steps than lagged friction
   CHECK_FALSE(warned(solved.warnings, WarningKind::friction_impulse));
 }
 
-TEST_CASE("a lag that does not reach its goal is told", "[friction]") {
+TEST_CASE("lag iterations that do not converge are warned of", "[friction]") {
   const Run r = run({.ramp = "[[0, 1], [0.2, 5]]", .lagging = "{iterations: 2, until: 1e-12}", .h = 0.02});
   CHECK(r.warnings.size() == r.reports.size());
   CHECK_THAT(first_text(r.warnings, WarningKind::lagged_friction), Catch::Contains("contact.lagging.until"));
@@ -129,8 +129,8 @@ TEST_CASE("a lag that does not reach its goal is told", "[friction]") {
   }
 }
 
-// Steps halved after failed solves have the same friction: eps_v h follows h, and u starts anew.
-TEST_CASE("friction survives halved steps", "[friction]") {
+// Substeps after failed solves have the same friction: eps_v h follows h, and u starts at zero.
+TEST_CASE("friction is independent of step cutbacks", "[friction]") {
   const Run r = run({.h = 0.05, .max_iterations = 5});
   double smallest = 1;
   for (const StepReport& report : r.reports) smallest = std::min(smallest, report.step_size);
@@ -139,8 +139,8 @@ TEST_CASE("friction survives halved steps", "[friction]") {
   CHECK(r.speed == Approx(3).epsilon(0.01));
 }
 
-// A pressing force that lasts is the same force in steps of any size.
-TEST_CASE("lasting friction does not see that steps change their size", "[friction]") {
+// A lasting normal force is the same force in steps of any size.
+TEST_CASE("lasting friction does not depend on changes of the step size", "[friction]") {
   for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {
     INFO(integrator);
     TestScene scene(Slide{.integrator = integrator}.yaml());
@@ -161,7 +161,7 @@ TEST_CASE("lasting friction does not see that steps change their size", "[fricti
   }
 }
 
-TEST_CASE("a quasi-static block creeps as the slip law says", "[friction]") {
+TEST_CASE("a quasi-static block creeps by the slip law", "[friction]") {
   const Run r = run({.integrator = "quasi_static", .h = 0.1, .duration = 2, .speed = 0, .pull = "[[0, 0], [2, 4]]"});
   double creep = 0;
   for (int i = 1; i <= 20; ++i) creep += 1e-3 * 0.1 * (1 - std::sqrt(1 - 0.2 * i / 5));
@@ -169,7 +169,7 @@ TEST_CASE("a quasi-static block creeps as the slip law says", "[friction]") {
   CHECK(r.friction == Approx(0.2 * 10.5).epsilon(1e-3));
 }
 
-TEST_CASE("without friction nothing is lagged", "[friction]") {
+TEST_CASE("without friction there are no lag iterations", "[friction]") {
   TestScene scene("time: {step: 0.01, duration: 0.02}\n"
                   "objects: [{name: a, shape: {type: box, size: [1, 1, 1]}, energies: [{type: neo_hookean, young: 1e5}]}]\n"
                   "contact: {distance: 1e-3, friction: {mu: 0}}\n");

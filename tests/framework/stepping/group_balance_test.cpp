@@ -35,11 +35,11 @@ Told told(const std::string& objects, int steps) {
 
 }  // namespace
 
-TEST_CASE("a small body that loses energy beside a heavy one that bounces is warned of as it is alone", "[energy]") {
+TEST_CASE("energy loss of a small body beside a heavy bouncing one is warned of as it is alone", "[energy]") {
   const std::string block = floor_at("floor", 0, -0.01) +
                             "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.055, 0]},\n"
                             "     velocity: [0, -1, 0], energies: [{type: neo_hookean, young: 10 MPa}]}\n";
-  // It bounces on its base, which is held, for many steps.
+  // It bounces on its fixed base for many steps.
   const std::string heavy = "  - {name: heavy, shape: {type: box, size: [0.4, 0.4, 0.4], cells: [2, 2, 2]}, place: {translate: [10, 0.2, 0]}, velocity: [0, -1, 0],\n"
                             "     energies: [{type: neo_hookean, young: 200 kPa}], motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}\n";
   const Told alone = told(block, 10), beside = told(block + heavy, 10), only_heavy = told(heavy, 10);
@@ -47,12 +47,12 @@ TEST_CASE("a small body that loses energy beside a heavy one that bounces is war
   CHECK_THAT(first_text(beside.warnings, WarningKind::energy_integration), Catch::Contains("energy of 'block': time integration lost") && Catch::Contains("contact that comes and goes within a few steps"));
   for (const Warning& warning : beside.warnings) CHECK(warning.subject == "'block'");
   CHECK(only_heavy.warnings == std::vector<Warning>{});
-  // Sabotage: by the sum of the scene it would pass.
+  // Negative control: the sum over the scene would hide the loss.
   CHECK(beside.scene_loss < EnergyLosses::tolerated_fraction * beside.reference_energy);
 }
 
-// Every way in which energy is stored, fed and dissipated is told apart by groups.
-TEST_CASE("the balances of groups add up to that of the scene", "[energy]") {
+// Groups separate all flows: stored, fed and dissipated energy.
+TEST_CASE("the energy balances of groups add up to that of the scene", "[energy]") {
   const std::string soft = "energies: [{type: neo_hookean, young: 1 MPa, density: 1000}]";
   const std::string objects =
       floor_at("floor", 0, -0.01) +

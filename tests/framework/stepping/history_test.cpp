@@ -106,7 +106,7 @@ class Remembering : public Energy {
 
 TACK_REGISTER(Energy, Remembering, "remembering", "Springs that count how they are used.", "tests");
 
-// A bar that is held at one end while the other flies off; hard for few iterations.
+// A bar fixed at one end while the other flies off; hard for few iterations.
 std::string scene_with(int iterations, const std::string& integrator = "implicit_euler", double duration = 0.2) {
   return fmt::format("time: {{step: 0.02, duration: {}, integrator: {}}}\n"
                      "solver: {{type: projected_newton, linear: cholmod, tolerance: 1 mm/s, max_iterations: {}}}\n"
@@ -121,7 +121,7 @@ std::string scene_with(int iterations, const std::string& integrator = "implicit
 constexpr int enough = 100;
 constexpr const char* array_name = "bar/energies/0/use";
 
-// How many steps the first element has counted.
+// Returns the number of steps that the first element has counted.
 double counted(const State& state) { return state.history.at(array_name).values[0]; }
 
 bool same(const State& a, const State& b) {
@@ -155,14 +155,14 @@ State state_at(const fs::path& folder, int step) {
   return read_state_file(checkpoint(folder, step), StateFile::Kind::checkpoint).state;
 }
 
-// The number of the newest checkpoint; 0 if there is none.
+// Returns the number of the newest checkpoint; 0 if there is none.
 int newest(const fs::path& folder) {
   int step = 0;
   while (fs::exists(checkpoint(folder, step + 2))) step += 2;
   return step;
 }
 
-// A run in a process of its own, killed once it has a checkpoint of step 12.
+// Runs a scene in a separate process, which is killed once it has a checkpoint of step 12.
 void run_and_kill(const std::string& yaml, const fs::path& folder) {
   const pid_t child = fork();
   REQUIRE(child >= 0);
@@ -185,26 +185,26 @@ void run_and_kill(const std::string& yaml, const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("the remembering energy has the derivatives of its value", "[history]") {
+TEST_CASE("the energy with history has the derivatives of its value", "[history]") {
   TestScene scene(scene_with(enough));
   for (const DerivativeCheck& check : check_derivatives(*scene.world, 0.02, scene.clock)) CHECK_FALSE(check.wrong());
 }
 
-TEST_CASE("a step that is kept is remembered once, and changes what follows", "[history]") {
+TEST_CASE("an accepted step is stored once, and changes later steps", "[history]") {
   TestRun run(scene_with(enough));
   CHECK(run.state().history.empty());
   for (int n = 1; n <= 5; ++n) {
     CHECK(run.step().cutbacks == 0);
     CHECK(counted(run.state()) == n);
   }
-  // The same positions store more than for a body that remembers nothing.
+  // The energy at these positions is larger than without history.
   const State& end = run.state();
   const double used = run.world->elastic_terms[0]->value(end.x);
   run.world->participants.load_history({});
   CHECK(used > 1.05 * run.world->elastic_terms[0]->value(end.x));
 }
 
-TEST_CASE("a failed solve and the halves of a step leave no trace in the history", "[history]") {
+TEST_CASE("a failed solve and rejected substeps do not change the history", "[history]") {
   TestRun run(scene_with(enough));
   run.step();
   const State before = run.state();
@@ -218,7 +218,7 @@ TEST_CASE("a failed solve and the halves of a step leave no trace in the history
   CHECK((result.x != before.x));
   CHECK(same(stepper.state(), before));
 
-  // The whole step that fails and succeeds in parts, and one that begins with those parts.
+  // A step that fails and succeeds with substeps, and a run that begins with those substeps.
   const StepReport halved = failing.step();
   REQUIRE(halved.cutbacks > 0);
   TestRun parts(scene_with(2));
@@ -232,8 +232,8 @@ TEST_CASE("a failed solve and the halves of a step leave no trace in the history
   CHECK(counted(failing.state()) == failing.state().step);
 }
 
-TEST_CASE("a step that is undone because of its energy is not remembered", "[history]") {
-  // Springs that stiffen while they are stretched gain energy that nothing put in.
+TEST_CASE("a step that is undone because of its energy is not stored", "[history]") {
+  // Springs that stiffen while they are stretched gain energy without a source.
   TestRun run(scene_with(enough, "newmark"));
   int damped = 0;
   for (int n = 1; n <= 8; ++n) {

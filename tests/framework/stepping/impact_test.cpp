@@ -43,7 +43,7 @@ Vec3 momentum(const TestRun& run) {
   return sum;
 }
 
-// The largest growth of energy from any moment to a later one, of the energy at the start.
+// Returns the largest increase of energy from any time to a later one, over the energy at the start.
 double growth(const std::string& yaml, int steps) {
   TestRun run(yaml);
   const double start = stored(run);
@@ -59,7 +59,7 @@ double growth(const std::string& yaml, int steps) {
 
 }  // namespace
 
-TEST_CASE("an impact makes no energy, whatever the step", "[stepping]") {
+TEST_CASE("an impact gains no energy for any step size", "[stepping]") {
   const std::map<std::string, std::string> scenes = {
       {"soft block", block_on_floor("[0, -1, 0]", "", "1e5")},
       {"stiff block", block_on_floor("[0, -1, 0]", "", "1e6")},
@@ -75,7 +75,7 @@ TEST_CASE("an impact makes no energy, whatever the step", "[stepping]") {
   }
 }
 
-TEST_CASE("an impact that is resolved makes no energy, and Newmark's keeps most of it", "[stepping]") {
+TEST_CASE("a resolved impact gains no energy, and Newmark conserves most of it", "[stepping]") {
   for (const std::string integrator : {"bdf2", "newmark"}) {
     INFO(integrator);
     TestRun run(header(integrator, 5e-4) + two_cubes);
@@ -92,7 +92,7 @@ TEST_CASE("an impact that is resolved makes no energy, and Newmark's keeps most 
   }
 }
 
-TEST_CASE("sticking surfaces meet without making energy", "[stepping]") {
+TEST_CASE("adhering surfaces meet without energy gain", "[stepping]") {
   const std::string sticky = block_on_floor(
       "[0, -1, 0]", "  pairs: [{between: [block, floor], adhesion: {type: fang, peak_traction: 3 kPa}}]\n", "1e6");
   for (const std::string integrator : {"bdf2", "newmark"})
@@ -103,7 +103,7 @@ TEST_CASE("sticking surfaces meet without making energy", "[stepping]") {
 }
 
 // A stiff block rests on a soft barrier and is set swinging, so gently that contact lasts.
-TEST_CASE("where contact lasts, integrators keep their order", "[stepping]") {
+TEST_CASE("integrators keep their order in lasting contact", "[stepping]") {
   const auto height = [](const std::string& integrator, int steps) {
     constexpr double duration = 0.06;  // s
     TestRun run(fmt::format(
@@ -135,8 +135,8 @@ TEST_CASE("where contact lasts, integrators keep their order", "[stepping]") {
 
 namespace {
 
-// Tangential over normal impulse, divided by mu, of a block that is thrown obliquely at a floor.
-// `sizes`: step sizes in turn, in units of the scene's.
+// Returns the tangential over the normal impulse, divided by mu, of a block that is thrown obliquely at
+// a floor. sizes: step sizes in turn, in units of that of the scene.
 double impulse_ratio(const std::string& integrator, double h, const std::vector<double>& sizes) {
   constexpr double mu = 0.3;
   TestRun run(fmt::format("time: {{step: {}, duration: 10, integrator: {}}}\n"
@@ -162,7 +162,7 @@ double impulse_ratio(const std::string& integrator, double h, const std::vector<
 
 }  // namespace
 
-TEST_CASE("lagged friction gives mu times the normal impulse of an impact, under every integrator", "[stepping][friction]") {
+TEST_CASE("lagged friction applies mu times the normal impulse of an impact, for every integrator", "[stepping][friction]") {
   for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"})
     for (const double h : {0.01, 0.002, 0.0005}) {
       INFO(integrator << " h " << h << " s");
@@ -170,7 +170,7 @@ TEST_CASE("lagged friction gives mu times the normal impulse of an impact, under
     }
 }
 
-TEST_CASE("lagged friction gives mu times the normal impulse of an impact, whatever the next step", "[stepping][friction]") {
+TEST_CASE("lagged friction applies mu times the normal impulse of an impact, for any size of the next step", "[stepping][friction]") {
   const std::vector<std::vector<double>> sizes = {
       {1, 0.5, 0.5}, {0.5, 0.5, 1}, {0.5, 1, 0.5}, {1, 1, 0.5, 0.5}, {0.5, 0.5, 1, 1}, {1, 0.25, 0.25, 0.25, 0.25},
       {0.25, 0.25, 0.25, 0.25, 1}, {0.25, 0.25, 1, 0.25, 0.25}, {0.25, 1, 0.25, 0.25, 0.25}, {0.25, 0.25, 0.5, 1, 0.5, 0.125, 0.125},

@@ -28,7 +28,7 @@ struct Judged : StepProblem {
     result.x = step.targets;
     stepper_->solve(step, nullptr, result);
   }
-  // Of a converged solve that ends at x.
+  // Returns the result of a converged solve that ends at x.
   Validation at(const VecX& x) {
     result.minimizer.status = MinimizerStatus::converged;
     result.x = x;
@@ -49,7 +49,7 @@ bool is_power_of_two(int n) { return n > 0 && (n & (n - 1)) == 0; }
 
 }  // namespace
 
-TEST_CASE("a converged solve without a fault may be kept", "[stepping][stepper]") {
+TEST_CASE("a converged solve without a fault may be accepted", "[stepping][stepper]") {
   Judged judged(scene());
   CHECK(judged.result.minimizer.status == MinimizerStatus::converged);
   const Validation validation = judged.stepper_->validate(judged.result);
@@ -59,7 +59,7 @@ TEST_CASE("a converged solve without a fault may be kept", "[stepping][stepper]"
   CHECK_FALSE(validation.tolerable);
 }
 
-TEST_CASE("a solve that did not converge is refused with its status, iterations and residual", "[stepping][stepper]") {
+TEST_CASE("a solve that did not converge is rejected with its status, iterations and residual", "[stepping][stepper]") {
   Judged judged(scene());
   judged.result.minimizer.iterations = 17;
   judged.result.minimizer.residual = 3.25;
@@ -74,7 +74,7 @@ TEST_CASE("a solve that did not converge is refused with its status, iterations 
   }
 }
 
-TEST_CASE("a failure to move prescribed vertices is refused with its own words, whatever the status", "[stepping][stepper]") {
+TEST_CASE("a failure to move prescribed vertices is rejected with its message, for any status", "[stepping][stepper]") {
   Judged judged(scene());
   judged.result.failure = "the plate is in the way";
   for (const MinimizerStatus status : {MinimizerStatus::converged, MinimizerStatus::blocked}) {
@@ -85,7 +85,7 @@ TEST_CASE("a failure to move prescribed vertices is refused with its own words, 
   }
 }
 
-TEST_CASE("a result with an inverted tet is refused, and names it", "[stepping][stepper]") {
+TEST_CASE("a result with an inverted tet is rejected, and names it", "[stepping][stepper]") {
   Judged judged(scene());
   VecX x = judged.step.state.x;
   const Tet& tet = judged.world->tets[3];
@@ -96,7 +96,7 @@ TEST_CASE("a result with an inverted tet is refused, and names it", "[stepping][
   CHECK_THAT(validation.fault, Catch::Contains("inverted"));
 }
 
-TEST_CASE("a result whose surfaces intersect is refused", "[stepping][stepper]") {
+TEST_CASE("a result whose surfaces intersect is rejected", "[stepping][stepper]") {
   Judged judged(scene());
   const Validation validation = judged.at(judged.shifted(0, {0.25, 0.013, 0.017}));
   CHECK(validation.intersections == 1);
@@ -104,7 +104,7 @@ TEST_CASE("a result whose surfaces intersect is refused", "[stepping][stepper]")
   CHECK_FALSE(validation.tolerable);
 }
 
-TEST_CASE("a result in which a body has tunnelled is refused, or kept with a warning where steps cannot be smaller", "[stepping][stepper]") {
+TEST_CASE("a result in which a body has tunnelled is rejected, or accepted with a warning at the smallest step size", "[stepping][stepper]") {
   Judged judged(scene());
   for (const double motion : {0.6, 1.3, 5.0}) {
     const Validation validation = judged.at(judged.shifted(0, {motion, 0.013, 0.017}));
@@ -112,14 +112,14 @@ TEST_CASE("a result in which a body has tunnelled is refused, or kept with a war
     CHECK_THAT(validation.fault, Catch::Contains("'a' went around 'b'"));
     CHECK(validation.intersections == 0);
     CHECK(validation.tolerable);
-    // In substeps of that number, none is longer than half of the block's side.
+    // With this number of substeps, none is longer than half of the side of the block.
     CHECK(is_power_of_two(validation.substeps));
     CHECK(motion / validation.substeps <= 0.05 * (1 + 1e-9));
     CHECK(motion / (validation.substeps / 2) > 0.05);
   }
 }
 
-TEST_CASE("bodies that pass beside each other, or move together, are kept", "[stepping][stepper]") {
+TEST_CASE("results with bodies that pass beside each other, or move together, are accepted", "[stepping][stepper]") {
   Judged judged(scene());
   CHECK(judged.at(judged.shifted(0, {0.6, 0.12, 0})).fault.empty());
   CHECK(judged.at(judged.shifted(0, {-3, 0, 0})).fault.empty());
@@ -134,7 +134,7 @@ TEST_CASE("a first guess is the inertial motion, from which a free body converge
   CHECK(moving.result.minimizer.iterations <= rest.result.minimizer.iterations + 1);
 }
 
-TEST_CASE("a minimisation that may not iterate is refused by its limit", "[stepping][stepper]") {
+TEST_CASE("a minimisation without iterations is rejected by its limit", "[stepping][stepper]") {
   // The blocks meet in this step.
   Judged judged(scene("{type: projected_newton, max_iterations: 1}", 30));
   CHECK(judged.result.minimizer.status == MinimizerStatus::iteration_limit);

@@ -27,7 +27,7 @@ std::string drop(const std::string& solver) {
          "contact: {distance: 1 mm}\n";
 }
 
-// Visits a state of its own choice and comes back.
+// A minimiser that visits a given state and returns.
 class Excursion : public Minimizer {
  public:
   explicit Excursion(std::function<VecX(const VecX&)> to) : to_(std::move(to)) {}
@@ -45,7 +45,7 @@ class Excursion : public Minimizer {
 
 }  // namespace
 
-TEST_CASE("an iterate that intersects or inverts ends the run, with its place", "[iterates]") {
+TEST_CASE("an iterate that intersects or inverts ends the run, and is located", "[iterates]") {
   const auto step_with = [](const std::string& check, const std::function<VecX(const VecX&)>& to) {
     TestScene scene(drop("projected_newton"));
     auto solver = std::make_unique<Excursion>(to);
@@ -71,7 +71,7 @@ TEST_CASE("an iterate that intersects or inverts ends the run, with its place", 
   CHECK_THROWS_AS(step_with("true", inside_out), SimulationError);
 }
 
-TEST_CASE("a first guess that intersects is told", "[iterates]") {
+TEST_CASE("a first guess that intersects is reported", "[iterates]") {
   TestScene scene(drop("{type: projected_newton, check_iterates: true}"));
   TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
   VecX guess = scene.world->start.x;
@@ -79,8 +79,8 @@ TEST_CASE("a first guess that intersects is told", "[iterates]") {
   CHECK_THROWS_WITH(stepper.solve(0.01, &guess), Catch::Contains("step 1, iteration 0 of the minimisation"));
 }
 
-TEST_CASE("no minimiser passes through anything on its way", "[iterates]") {
-  // A block that is shot at a plate, and a plate that is driven further than the block is away from it.
+TEST_CASE("no minimiser passes through an obstacle", "[iterates]") {
+  // A block that is shot at a plate, and a plate whose displacement exceeds its distance to the block.
   const std::string shot =
       "objects:\n"
       "  - {name: plate, shape: {type: box, size: [1, 0.004, 1]}, place: {translate: [0, -0.002, 0]}, motion: [fixed]}\n"
@@ -111,8 +111,8 @@ TEST_CASE("no minimiser passes through anything on its way", "[iterates]") {
   }
 }
 
-TEST_CASE("no script passes through anything on its way", "[iterates]") {
-  // Around a block in the middle that is free: where it is in the way it has to move.
+TEST_CASE("no prescribed motion passes through an obstacle", "[iterates]") {
+  // A free block in the middle has to move if it is in the path.
   const auto paddle = [](const std::string& size, const std::string& cells, const std::string& motion) {
     return "  - {name: paddle, shape: {type: box, size: [" + size + "], cells: [" + cells +
            "]}, place: {translate: [0.12, 0.003, 0.002]}, motion: [" + motion + "]}\n";

@@ -15,8 +15,8 @@ using namespace tack;
 
 namespace {
 
-// A block that slides over a floor with 2 m/s and bounces a little: its gap is about that at rest, or half the contact distance,
-// where it would be shot up by 0.2 m/s if nothing damped it.
+// A block that slides over a floor at 2 m/s and bounces a little: its gap is about that at rest, or half the contact distance,
+// from which it would rebound at 0.2 m/s without damping.
 enum class Start { at_rest, inside };
 std::string sliding(const std::string& integrator, double h, Start start, const std::string& more = "") {
   return fmt::format(
@@ -48,7 +48,7 @@ Vec3 mean(const TestRun& run, const VecX& rows) {
 
 }  // namespace
 
-TEST_CASE("what friction owes goes through a checkpoint bit for bit", "[stepping][friction]") {
+TEST_CASE("the accumulated impulse error of friction is restored bit for bit from a checkpoint", "[stepping][friction]") {
   constexpr std::array<double, 5> sizes = {1, 0.25, 0.25, 1, 0.5};  // of the steps, in turn, in those of the scene
   constexpr int steps = 14;
   for (const Start start : {Start::at_rest, Start::inside})
@@ -87,9 +87,9 @@ TEST_CASE("what friction owes goes through a checkpoint bit for bit", "[stepping
     }
 }
 
-// Friction is mu times what stops the fall and shoots the block up; a run in steps of 0.16 ms with normal forces that are iterated in
-// each slides 0.3786 m.
-TEST_CASE("a block that starts inside a barrier slides as far as it must", "[stepping][friction]") {
+// Friction is mu times the impulse that stops the fall and accelerates the block upwards. With steps of 0.16 ms and lag
+// iterations in each, the block slides 0.3786 m.
+TEST_CASE("a block that starts inside a barrier slides as far as friction by its normal impulses allows", "[stepping][friction]") {
   const std::map<std::string, std::vector<double>> steps = {
       {"implicit_euler", {0.02, 0.01, 0.0025, 0.000625}}, {"bdf2", {0.01, 0.0025}}, {"newmark", {0.01, 0.0025}}};
   for (const auto& [integrator, sizes] : steps)
@@ -112,7 +112,7 @@ TEST_CASE("a block that starts inside a barrier slides as far as it must", "[ste
     }
 }
 
-TEST_CASE("what begins at rest, or without contact, is not solved again for friction", "[stepping][friction]") {
+TEST_CASE("a start at rest, or without contact, needs no further solves for friction", "[stepping][friction]") {
   for (const std::string place : {"", ", place: {translate: [-1, 0.06, 0]}"}) {
     const std::string scene = sliding("implicit_euler", 0.005, Start::at_rest);
     const size_t at = scene.find(", place: {translate: [-1, ");
@@ -122,8 +122,8 @@ TEST_CASE("what begins at rest, or without contact, is not solved again for fric
   }
 }
 
-// Pressed on evenly for long, in small steps, then torn off within a large one, in which friction still acts as before.
-TEST_CASE("friction that was given far more than presses is told, once", "[stepping][friction]") {
+// The block is pressed evenly in many small steps, then lifted within a large one, in which lagged friction still acts.
+TEST_CASE("friction applied far in excess of the normal impulse is warned of once", "[stepping][friction]") {
   TestRun run(
       "time: {step: 8 ms, duration: 0.08}\n"
       "solver: {type: projected_newton, linear: cholmod, tolerance: 0.1 mm/s}\n"

@@ -72,15 +72,15 @@ TEST_CASE("locking: a cantilever with one composite cell over its depth bends as
   CHECK(tip("composite", 2, 0.4999) > 0.95);
 }
 
-TEST_CASE("locking: patches free linear tets of locking in volume", "[locking]") {
+TEST_CASE("locking: patches prevent volumetric locking of linear tets", "[locking]") {
   CHECK(tip("patches", 2, 0.4999) == Approx(tip("patches", 2, 0.3)).epsilon(0.02));
   CHECK(tip("patches", 2, 0.4999) == Approx(0.607).epsilon(0.02));  // of an independent implementation
   CHECK(tip("linear", 2, 0.4999) < 0.02);
   CHECK(cook("patches", 8, 0.4999) == Approx(5.77).epsilon(0.02));  // likewise
 }
 
-TEST_CASE("locking: so do patches of meshes without cells", "[locking]") {
-  // The tets of a divided bar in an order that no cell shows in.
+TEST_CASE("locking: patches of meshes without cells are free of volumetric locking", "[locking]") {
+  // The tets of a divided bar in an order that does not show the cells.
   Mesh mesh = divide_tets(box_tets({10, 1, 1}, {10, 1, 1}));
   std::vector<Tet> tets;
   for (size_t first = 0; first < 7; ++first)
@@ -131,7 +131,7 @@ TEST_CASE("locking: Cook's membrane of eight composite cells", "[locking]") {
 }
 
 TEST_CASE("locking: a bar of two composite cells over its depth is bent plastically with the moment of a beam", "[locking][plasticity]") {
-  // Ends are turned to three times the curvature at which it yields: M = 1.5 M_y (1 - 1/27), M_y = sigma b h^2 / 6.
+  // The ends rotate to three times the curvature at yield: M = 1.5 M_y (1 - 1/27), M_y = sigma b h^2 / 6.
   const double yield_stress = 200, angle = 3 * (2 * yield_stress / young) * 4 / 2;
   const std::string turn = "motion: [{type: rotate, axis: [0, 0, 1], centre: [-2, 0, 0], angle: " + std::to_string(-angle) +
                            ", duration: 12 s, select: {type: face, direction: [-1, 0, 0]}},\n"
@@ -149,7 +149,7 @@ TEST_CASE("locking: a bar of two composite cells over its depth is bent plastica
   CHECK(moment("composite") == Approx(1.5 * (1 - 1.0 / 27)).epsilon(0.03));
 }
 
-TEST_CASE("locking: a block of composite tets is squashed to two fifths in whole steps", "[locking]") {
+TEST_CASE("locking: a block of composite tets is compressed to two fifths without step cutbacks", "[locking]") {
   TestRun run("time: {step: 1 s, duration: 24 s, integrator: quasi_static}\nsolver: {type: projected_newton, linear: cholmod, max_iterations: 150}\n"
               "objects:\n  - name: cube\n    shape: {type: box, size: [1, 1, 1], cells: [2, 2, 2]}\n    elements: composite\n"
               "    energies: [{type: neo_hookean, young: 1, poisson: 0.49}]\n"
@@ -163,8 +163,8 @@ TEST_CASE("locking: a block of composite tets is squashed to two fifths in whole
   }
 }
 
-TEST_CASE("locking: what presses a block of composite tets evenly on a floor is even at every vertex", "[locking][contact]") {
-  // A hundred times as stiff as the block: k h / E.
+TEST_CASE("locking: an even pressure of a block of composite tets on a floor is even at every vertex", "[locking][contact]") {
+  // The contact is a hundred times as stiff as the block: k h / E.
   TestRun run("time: {step: 1 s, duration: 1 s, integrator: quasi_static}\nsolver: {type: projected_newton, linear: cholmod, stopping: force, force_tolerance: 1e-11}\n"
               "objects:\n  - {name: floor, shape: {type: box, size: [3, 1, 3]}, motion: [fixed]}\n"
               "  - name: cube\n    shape: {type: box, size: [1, 1, 1], cells: [2, 2, 2]}\n    place: {translate: [0, 1.00003, 0]}\n    elements: composite\n"

@@ -12,7 +12,7 @@ using namespace tack;
 
 namespace {
 
-// A block of E = 1 MPa that yields at 2 kPa, its upper face pulled up, by 2% a second.
+// A block of E = 1 MPa that yields at 2 kPa, its upper face pulled up by 2% per second.
 std::string pulled(const std::string& integrator, double h, const std::string& solver, double hardening = 1e5) {
   return fmt::format(
       "time: {{step: {}, duration: 10, integrator: {}}}\nsolver: {{type: projected_newton, linear: cholmod, {}}}\n"
@@ -56,7 +56,7 @@ TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticit
   }
 }
 
-TEST_CASE("a step that fails and is halved leaves what is remembered as it was", "[plasticity]") {
+TEST_CASE("a failed step that is cut back does not change the history", "[plasticity]") {
   TestRun run(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
   run.step();
   run.step();
@@ -70,7 +70,7 @@ TEST_CASE("a step that fails and is halved leaves what is remembered as it was",
     CHECK(run.state().history == before);
   }
   CHECK(failed);
-  // Rejected attempts do not change the steps that follow.
+  // Rejected solves do not change later steps.
   TestRun other(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
   other.step();
   other.step();
@@ -81,7 +81,7 @@ TEST_CASE("a step that fails and is halved leaves what is remembered as it was",
   CHECK_FALSE(run.state().history == before);
 }
 
-TEST_CASE("plastic work, what is stored and what numerics took are the work of the script", "[plasticity]") {
+TEST_CASE("the work of a prescribed motion is stored, plastic work and numerical loss", "[plasticity]") {
   for (const std::string integrator : {"quasi_static", "implicit_euler", "bdf2", "newmark"}) {
     INFO(integrator);
     TestRun run(pulled(integrator, 0.02, "tolerance: 1e-8, force_tolerance: 1e-10"));
@@ -99,7 +99,7 @@ TEST_CASE("plastic work, what is stored and what numerics took are the work of t
   }
 }
 
-TEST_CASE("ten steps of plastic flow end where many do", "[plasticity]") {
+TEST_CASE("ten steps of plastic flow end where many steps do", "[plasticity]") {
   const auto end = [](int steps) {
     TestRun run(pulled("quasi_static", 1.0 / steps, precise));
     for (int i = 0; i < steps; ++i) run.step();
@@ -111,7 +111,7 @@ TEST_CASE("ten steps of plastic flow end where many do", "[plasticity]") {
   CHECK((x_of_few - x_of_many).norm() <= 0.01 * (x_of_many - TestRun(pulled("quasi_static", 1, precise)).world->rest).norm());
 }
 
-TEST_CASE("methods that want sums of squares refuse a plastic solid by name", "[plasticity]") {
+TEST_CASE("methods for sums of squares refuse a plastic solid by name", "[plasticity]") {
   CHECK_THROWS_WITH(TestRun("solver: {type: ceres_trust_region}\nobjects: [{name: box, shape: {type: box, size: [1, 1, 1]},\n"
                                "  energies: [{type: von_mises, young: 1e5, yield_stress: 1e3}]}]\n"),
                     Catch::Contains("'von_mises'"));

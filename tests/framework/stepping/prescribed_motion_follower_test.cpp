@@ -1,5 +1,5 @@
-// Follower of prescribed motion: vertices are exactly at their targets at the end of a step, on a
-// straight path where that is free, by continuation where it is not.
+// Follower of prescribed motion: vertices are exactly at their targets at the end of a step, along
+// linear trajectories or by Dirichlet continuation.
 #include "framework/stepping/prescribed_motion_follower.hpp"
 
 #include <catch2/catch.hpp>
@@ -49,7 +49,7 @@ struct Follow : StepProblem {
 
 }  // namespace
 
-TEST_CASE("a free path is straight: targets are reached exactly without an iteration, and nothing else moves", "[stepping][follower]") {
+TEST_CASE("on a free linear trajectory targets are reached exactly without an iteration, and nothing else moves", "[stepping][follower]") {
   const Follow follow(scene(rises(0.02), 0.05));
   CHECK(follow.result.failure.empty());
   CHECK(follow.arrived());
@@ -66,7 +66,7 @@ TEST_CASE("free vertices move along as predicted, where that lowers the potentia
   CHECK(follow.displacement(2) == 0);
 }
 
-TEST_CASE("a blocked path is a continuation, which pushes the obstacle out of the way", "[stepping][follower]") {
+TEST_CASE("on a blocked trajectory the continuation pushes the obstacle out of the way", "[stepping][follower]") {
   const Follow follow(scene(rises(0.02), 0.005));
   CHECK(follow.result.failure.empty());
   CHECK(follow.arrived());
@@ -95,8 +95,8 @@ TEST_CASE("a half turn is made in substeps: it ends at its targets, and the body
   }
 }
 
-TEST_CASE("what a turning body meets in the middle of its turn blocks it, although the ends are free", "[stepping][follower]") {
-  // A bar of 0.2 m turns by 180 degrees about its middle; the block stands beside it.
+TEST_CASE("an obstacle in the middle of a rotation blocks it, although both ends are free", "[stepping][follower]") {
+  // A bar of 0.2 m rotates by 180 degrees about its middle; the block stands beside it.
   const std::string bar = "time: {step: 0.01, duration: 1}\n"
                           "objects:\n"
                           "  - {name: plate, shape: {type: box, size: [0.2, 0.02, 0.02]}, motion: [{type: rotate, axis: [0, 1, 0], angular_velocity: 314.159265358979}]}\n"

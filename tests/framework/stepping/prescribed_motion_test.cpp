@@ -63,7 +63,7 @@ TEST_CASE("released vertices keep their velocity: free flight is exact") {
   CHECK(run.world->dofs.size() == 24);
 }
 
-TEST_CASE("what is released falls as each integrator's formula says") {
+TEST_CASE("released vertices fall by the formula of each integrator") {
   const std::string integrator = GENERATE("implicit_euler", "newmark");
   INFO(integrator);
   TestRun run(fmt::format("gravity: [0, -10, 0]\ntime: {{step: 0.01, duration: 1, integrator: {}}}\n", integrator) +
@@ -87,7 +87,7 @@ TEST_CASE("a plate that moves ten contact distances a step pushes a block ahead"
   }
   CHECK(front_of(run, 1) > 0.15);
   CHECK_FALSE(run.intersects());
-  // The plate has no mass: what drives it has gone into the block. 1 kg, at least as fast as the plate.
+  // The plate has no mass: its impulse is that of the block, of 1 kg and at least as fast as the plate.
   CHECK(momentum(run).x() > 0.9);
   CHECK((impulse - momentum(run)).norm() < 0.01 * momentum(run).x());
   CHECK(run.warnings.empty());
@@ -101,13 +101,13 @@ TEST_CASE("pushing works without inertia") {
     CHECK(run.step().min_distance > 0);
     CHECK(front_of(run, 0) == Approx(-0.0055 + 0.01 * i).margin(1e-14));
   }
-  // A mu (1/a - a) with the gap between nothing and the contact distance
+  // The force is A mu (1/a - a), with a gap between zero and the contact distance.
   CHECK(run.sample(0)[0] > 623.4);
   CHECK(run.sample(0)[0] < 644.9);
   CHECK(run.warnings.empty());
 }
 
-TEST_CASE("a script that cannot be followed is told by name") {
+TEST_CASE("a blocked prescribed motion is reported by name") {
   const auto told = [](const std::string& scene, const std::string& what) {
     TestRun run(scene);
     const auto ahead = [&] { while (!run.stepper.finished()) run.step(); };
@@ -118,7 +118,7 @@ TEST_CASE("a script that cannot be followed is told by name") {
     if (!run.world->contact) return;
     CHECK_FALSE(run.intersects());
   };
-  // onto the wall, which is fixed
+  // onto the fixed wall
   told("time: {step: 0.01, duration: 0.1, max_halvings: 3}\n"
        "objects:\n"
        "  - {name: wall, shape: {type: box, size: [0.02, 0.2, 0.2]}, motion: [fixed]}\n"
@@ -128,12 +128,12 @@ TEST_CASE("a script that cannot be followed is told by name") {
        "     energies: [{type: neo_hookean, young: 1e5}]}\n"
        "contact: {distance: 1 mm}\n",
        "the prescribed motion drives 'plate' into 'wall': vertex ");
-  // through a block that has nowhere to go
+  // through a block that cannot move away
   told(plate_and_block("time: {step: 0.5, duration: 1, integrator: quasi_static, max_halvings: 0}\n",
                        "{type: translate, velocity: [0.25, 0, 0]}",
                        "{type: fixed, select: {type: face, direction: [1, 0, 0]}}"),
        "the prescribed motion drives 'plate' into 'block': vertex ");
-  // its own elements
+  // deforming its own elements
   told("time: {step: 0.1, duration: 1, max_halvings: 2}\n"
        "objects: [{name: bar, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 1, 1]},\n"
        "  energies: [{type: neo_hookean, young: 1e5}],\n"
@@ -161,7 +161,7 @@ TEST_CASE("the force that compresses a bar is that of its material") {
   }
 }
 
-TEST_CASE("what drives a part of a body is what the body gains in momentum") {
+TEST_CASE("the impulse of prescribed vertices is the momentum that their body gains") {
   const std::string integrator = GENERATE("implicit_euler", "newmark", "bdf2");
   TestRun run(fmt::format("time: {{step: 0.002, duration: 1, integrator: {}}}\n", integrator) +
                  "solver: {type: projected_newton, tolerance: 1e-7}\n"
@@ -181,7 +181,7 @@ TEST_CASE("what drives a part of a body is what the body gains in momentum") {
   CHECK(momentum(run).x() > 3);
 }
 
-TEST_CASE("no force between held primitives, no candidates within a rigid group") {
+TEST_CASE("no force between fixed primitives, no candidates within a rigid group") {
   TestRun run("time: {step: 0.01, duration: 1}\n"
                  "objects: [{name: sheet, shape: {type: box, size: [0.1, 0.0005, 0.1], cells: [6, 1, 6]},\n"
                  "  energies: [{type: neo_hookean, young: 1e5}],\n"

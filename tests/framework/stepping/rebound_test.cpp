@@ -38,7 +38,7 @@ Rebound rebound(double h, const std::string& pair = "") {
 
 }  // namespace
 
-TEST_CASE("a rebound keeps more of its speed with smaller steps where they resolve contact, and makes no energy", "[stepping]") {
+TEST_CASE("smaller steps conserve more of the rebound speed if they resolve contact, and gain no energy", "[stepping]") {
   double before = 0.75;
   for (const double h : {0.002, 0.001, 0.0005}) {
     const Rebound r = rebound(h);
@@ -58,7 +58,7 @@ TEST_CASE("an impact that the smallest steps do not resolve is not refined", "[s
   CHECK(r.refined == 0);
 }
 
-TEST_CASE("a sticky rebound that is refined makes no energy", "[stepping]") {
+TEST_CASE("an adhesive rebound that is refined gains no energy", "[stepping]") {
   for (const double h : {0.002, 0.001}) {
     INFO("h " << h << " s");
     const Rebound r = rebound(h, "  pairs: [{between: [block, floor], adhesion: {type: fang, peak_traction: 3 kPa}}]\n");

@@ -21,7 +21,7 @@ namespace {
 
 std::string vertices(const std::string& list) { return "select: {type: indices, vertices: [" + list + "]}"; }
 
-// A line of edges as a mesh file: vertices at these places.
+// A line of edges as a mesh file, with vertices at these coordinates.
 std::string line_file(const TemporaryFolder& folder, const std::vector<Vec3>& places, bool closed = false) {
   std::string text;
   for (const Vec3& p : places) text += fmt::format("v {:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
@@ -32,7 +32,7 @@ std::string line_file(const TemporaryFolder& folder, const std::vector<Vec3>& pl
   return "{type: file, path: " + path.string() + "}";
 }
 
-// Where edges are: even ones, or of lengths that differ by a factor of three.
+// Returns vertex coordinates: of equal edges, or of lengths that differ by a factor of three.
 std::vector<double> stations(int edges, bool even) {
   std::vector<double> s = {0};
   for (int e = 0; e < edges; ++e) s.push_back(s.back() + (even || e == 0 ? 1 : e % 2 ? 0.5 : 1.5));
@@ -40,7 +40,7 @@ std::vector<double> stations(int edges, bool even) {
   return s;
 }
 
-// A rod of 1 m along x, held at its first edge; of 1 GPa, 10 x 20 mm^2 and 1000 kg/m^3 unless told.
+// A rod of 1 m along x, fixed at its first edge; by default of 1 GPa, 10 x 20 mm^2 and 1000 kg/m^3.
 std::string cantilever(const std::string& shape, const std::string& more, const std::string& time,
                        const std::string& section = "width: 10 mm, height: 20 mm, normal: [0, 1, 0]") {
   return fmt::format("time: {{{}}}\nsolver: {{type: projected_newton, tolerance: 1e-7, linear: cholmod}}\nobjects:\n"
@@ -72,7 +72,7 @@ Vec2 elastica(double f) {
   return tip;
 }
 
-// The time of the k-th change of sign of a probe's first number.
+// Returns the time of the k-th change of sign of the first value of a probe [s].
 double crossing(TestRun& run, int k, const std::function<double()>& value) {
   double before = value();
   for (;;) {
@@ -87,7 +87,7 @@ double crossing(TestRun& run, int k, const std::function<double()>& value) {
 
 }  // namespace
 
-TEST_CASE("a cantilever bends as beam theory says, about both axes of its section", "[rod]") {
+TEST_CASE("a cantilever bends by beam theory, about both axes of its section", "[rod]") {
   const bool even = GENERATE(true, false), upright = GENERATE(true, false);
   const int edges = GENERATE(16, 40);
   CAPTURE(even, upright, edges);
@@ -122,12 +122,12 @@ TEST_CASE("a cantilever under a large force is an elastica", "[rod]") {
   CHECK(run.at(edges).y() / length == Approx(tip.y()).epsilon(0.02));
 }
 
-TEST_CASE("a rod that is twisted by its script takes G J theta / L, several turns too", "[rod]") {
+TEST_CASE("a rod twisted by a prescribed motion has the torque G J theta / L, also after several turns", "[rod]") {
   const std::string section = GENERATE("radius: 10 mm", "width: 30 mm, height: 10 mm, normal: [0, 1, 1]");
   const bool circular = section.starts_with("radius");
   CAPTURE(section);
   const int edges = 20;
-  // Soft in shear, so that it does not buckle; held on a slide at its end, so that the edge turned is twisted by its motion alone.
+  // It is soft in shear, so that it does not buckle. Its end is on a slide, so that the rotated edge is twisted by its motion alone.
   TestRun run(fmt::format("time: {{step: 0.1 s, duration: 1 s, integrator: quasi_static}}\n"
                           "solver: {{type: projected_newton, tolerance: 1e-7, linear: cholmod}}\nobjects:\n"
                           "  - name: rod\n    shape: {{type: segment, length: 1, edges: {}}}\n    rod: {{{}}}\n"
@@ -146,8 +146,8 @@ TEST_CASE("a rod that is twisted by its script takes G J theta / L, several turn
   CHECK(rod.angle(edges / 2, run.state().x) == Approx(25.0 * (edges / 2) / (edges - 1)).epsilon(0.01));
 }
 
-TEST_CASE("a script that turns an end in space, and one that lets go of it", "[rod]") {
-  // The last edge turns about z, across itself, and about itself in between; what the edge's frame did is what space did.
+TEST_CASE("a prescribed motion that rotates an end in space, and one that releases it", "[rod]") {
+  // The last edge rotates about z, across itself, and about itself in between; the frame of the edge follows the rotation of space.
   TestRun run("time: {step: 20 ms, duration: 2 s}\nobjects:\n"
               "  - name: rod\n    shape: {type: segment, length: 1, edges: 10}\n    rod: {width: 30 mm, height: 10 mm, normal: [0, 1, 0]}\n"
               "    energies: [{type: elastic_rod, young: 1 MPa, density: 1000}]\n"
@@ -213,7 +213,7 @@ TEST_CASE("a cantilever swings at the frequency of beam theory", "[rod]") {
   CHECK(2 * pi * 3 / (fourth - first) == Approx(omega).epsilon(0.02));
 }
 
-TEST_CASE("a shaft that is held at one end swings about its axis at a quarter of the shear wave's length", "[rod]") {
+TEST_CASE("a shaft fixed at one end swings about its axis at a quarter of the shear wave length", "[rod]") {
   const int edges = 30;
   TestRun run(cantilever(fmt::format("{{type: segment, length: 1, edges: {}}}", edges), "    spin: [5, 0, 0]\n",
                          "step: 0.05 ms, duration: 5 s, integrator: newmark", "radius: 10 mm"));
@@ -267,7 +267,7 @@ TEST_CASE("a helix at rest stays, and a straight mesh with that curvature and tw
 
 TEST_CASE("a frame of welded rods holds its corners", "[rod]") {
   const TemporaryFolder folder;
-  // A mast with two arms at right angles, the mast held at its foot; an arm under a force turns the joint about the mast.
+  // A mast with two arms at right angles, fixed at its foot. A force on an arm rotates the joint about the mast.
   std::string text;
   const int n = 10;
   std::vector<Vec3> places = {{0, 0, 0}};
@@ -286,10 +286,10 @@ TEST_CASE("a frame of welded rods holds its corners", "[rod]") {
                           (folder.path() / "frame.obj").string(), vertices("0, 1"), vertices(std::to_string(2 * n))));
   run.step();
   const double bending = 1e9 * pi / 4 * 1e-8, twisting = 1e9 / 2.5 * pi / 2 * 1e-8, mast = 0.475, arm = 0.5, force = 0.1;
-  // The arm's tip: the mast sways and twists, the arm bends; the joint itself gives by about half an edge.
+  // Tip of the arm: the mast bends and twists, the arm bends; the joint has the compliance of about half an edge.
   const double sway = force * std::pow(mast, 3) / (3 * bending), twist = force * arm * mast / twisting, bend = force * std::pow(arm, 3) / (3 * bending);
   CHECK(run.at(2 * n).z() == Approx(sway + twist * arm + bend).epsilon(0.03));
-  // The other arm turns along with the joint.
+  // The other arm rotates with the joint.
   CHECK((run.at(3 * n).x() - run.at(n).x()) / arm == Approx(-twist).epsilon(0.03));
 }
 
@@ -312,7 +312,7 @@ TEST_CASE("a particle flies freely, and a string hangs", "[rod][particle]") {
   CHECK(string.world->dofs.size() == 30);  // no twists
 }
 
-TEST_CASE("a rod that goes on as a string has twists where it is a rod", "[rod]") {
+TEST_CASE("a rod that continues as a string has twists in the rod only", "[rod]") {
   TestRun run("time: {step: 10 ms, duration: 1}\ngravity: [0, -10, 0]\nobjects:\n"
               "  - name: it\n    shape: {type: segment, length: 1, edges: 10}\n    rod: {width: 10 mm, height: 20 mm, normal: [0, 1, 0]}\n"
               "    selections: [{name: left, select: {type: box, min: [-1, -1, -1], max: [0.001, 1, 1]}}]\n"
@@ -339,7 +339,7 @@ TEST_CASE("the twist of a rod is no part of the force on it", "[rod]") {
   for (const double f : run.sample(0)) CHECK(std::abs(f) < 1e-9);
 }
 
-TEST_CASE("a spring, a tie and damping act on rods and particles", "[rod][particle]") {
+TEST_CASE("a spring, an attachment and damping act on rods and particles", "[rod][particle]") {
   TestRun run("time: {step: 5 ms, duration: 1}\ngravity: [0, -10, 0]\nobjects:\n"
               "  - {name: rod, shape: {type: segment, length: 1, edges: 10}, rod: {radius: 10 mm}, damping: {stiffness: 10 ms, mass: 1},\n"
               "     energies: [{type: elastic_rod, young: 100 MPa, density: 1000}], motion: [{type: fixed, " + vertices("0, 1") + "}]}\n"
@@ -355,7 +355,7 @@ TEST_CASE("a spring, a tie and damping act on rods and particles", "[rod][partic
   CHECK(run.warnings == std::vector<Warning>{});
 }
 
-TEST_CASE("what rods and particles lack is told with its place", "[rod][particle]") {
+TEST_CASE("missing settings of rods and particles are reported with their location", "[rod][particle]") {
   const auto object = [](const std::string& keys) { return "time: {step: 1 ms, duration: 1}\nobjects:\n  - {name: it, " + keys + "}\n"; };
   const std::string line = "shape: {type: segment, length: 1, edges: 2}, ", box = "shape: {type: box, size: [1, 1, 1]}, ";
   const std::string rod = "energies: [{type: elastic_rod, young: 1e6}]";

@@ -31,7 +31,7 @@ double damping_moment(const TestRun& run) {
 
 }  // namespace
 
-TEST_CASE("stiffness damping keeps the angular momentum of what spins freely", "[damping]") {
+TEST_CASE("stiffness damping conserves the angular momentum of a freely spinning body", "[damping]") {
   const std::string bar = "shape: {type: box, size: [0.1, 0.02, 0.02], cells: [5, 1, 1]}, energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}]";
   const std::string card = "shape: {type: grid, size: [0.1, 0.03], cells: [5, 2]}, place: {axis: [1, 0, 0], angle: 90 deg}, shell: {thickness: 1 mm},\n"
                            "  energies: [{type: stvk_membrane, young: 10 MPa, density: 1000}, {type: hinge_bending, young: 10 MPa}]";

@@ -82,7 +82,7 @@ TEST_CASE("adaptive steps of implicit Euler in flight have the size at which h^2
   CHECK((end - start - Vec3(0.3, 4 - g / 2, -0.2)).norm() == Approx(off).epsilon(1e-3));
 }
 
-TEST_CASE("adaptive steps of second-order methods fly along parabolas as fast as they may", "[stepping]") {
+TEST_CASE("adaptive steps of second-order methods have the largest size along parabolas", "[stepping]") {
   for (const std::string integrator : {"bdf2", "newmark"}) {
     INFO(integrator);
     const Taken taken = run(time_of(integrator, 1e-3, 1, "error: 1e-4, largest: 0.05") + thrown);
@@ -131,7 +131,7 @@ TEST_CASE("BDF2 of two sizes is exact under a constant acceleration", "[stepping
   }
 }
 
-TEST_CASE("a smaller error takes steps as each method's order asks, and is one at the end", "[stepping]") {
+TEST_CASE("the number of adaptive steps follows the order of the method, as does the final error", "[stepping]") {
   const VecX exact = swing("newmark", 1e-5, "").end.x;
   struct Method {
     std::string name;
@@ -149,7 +149,7 @@ TEST_CASE("a smaller error takes steps as each method's order asks, and is one a
   }
 }
 
-TEST_CASE("steps are as small as an impact asks, and large before and after it", "[stepping]") {
+TEST_CASE("steps are small at an impact, and large before and after it", "[stepping]") {
   for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {
     INFO(integrator);
     const Taken taken = run(time_of(integrator, 1e-3, 0.3, "error: 0.1e-3, largest: 20e-3, smallest: 0.01e-3") +
@@ -172,7 +172,7 @@ TEST_CASE("steps are as small as an impact asks, and large before and after it",
   }
 }
 
-TEST_CASE("adaptive steps end where the script has corners", "[stepping]") {
+TEST_CASE("adaptive steps end at corners of prescribed motions", "[stepping]") {
   const Taken taken = run(time_of("implicit_euler", 1e-3, 0.2, "error: 1e-3, largest: 0.03") +
                           "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1e5}],\n"
                           "  motion: [{type: keyframes, until: 0.17123, frames: [{time: 0.0137, translation: [0, 0, 0]}, {time: 0.1011, translation: [0.01, 0, 0]}],\n"
@@ -185,7 +185,7 @@ TEST_CASE("adaptive steps end where the script has corners", "[stepping]") {
   CHECK(taken.steps.size() < 60);
 }
 
-TEST_CASE("adaptive steps end where motors change what they drive at", "[stepping]") {
+TEST_CASE("adaptive steps end at changes of motor targets", "[stepping]") {
   const Taken taken = run(time_of("implicit_euler", 1e-3, 0.2, "error: 1e-3, largest: 0.03") +
                           "objects: [{name: bar, shape: {type: box, size: [0.01, 0.2, 0.05]}, body: {type: affine, density: 1000}}]\n"
                           "interactions: [{type: hinge, name: hinge, object: bar, at: [0, 0, 0], axis: [0, 0, 1], motor: {speed: [[0.0611, 0], [0.1234, 1]], torque: 1}}]\n");
@@ -197,7 +197,7 @@ TEST_CASE("adaptive steps end where motors change what they drive at", "[steppin
 
 namespace {
 
-// A block that falls on a floor and slides; unit: of length, which densities and moduli follow so that all that has no dimension is the same.
+// A block that falls on a floor and slides. unit: of length; densities and moduli are scaled so that dimensionless numbers stay.
 std::string sliding(double unit) {
   return fmt::format("time: {{step: 1e-3, duration: 0.2, integrator: bdf2, adaptive: {{error: {0}, largest: 20e-3, smallest: 0.01e-3}}}}\n"
                      "solver: {{type: projected_newton, tolerance: {1}}}\n"
@@ -231,7 +231,7 @@ TEST_CASE("adaptive steps are the same in other units", "[stepping]") {
   CHECK((1e3 * there.end.x - here.end.x).lpNorm<Eigen::Infinity>() < 1e-3);
 }
 
-TEST_CASE("quasi-static steps grow where the way is straight and shrink where it turns", "[stepping]") {
+TEST_CASE("quasi-static steps grow on straight paths and shrink at their bends", "[stepping]") {
   const Taken taken = run(time_of("quasi_static", 0.01, 1, "error: 1e-5, largest: 0.1, smallest: 1e-4") +
                           "objects: [{name: bar, shape: {type: box, size: [0.5, 0.1, 0.1], cells: [5, 2, 2]}, energies: [{type: neo_hookean, young: 1e5}],\n"
                           "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}},\n"
@@ -247,14 +247,14 @@ TEST_CASE("quasi-static steps grow where the way is straight and shrink where it
   CHECK(after < 0.02);
 }
 
-TEST_CASE("the smallest step is kept whatever its error, and that is told", "[stepping]") {
+TEST_CASE("the smallest step is accepted with any error, with a warning", "[stepping]") {
   const Taken taken = run(time_of("implicit_euler", 1e-2, 0.1, "error: 1e-7, smallest: 2e-3") + thrown);
   CHECK(taken.smallest() == Approx(2e-3));
   CHECK(*taken.steps.back().error > 1e-7);
   CHECK_THAT(first_text(taken.warnings, WarningKind::step_error), Catch::Contains("time.adaptive.smallest"));
 }
 
-TEST_CASE("what a failed solve of an adaptive step does, halves do", "[stepping]") {
+TEST_CASE("a failed solve of an adaptive step is repeated with substeps", "[stepping]") {
   const Taken taken = run("time: {step: 0.02, duration: 0.06, max_halvings: 12, adaptive: {error: 0.1}}\n"
                           "solver: {type: projected_newton, tolerance: 0.5, max_iterations: 1}\n"
                           "objects: [{name: bar, shape: {type: box, size: [0.4, 0.1, 0.1], cells: [4, 1, 1]},\n"

@@ -85,7 +85,7 @@ TEST_CASE("a stepper that solves nothing runs through the loop, and through the 
     CHECK(report.solve.iterations == 0);
     CHECK(report.intersections == 0);  // it has not looked
     REQUIRE(run.state().step == n);
-    // Implicit Euler in a homogeneous field.
+    // Closed form of implicit Euler in a homogeneous field.
     const Vec3 fallen(0.2 * n * h, -9.81 * h * h * n * (n + 1) / 2, 0);
     for (int v = block; v < block + run.world->bodies[1].vertex_count; ++v)
       CHECK((run.at(v) - Vec3(vertex(start, v)) - fallen).norm() < 1e-12 * n * n);
@@ -98,14 +98,14 @@ TEST_CASE("a stepper that solves nothing runs through the loop, and through the 
   CHECK_FALSE(warned(run.warnings, WarningKind::step_cutback));
 }
 
-TEST_CASE("energy that a stepper makes from nothing is warned of once", "[stepper]") {
+TEST_CASE("energy gain of a stepper is warned of once", "[stepper]") {
   TestRun run(scene_with("{type: free_flight, boost: 100}"));
   while (!run.stepper.finished()) run.step();
   CHECK_THAT(first_text(run.warnings, WarningKind::energy_growth), Catch::Contains("energy has grown by"));
   CHECK(std::count_if(run.warnings.begin(), run.warnings.end(), [](const Warning& w) { return w.kind == WarningKind::energy_growth; }) == 1);
 }
 
-TEST_CASE("the loop halves what the stepper refuses, and gives up with its advice", "[stepper]") {
+TEST_CASE("the loop cuts back rejected steps, and fails with the remedy of the stepper", "[stepper]") {
   TestRun run(scene_with("{type: free_flight, longest: 0.01}"));
   const StepReport report = run.step();
   CHECK(report.cutbacks == 2);
@@ -122,14 +122,14 @@ TEST_CASE("single steps and potentials are those of any stepper", "[stepper]") {
   const SolveResult result = run.stepper.solve(h);
   CHECK(run.stepper.fault(result).empty());
   const SolveResult minimum = minimized.stepper.solve(h);
-  // Before it comes to contact, that is the minimum.
+  // Before contact, free flight is the minimum.
   CHECK((result.x - minimum.x).lpNorm<Eigen::Infinity>() < 1e-5);
   CHECK(run.stepper.potential_at(result.x) == Approx(minimized.stepper.potential_at(minimum.x)));
   run.stepper.commit(result.x, h);
   CHECK((run.state().x == result.x));
 }
 
-TEST_CASE("a stepper is documented because it exists, and refuses with a place", "[stepper]") {
+TEST_CASE("a registered stepper is documented, and its errors are located", "[stepper]") {
   CHECK(contains(list_kind("stepper"), "free_flight"));
   CHECK(contains(list_component("stepper", "free_flight"), "file: tests/framework/stepping/stepper_test.cpp"));
   CHECK(contains(list_component("stepper", "incremental_potential"), "Li et al. 2020"));

@@ -19,7 +19,7 @@ std::string scene_text(const std::string& integrator, double h, const std::strin
                      "solver: {{type: projected_newton, tolerance: 1e-9}}\n", h, integrator) + more;
 }
 
-// The end of a run of n steps. `prepare` may change the start.
+// Returns the end of a run of n steps. `prepare` may change the start.
 template <class Prepare>
 State run(const std::string& yaml, int n, const Prepare& prepare) {
   TestScene scene(yaml);
@@ -32,7 +32,7 @@ State run(const std::string& yaml, int n, const Prepare& prepare) {
   return stepper.state();
 }
 
-// A block held at one face, thrown off its rest at small amplitude.
+// A block fixed at one face, with an initial velocity of small amplitude.
 State oscillation(const std::string& integrator, int steps) {
   constexpr double duration = 0.02;  // s; a good part of the lowest period
   return run(scene_text(integrator, duration / steps,
@@ -49,7 +49,7 @@ const char* const free_block =
     "objects: [{name: block, shape: {type: box, size: [0.1, 0.07, 0.05]}, velocity: [0.3, 0.1, -0.2],\n"
     "  energies: [{type: neo_hookean, young: 1e5}]}]\n";
 
-// Stretched and spinning, without forces from outside.
+// A stretched and spinning block without external forces.
 void disturb(World& world) {
   for (int v = 0; v < world.rest.size() / 3; ++v) {
     const Vec3 x = vertex(world.rest, v);
@@ -85,7 +85,7 @@ TEST_CASE("integrators converge with their order", "[stepping]") {
 }
 
 // Under a constant acceleration g the minimiser is x~ + scale g, vertex by vertex.
-TEST_CASE("free fall follows each integrator's formula", "[stepping]") {
+TEST_CASE("free fall obeys the formula of each integrator", "[stepping]") {
   constexpr double h = 0.01;
   constexpr int n = 12;
   const Vec3 g(0.5, -9.81, 1), v0(0.3, 0.1, -0.2);
@@ -125,7 +125,7 @@ TEST_CASE("momentum is conserved without forces from outside", "[stepping]") {
   }
 }
 
-TEST_CASE("the drift of angular momentum shrinks with the integrator's order", "[stepping]") {
+TEST_CASE("the drift of angular momentum shrinks with the order of the integrator", "[stepping]") {
   const auto drift = [](const std::string& name, int steps) {
     TestScene scene(scene_text(name, 0.02 / steps, free_block));
     disturb(*scene.world);

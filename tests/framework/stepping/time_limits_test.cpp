@@ -22,7 +22,7 @@ std::string shot(const std::string& time, const std::string& solver) {
          "contact: {distance: 1 mm}\n";
 }
 
-// For a solver that is never content.
+// A tolerance that is never reached.
 std::string endless(const std::string& time, const std::string& solver) {
   return shot(time, ", max_iterations: 1000000" + solver);
 }
@@ -39,7 +39,7 @@ class Stopwatch {
 
 }  // namespace
 
-TEST_CASE("time.wall_limit ends a run within a solve, and says what blocked it", "[limits]") {
+TEST_CASE("time.wall_limit ends a run within a solve, and names the blocking primitives", "[limits]") {
   TestRun run(endless(", wall_limit: 0.5 s", ""));
   const Stopwatch watch;
   CHECK_THROWS_WITH(run.step(), Catch::Contains("time.wall_limit: 0.5 s") && Catch::Contains("step 1 at t = 0 s") &&
@@ -53,13 +53,13 @@ TEST_CASE("time.wall_limit ends a run within a solve, and says what blocked it",
   CHECK_THROWS_AS(run.step(), SimulationError);  // from the start, too
 }
 
-TEST_CASE("a solve that fails says what blocked it", "[limits]") {
+TEST_CASE("a failed solve names the blocking primitives", "[limits]") {
   TestRun run(shot(", max_halvings: 0", ", max_iterations: 1"));  // the flight, which the plate ends
   CHECK_THROWS_WITH(run.step(), Catch::Contains("the last step was cut to ") && Catch::Contains("of 'ball'") &&
                                     Catch::Contains("of 'plate'") && Catch::Contains(" m apart"));
 }
 
-TEST_CASE("solver.time_limit makes a solve a failed one", "[limits]") {
+TEST_CASE("a solve that exceeds solver.time_limit fails", "[limits]") {
   TestRun run(endless(", max_halvings: 2", ", time_limit: 100 ms"));
   const Stopwatch watch;
   CHECK_THROWS_WITH(run.step(), Catch::Contains("failed with h = 0.0025 s (out of wall time (solver.time_limit: 0.1 s)"));

@@ -12,7 +12,7 @@ using namespace tack;
 
 namespace {
 
-// A soft bar that is held at one end while the other flies off: hard for one Newton iteration.
+// A soft bar fixed at one end while the other flies off: hard for one Newton iteration.
 std::string hard_scene(double tolerance, int max_halvings) {
   return fmt::format("time: {{step: 0.02, duration: 0.06, max_halvings: {}}}\n"
                      "solver: {{type: projected_newton, tolerance: {}, max_iterations: 1}}\n"
@@ -32,7 +32,7 @@ std::string bar(const std::string& material, double poisson, double traction) {
                      material, poisson, traction);
 }
 
-// The stretch of each bar vertex that is at the loaded end.
+// Returns the stretch at each vertex of the loaded end.
 double stretch(const std::string& yaml) {
   TestScene scene(yaml);
   TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
@@ -53,7 +53,7 @@ double stretch(const std::string& yaml) {
 
 }  // namespace
 
-TEST_CASE("a failed solve is rolled back and halved, visibly", "[stepping]") {
+TEST_CASE("a failed solve is rolled back and cut back, with warnings", "[stepping]") {
   TestScene scene(hard_scene(0.5, 12));
   std::vector<Warning> warnings;
   TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock,
@@ -92,7 +92,7 @@ TEST_CASE("when no step is small enough the run ends, with the last state intact
   }
 }
 
-TEST_CASE("a quasi-static bar under traction stretches as its material says", "[stepping]") {
+TEST_CASE("a quasi-static bar under traction stretches by its modulus", "[stepping]") {
   for (const double traction : {100.0, 2e4, 8e4, -400.0}) {  // more compression would buckle it
     INFO("traction " << traction << " Pa");
     const double mu = 1e5 / 2, s = traction / mu;  // nu = 0: no lateral contraction

@@ -30,7 +30,7 @@ std::string affine_block(const std::string& name, const Vec3& at, double speed =
                      "     body: {{type: affine, density: 1000}}, velocity: [{}, 0, 0]}}\n", name, at.x(), at.y(), at.z(), speed);
 }
 
-// Steps until the time is one whole step further.
+// Advances by one whole step.
 struct WholeStep {
   int refused = 0, steps = 0;
   WholeStep(TestRun& run, double h) {
@@ -65,7 +65,7 @@ void check_hit(TestRun& run, double h, double speed) {
 
 }  // namespace
 
-TEST_CASE("bodies hit what is in their way, however far they go in a step", "[stepping]") {
+TEST_CASE("bodies hit obstacles in their path, for any displacement in a step", "[stepping]") {
   SECTION("3 m/s at 0.1 s") {
     TestRun run(scene(0.1, block("a", origin, 3) + block("b", beside)));
     check_hit(run, 0.1, 3);
@@ -85,7 +85,7 @@ TEST_CASE("bodies hit what is in their way, however far they go in a step", "[st
   }
 }
 
-TEST_CASE("what passes beside an obstacle, goes along with it or slides on it is not held up", "[stepping]") {
+TEST_CASE("bodies that pass beside an obstacle, move with it or slide on it are not cut back", "[stepping]") {
   SECTION("beside") {
     TestRun run(scene(0.01, block("a", origin, 30) + block("b", {0.101, 0.105, 0})));
     CHECK(WholeStep(run, 0.01).steps == 1);
@@ -105,7 +105,7 @@ TEST_CASE("what passes beside an obstacle, goes along with it or slides on it is
     CHECK(centre(run, 1) == Approx(0.9).epsilon(1e-3));
     CHECK(run.warnings.empty());
   }
-  SECTION("into what gives way") {
+  SECTION("into a soft body") {
     const double speed = GENERATE(10, 30, 100);
     CAPTURE(speed);
     TestRun run(scene(0.01, fmt::format("  - {{name: sheet, shape: {{type: box, size: [0.004, 1, 1], cells: [1, 20, 20]}}, place: {{translate: [0.0535, 0, 0]}},\n"
@@ -139,7 +139,7 @@ TEST_CASE("a chain of bodies passes a blow on", "[stepping]") {
   CHECK(speed_of(run, 3) > 1);
 }
 
-TEST_CASE("obstacles that a script moves take along what they hit", "[stepping]") {
+TEST_CASE("obstacles with prescribed motion carry along the bodies that they hit", "[stepping]") {
   const std::string pushed = block("pushed", beside);
   SECTION("pushed") {
     TestRun run(scene(0.01, "  - {name: ram, shape: {type: box, size: [0.1, 0.1, 0.1]}, motion: [{type: translate, velocity: [30, 0, 0]}]}\n" + pushed));
@@ -148,7 +148,7 @@ TEST_CASE("obstacles that a script moves take along what they hit", "[stepping]"
     CHECK(centre(run, 1) > centre(run, 0) + 0.05);
     CHECK(speed_of(run, 1) > 25);
   }
-  SECTION("against what comes") {
+  SECTION("against an approaching body") {
     TestRun run(scene(0.01, "  - {name: ram, shape: {type: box, size: [0.1, 0.1, 0.1]}, motion: [{type: translate, velocity: [10, 0, 0]}]}\n" +
                                 block("comes", {0.2, 0.003, 0.002}, -30)));
     const WholeStep whole(run, 0.01);
@@ -156,7 +156,7 @@ TEST_CASE("obstacles that a script moves take along what they hit", "[stepping]"
   }
 }
 
-TEST_CASE("sheets, rods and particles hit what is in their way", "[stepping]") {
+TEST_CASE("sheets, rods and particles hit obstacles in their path", "[stepping]") {
   const auto ball = [](const Vec3& at) {
     return fmt::format("  - {{name: ball, shape: {{type: sphere, radius: 0.02, cells: 4}}, place: {{translate: [{}, {}, {}]}},\n"
                        "     energies: [{{type: neo_hookean, young: 1e6, poisson: 0.4}}]}}\n", at.x(), at.y(), at.z());
@@ -188,7 +188,7 @@ TEST_CASE("sheets, rods and particles hit what is in their way", "[stepping]") {
   }
 }
 
-TEST_CASE("what smaller steps may not help is kept and told of", "[stepping]") {
+TEST_CASE("tunnelling at the smallest step size is accepted with a warning", "[stepping]") {
   TestRun run(scene(0.01, block("a", origin, 60) + block("b", beside), ", max_halvings: 1"));
   const StepReport report = run.step();
   CHECK(report.step_size == 0.005);

@@ -11,7 +11,7 @@ using namespace tack;
 
 namespace {
 
-// A small ball at a place in, or beside, a large box.
+// A small ball inside or beside a large box.
 std::string scene(const std::string& box, const std::string& place, const std::string& contact = "distance: 1 mm") {
   return fmt::format("objects:\n"
                      "  - {{name: ball, shape: {{type: sphere, radius: 0.05, cells: 2}}, place: {{translate: {}}},\n"
@@ -24,13 +24,13 @@ const std::string solid = "type: box, size: [1, 1, 1], cells: [3, 3, 3]";
 
 }  // namespace
 
-TEST_CASE("a body wholly inside of a solid is refused with its place") {
+TEST_CASE("a body completely inside a solid is refused with its location") {
   for (const char* place : {"[0, 0, 0]", "[0.1, 0.2, -0.3]", "[0.4, 0.4, 0.4]"})
     CHECK_THROWS_WITH(TestScene(scene(solid, place)),
                       Catch::Contains("object 'ball' is inside of 'box' at the start (its vertex ") && Catch::Contains("lies in tet "));
 }
 
-TEST_CASE("what is beside, in a shell, in a hollow, or may pass through is not inside") {
+TEST_CASE("bodies beside a solid, in a shell, in a hollow, or that may pass through are not inside") {
   CHECK_NOTHROW(TestScene(scene(solid, "[0, 0.56, 0]")));
   CHECK_NOTHROW(TestScene(scene(solid, "[0.56, 0.56, 0.56]")));
   CHECK_NOTHROW(TestScene(scene(solid + ", surface: true", "[0, 0, 0]")));

@@ -54,7 +54,7 @@ TEST_CASE("a room has an inner side", "[contact][hulls]") {
   CHECK(run.sample(0)[0] == Approx(9.81 * 0.125).epsilon(0.05));  // its weight
 }
 
-TEST_CASE("shells, open meshes and what moves are no hulls", "[contact][hulls]") {
+TEST_CASE("shells, open meshes and moving bodies are no hulls", "[contact][hulls]") {
   const auto hulls = [](const std::string& object) {
     TestScene scene("objects:\n  - {name: a, " + object + "}\n"
                     "  - {name: b, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [1, 0, 0]}, energies: [{type: neo_hookean, young: 1 MPa, density: 1000}]}\n"

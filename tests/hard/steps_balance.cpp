@@ -1,4 +1,4 @@
-#include "tests/hard/judge_steps.hpp"
+#include "tests/hard/steps_balance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ double at(const CsvTable& table, const std::vector<double>& row, std::string_vie
   return row[table.column(name).value()];
 }
 
-// J: in one state, without gravity, whose zero is anywhere.
+// Returns the energy of one state [J], without gravity, whose zero is arbitrary.
 double stored(const CsvTable& table, const std::vector<double>& row) {
   double sum = 0;
   for (size_t i = 0; i < table.columns.size(); ++i)
@@ -33,24 +33,24 @@ double gravity_range(const CsvTable& table) {
 
 }  // namespace
 
-StepsVerdict judge_steps(const std::filesystem::path& steps) {
+StepsBalance steps_balance(const std::filesystem::path& steps) {
   const CsvTable table = read_csv(steps);
-  StepsVerdict verdict;
-  double largest = 0, sum = 0, put_in = 0;
+  StepsBalance balance;
+  double largest = 0, sum = 0, external_work = 0;
   for (const auto& row : table.rows) {
     const double taken = at(table, row, "dissipated_areas") + at(table, row, "dissipated_numerics");
     sum += taken;
-    verdict.made += std::max(-taken, 0.0);
-    put_in += at(table, row, "work_loads") + at(table, row, "work_script");
-    largest = std::max({largest, stored(table, row), std::abs(sum), std::abs(put_in)});
+    balance.energy_gain += std::max(-taken, 0.0);
+    external_work += at(table, row, "work_loads") + at(table, row, "work_script");
+    largest = std::max({largest, stored(table, row), std::abs(sum), std::abs(external_work)});
     const double tolerated = at(table, row, "tolerated_force");
     if (tolerated > 0)
-      verdict.unbalanced = std::max(verdict.unbalanced, at(table, row, "unbalanced_force") / tolerated);
+      balance.force_residual = std::max(balance.force_residual, at(table, row, "unbalanced_force") / tolerated);
   }
   largest += gravity_range(table);
-  verdict.lost = largest > 0 ? std::max(sum, 0.0) / largest : 0;
-  verdict.made = largest > 0 ? verdict.made / largest : 0;
-  return verdict;
+  balance.energy_loss = largest > 0 ? std::max(sum, 0.0) / largest : 0;
+  balance.energy_gain = largest > 0 ? balance.energy_gain / largest : 0;
+  return balance;
 }
 
 }  // namespace tack
