@@ -4,10 +4,10 @@
 namespace tack {
 
 enum class Elements {
-  linear,     // each by itself
-  composite,  // eight together, into which a tet of ten nodes is divided
+  linear,     // each tet is an element
+  composite,  // eight tets, the subdivision of a tet of ten nodes, are an element
               // (geometry/tets/divide_tets.hpp)
-  patches     // each by itself but for its volume, of which the mean over neighbours counts
+  patches     // each tet is an element, with the mean volume ratio of its neighbours
               // (geometry/tets/tet_patches.hpp)
 };
 

@@ -1,4 +1,4 @@
-// Size of a body.
+// Extent of a body.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,7 +7,7 @@
 
 namespace tack {
 
-// Returns the box around the vertices of the mesh of a body; x: 3n [m].
+// Returns the AABB of the mesh vertices of a body at x (3n) [m].
 inline Eigen::AlignedBox3d extent_of(const Body& body, const VecX& x) {
   Eigen::AlignedBox3d box;
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)

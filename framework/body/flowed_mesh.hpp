@@ -1,6 +1,5 @@
-// Mesh of an object that was remeshed while it flowed: new vertices and tets inside the old
-// surface. Each tet stores its stress-free shape, which after flow is no shape of the mesh at the
-// start.
+// Mesh of an object that was remeshed while it flowed: new vertices and tets inside the old surface.
+// Each tet stores its stress-free shape, which after flow differs from its shape at the start.
 #pragma once
 
 #include <map>
@@ -13,9 +12,10 @@
 namespace tack {
 
 struct FlowedMesh {
-  Mesh mesh;  // vertices where their material was at rest, in the scene's place [m]; tets, positive
-              // where they are now
-  std::vector<Triangle> surface;          // in the order of the mesh that the run began with
+  // Vertices at the rest positions of their material, in the scene [m]; tets with positive volumes
+  // at the present positions.
+  Mesh mesh;
+  std::vector<Triangle> surface;          // in the order of the first mesh of the run
   std::vector<TetReference> references;   // of each tet
 };
 

@@ -11,17 +11,17 @@
 namespace tack {
 namespace {
 
-// Keeps the composite tets (eight tets each) all of whose corners are chosen.
+// Keeps the composite tets (eight tets each) with all corners chosen.
 template <class Out>
-void keep_whole(std::vector<Tet>& parts, const Out& out) {
-  const std::vector<CompositeTet> all = composite_tets_of(parts);
+void keep_composite(std::vector<Tet>& tets, const Out& out) {
+  const std::vector<CompositeTet> all = composite_tets_of(tets);
   std::vector<Tet> kept;
   for (size_t t = 0; t < all.size(); ++t) {
     if (std::any_of(all[t].begin(), all[t].begin() + 4, out)) continue;
-    const auto first = parts.begin() + static_cast<std::ptrdiff_t>(composite_parts * t);
+    const auto first = tets.begin() + static_cast<std::ptrdiff_t>(composite_parts * t);
     kept.insert(kept.end(), first, first + composite_parts);
   }
-  parts = std::move(kept);
+  tets = std::move(kept);
 }
 
 }  // namespace
@@ -31,14 +31,14 @@ Body selected_elements(const Selection& selection, const SelectionContext& conte
   const ChosenVertices chosen(body, select(selection, context));
   const auto out = [&](int v) { return !chosen.has(v); };
   const auto cut = [&](auto& elements) { std::erase_if(elements, [&](const auto& element) { return !chosen.contains(element); }); };
-  if (body.elements == Elements::composite) keep_whole(body.tets, out);
+  if (body.elements == Elements::composite) keep_composite(body.tets, out);
   else cut(body.tets);
   cut(body.triangles);
   cut(body.sheet);
   cut(body.edges);
   std::erase_if(body.points, out);
   if (body.tets.empty() && body.sheet.empty() && body.edges.empty() && body.points.empty())
-    throw InputError(fmt::format("the selection {} of an energy of object '{}' holds no whole element; choose all vertices of "
+    throw InputError(fmt::format("the selection {} of an energy of object '{}' has no complete element; choose all vertices of "
                                  "some", selection.type(), body.name));
   return body;
 }

@@ -14,7 +14,7 @@
 namespace tack {
 namespace {
 
-// The body's vertices for which test(vertex) holds.
+// Returns the vertices of a body for which test(vertex) is true.
 template <class Test>
 std::vector<int> vertices_where(const Body& body, const Test& test) {
   std::vector<int> chosen;
@@ -84,7 +84,7 @@ class PlaneSelection : public Selection {
   Vec3 point_ = Vec3::Zero(), normal_ = Vec3::UnitY();
 };
 
-// Vertices that lie furthest in a direction: a face of a box, the tip of a cone.
+// Vertices that lie farthest in a direction: a face of a box, the tip of a cone.
 class FaceSelection : public Selection {
  public:
   void fields(Fields& f) override {

@@ -50,8 +50,11 @@ class PrescribedMotion {
   void set_positions(const std::vector<char>& active, const VecX& rest, const VecX& reference, double t,
              VecX& x) const;
 
+  // Returns whether a motion ever fixes the vertex, in some direction at least.
   bool ever_fixed(int v) const { return ever_fixed_[v]; }
-  bool moves(int v) const { return moves_[v]; }  // some hold moves it
+  // Returns whether a motion ever moves the vertex.
+  bool moves(int v) const { return moves_[v]; }
+  // Returns whether the vertex is ever free.
   bool ever_free(int v) const { return ever_free_[v]; }
   // Returns true if the vertex may ever leave its initial position.
   bool may_move(int v) const { return ever_free_[v] || moves_[v]; }

@@ -48,10 +48,10 @@ void for_each_contact(const Records& records, const Act& act) {
   const Term* last = nullptr;
   for (const EnergyRecord& record : records.energies()) {
     if (record.kind != EnergyKind::contact) continue;
-    const Term* whole = record.term && !records.replaced(*record.term) ? record.term : nullptr;
-    if (whole && whole == last) continue;
-    last = whole;
-    act(whole, whole ? nullptr : &record);
+    const Term* stored_term = record.term && !records.replaced(*record.term) ? record.term : nullptr;
+    if (stored_term && stored_term == last) continue;
+    last = stored_term;
+    act(stored_term, stored_term ? nullptr : &record);
   }
 }
 

@@ -120,7 +120,7 @@ class Bdf2 : public TimeIntegrator {
 // potential gave if that is convex: an impact gains no energy, whatever h. With the mean of c and
 // c' it would. s = - (c - c_before) / 2, where contact is smooth, moves the force back to the
 // middle of the step: second order. It fades out as contact becomes less smooth, because after an
-// impact it would push the wrong way. In adaptive steps the last change is scaled with the ratio of
+// impact it would have the wrong sign. In adaptive steps the last change is scaled with the ratio of
 // their sizes.
 class Newmark : public TimeIntegrator {
  public:

@@ -97,9 +97,9 @@ void TimeStepper::fix_vertices(double h) {
 double TimeStepper::next_step_size() const {
   if (control_) return control_->size(state_);
   // The last substep ends exactly at the end of the whole step.
-  const double whole = time_.step, left = (state_.whole_steps + 1) * whole - state_.time;
+  const double step = time_.step, left = (state_.whole_steps + 1) * step - state_.time;
   if (state_.h_next <= left * (1 - 1e-9)) return state_.h_next;
-  return state_.h_next >= whole ? whole : left;
+  return state_.h_next >= step ? step : left;
 }
 
 double TimeStepper::potential_at(const VecX& x) {

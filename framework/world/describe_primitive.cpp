@@ -12,8 +12,8 @@ std::string describe_primitive(const World& world, const std::vector<int>& verti
   const Body& body = world.bodies[world.body_of(vertices[0])];
   std::vector<int> own;
   for (const int v : vertices) own.push_back(world.index_in_body(v));
-  const std::string numbers = fmt::format("{}", fmt::join(own, ", "));
-  return fmt::format("{} {} of '{}'", kinds[own.size() - 1], own.size() > 1 ? "(" + numbers + ")" : numbers, body.name);
+  const std::string indices = fmt::format("{}", fmt::join(own, ", "));
+  return fmt::format("{} {} of '{}'", kinds[own.size() - 1], own.size() > 1 ? "(" + indices + ")" : indices, body.name);
 }
 
 }  // namespace tack

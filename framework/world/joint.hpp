@@ -34,10 +34,10 @@ inline Vec3 relation_error(const Joint::Relation& relation, const VecX& x) {
 
 // Returns the largest error of the relations of a joint at x [m].
 inline double joint_error(const Joint& joint, const VecX& x) {
-  double most = joint.play ? joint.play(x) : 0;
+  double largest = joint.play ? joint.play(x) : 0;
   for (const Joint::Relation& relation : joint.relations)
-    most = std::max(most, relation_error(relation, x).norm());
-  return most;
+    largest = std::max(largest, relation_error(relation, x).norm());
+  return largest;
 }
 
 }  // namespace tack

@@ -85,7 +85,7 @@ class Lengths {
 
 VecX local_lengths(const World& world, const VecX& x) {
   VecX lengths = Lengths(world, x).all();
-  // Particles with nothing near get the smallest length of the others, or a millimetre.
+  // Particles without neighbours get the smallest length of the others, or a millimetre.
   const double usual = lengths.minCoeff();
   for (double& l : lengths)
     if (!std::isfinite(l)) l = std::isfinite(usual) ? usual : 1e-3;

@@ -1,5 +1,4 @@
-// Length scale of each vertex, below which its displacement cannot change what is inside or
-// outside.
+// Length scale of each vertex: much smaller displacements neither invert elements nor close gaps.
 #pragma once
 
 #include "framework/world/world.hpp"

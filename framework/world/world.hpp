@@ -43,14 +43,14 @@ struct World {
   std::vector<UnknownGroup> unknowns;  ///< requests of the vertices without mesh, ascending
   VecX mass;              ///< n [kg]
   VecX gravitational_mass;     ///< n [kg]; 0 for scalar dofs
-  /// Besides the scene's: relative motions in space, and motions of prescribed unknowns.
+  /// Motions beside those of the scene: relative motions in space, motions of prescribed unknowns.
   std::vector<std::unique_ptr<Motion>> own_motions;
   PrescribedMotion prescribed_motion;  ///< motion of vertices by time
   MultiPointConstraints constraints;   ///< dependent vertices
   /// Pairs of bodies without contact, because one is attached or joined to the other, ascending.
   std::vector<std::pair<int, int>> attached;
   MeetingGroups meeting;  ///< groups of bodies that may touch each other in the run
-  DofMap dofs;            ///< of the present step; before it, of the first one
+  DofMap dofs;            ///< of the present step; before the first step, of the first one
   std::vector<Tet> tets;  ///< of all movable bodies
   Vec3 gravity = Vec3::Zero();
 
@@ -62,7 +62,7 @@ struct World {
   LoadTerm load_term;
   std::vector<std::unique_ptr<FollowingLoad>> load_terms;
   std::vector<FollowingLoad*> following_loads;  ///< of all terms
-  /// Among following_loads: loads by an enclosed volume or a surface.
+  /// Fluid cavities and surface pressures among following_loads.
   std::vector<const VolumeTerm*> cavities;
   std::unique_ptr<ContactSystem> contact;  ///< null without contact
   std::unique_ptr<ContactTerm> contact_term;
