@@ -28,11 +28,13 @@
 
 namespace tack {
 
+/// History variables of a damage law.
 struct Damage {
   double damage = 0;
   double mixity = -1;  // none yet
 };
 
+/// Base of damage laws; `Law` defines the envelope.
 template <class Law>
 class DamageLawOf : public BondLawOf<Law> {
  public:

@@ -21,8 +21,8 @@ std::vector<SheetTriangle> connect_sheet(const std::vector<Triangle>& sheet,
 
 // Shape of a fan: triangles j = 0 ... about a vertex, each with that vertex and the vertices j and
 // j + 1 of the ring. Its dihedral edges are those edges from the vertex to the ring that two
-// triangles share. In a closed fan every vertex of the ring has a dihedral edge; in an open fan the first and
-// the last have none.
+// triangles share. In a closed fan every vertex of the ring has a dihedral edge; in an open fan the
+// first and the last vertex have none.
 struct FanShape {
   bool closed;
   int edge_count;

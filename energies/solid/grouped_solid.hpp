@@ -7,6 +7,7 @@
 
 namespace tack {
 
+/// Makes the term of a solid for its kind of elements.
 template <SplitMaterial Material>
 std::unique_ptr<Term> make_grouped_solid(const std::string& name, const Material& material,
                                          const Body& body, const VecX& rest) {

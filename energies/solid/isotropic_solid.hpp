@@ -12,20 +12,22 @@
 
 namespace tack {
 
-// The energy of an inverted tet.
+/// The energy of an inverted tet.
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Lame parameters [Pa].
+/// Lame parameters [Pa].
 struct Lame {
   double mu = 0, lambda = 0;
 };
+/// Returns the Lame constants [Pa]. young: Pa.
 inline Lame lame(double young, double poisson) {
   return {young / (2 * (1 + poisson)), young * poisson / ((1 + poisson) * (1 - 2 * poisson))};
 }
 
-// Adds a quarter of each tet's mass to its vertices [kg].
+/// Adds a quarter of each tet's mass to its vertices [kg].
 void add_tet_mass(const Body& body, const VecX& rest, double density, VecX& mass);
 
+/// Base of energies of solids: elements, damping and mass.
 class SolidEnergy : public Energy {
  public:
   void fields(Fields& f) override;
@@ -44,13 +46,14 @@ class SolidEnergy : public Energy {
   double density_ = 1000;   // kg/m^3
 };
 
-// Term of grouped tets (Body::elements). Defined in grouped_solid.hpp, which a file of its own or
-// the material of a plugin includes: beside linear tets, the compiler would inline other functions,
-// and linear tets would round differently.
+/// Makes the term of grouped tets (Body::elements). Defined in grouped_solid.hpp. A separate file,
+/// or the material of a plugin, includes that header: beside linear tets, the compiler would inline
+/// other functions, and linear tets would round differently.
 template <SplitMaterial Material>
 std::unique_ptr<Term> make_grouped_solid(const std::string& name, const Material& material,
                                          const Body& body, const VecX& rest);
 
+/// Base of energies of isotropic solids; `Material` is the material.
 template <class Material>
 class IsotropicSolid : public SolidEnergy {
  public:

@@ -15,8 +15,8 @@ namespace tack {
 // steps stall, beyond 0.1 bending stiffens.
 inline constexpr double weight_of_parts = 0.05;
 
-// psi_s; its substitute in the parts of tets, which has equal stiffness at rest and is infinite at
-// J = 0, so that parts do not invert; and U.
+/// psi_s; its substitute in the parts of tets, which has equal stiffness at rest and is infinite at
+/// J = 0, so that parts do not invert; and U.
 template <class Shape, class Part, class Volume>
 struct MaterialSplit {
   Shape shape;
@@ -24,17 +24,17 @@ struct MaterialSplit {
   Volume volume;
 };
 
-// U and its derivatives [Pa].
+/// U and its derivatives [Pa].
 template <class T>
 struct VolumeSample {
   T energy, pressure, bulk;
 };
 
-// U = modulus/2 (ln J)^2, modulus >= 0.
+/// U = modulus/2 (ln J)^2, modulus >= 0.
 struct LogVolume {
   double modulus;  // Pa
 
-  // growth: J - 1.
+  /// growth: J - 1.
   template <class T>
   VolumeSample<T> at(const T& growth) const {
     using std::log1p;
@@ -42,12 +42,12 @@ struct LogVolume {
     return {modulus / 2 * log_j * log_j, modulus * log_j * inverse,
             modulus * (1 - log_j) * inverse * inverse};
   }
-  // g with U = g^2 / 2, and its slope.
+  /// g with U = g^2 / 2, and its slope.
   double root(double j) const { return std::sqrt(modulus) * std::log(j); }
   double root_slope(double j) const { return std::sqrt(modulus) / j; }
 };
 
-// U = modulus/2 (J - 1)^2, modulus >= 0.
+/// U = modulus/2 (J - 1)^2, modulus >= 0.
 struct QuadraticVolume {
   double modulus;  // Pa
 
@@ -59,7 +59,7 @@ struct QuadraticVolume {
   double root_slope(double) const { return std::sqrt(modulus); }
 };
 
-// det F - 1, without the terms of first order that cancel on paper where F is close to a rotation.
+/// det F - 1, without the terms of first order that cancel on paper where F is close to a rotation.
 inline Pack volume_growth(const PackMat3& f) {
   PackMat3 h = f;
   for (int i = 0; i < 3; ++i) h(i, i) -= 1;
@@ -68,6 +68,7 @@ inline Pack volume_growth(const PackMat3& f) {
   return h.trace() + minors + h.determinant();
 }
 
+/// A material that offers the split.
 template <class Material>
 concept SplitMaterial = requires(const Material& material) { material.split(); };
 

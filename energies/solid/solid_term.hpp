@@ -18,6 +18,7 @@
 
 namespace tack {
 
+/// Elastic energy of linear tets of one material.
 template <class Material>
 class SolidTerm : public Term, public StencilRanges {
  public:

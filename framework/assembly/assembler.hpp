@@ -19,30 +19,31 @@
 
 namespace tack {
 
+/// Sums terms into a gradient and a block matrix.
 class Assembler {
  public:
   Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseClock& clock);
 
-  // Adds scales * gradients of the terms to `gradient`, in the unknowns (3m).
+  /// Adds scales * gradients of the terms to `gradient`, in the unknowns (3m).
   void add_gradient(const VecX& x, const TermScales& scales, VecX& gradient);
 
-  // Adds scales * gradients to `gradient`; matrix <- scales * Hessians + diag(block_mass), as
-  // requested.
+  /// Adds scales * gradients to `gradient`; matrix <- scales * Hessians + diag(block_mass), as
+  /// requested.
   void assemble(const VecX& x, const TermScales& scales, const HessianRequest& request,
                 const VecX& block_mass, VecX& gradient, BlockMatrix& matrix);
 
-  // Adds the stencil gradients of the last evaluation, of terms that store energy, at all vertices,
-  // fixed ones included (3n) [N].
+  /// Adds the stencil gradients of the last evaluation, of terms that store energy, at all
+  /// vertices, fixed ones included (3n) [N].
   void add_last_gradients(VecX& gradient) const;
 
-  // Returns the largest component of any stencil force at the last evaluation [N].
+  /// Returns the largest component of any stencil force at the last evaluation [N].
   double largest_stencil_force() const;
-  // Calls act(vertices, largest, dynamic) for each stencil of the last evaluation: its vertices,
-  // the largest component of its force [N], and whether its term is dynamic. Several threads call
-  // act at the same time, in any order.
+  /// Calls act(vertices, largest, dynamic) for each stencil of the last evaluation: its vertices,
+  /// the largest component of its force [N], and whether its term is dynamic. Several threads call
+  /// act at the same time, in any order.
   template <class Act>
   void for_each_stencil_force(const Act& act) const;
-  // Calls act(vertices) for each stencil of a term that is not dynamic, one after the other.
+  /// Calls act(vertices) for each stencil of a term that is not dynamic, one after the other.
   template <class Act>
   void for_each_lasting_stencil(const Act& act) const;
 
@@ -93,8 +94,8 @@ class Assembler {
   std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
 
-// Calls act(arity, count, vertices, slots) for each batch. `vertices` are those at the time when
-// the slots were placed; a dynamic term may have other stencils by now.
+/// Calls act(arity, count, vertices, slots) for each batch. `vertices` are those at the time when
+/// the slots were placed; a dynamic term may have other stencils by now.
 template <class Act>
 void Assembler::Group::for_each_batch(const Act& act) const {
   const double* slots = gradient_slots.data();

@@ -12,24 +12,28 @@ namespace tack {
 
 // A block (row, column) as one sortable key: column first, rows ascending within a column.
 using BlockKey = std::uint64_t;
+/// Returns the key of a block.
 inline BlockKey block_key(int row, int column) {
   return (static_cast<BlockKey>(static_cast<std::uint32_t>(column)) << 32) |
          static_cast<std::uint32_t>(row);
 }
+/// Returns the row of a key.
 inline int key_row(BlockKey key) { return static_cast<int>(key & 0xffffffffu); }
+/// Returns the column of a key.
 inline int key_column(BlockKey key) { return static_cast<int>(key >> 32); }
 
+/// Blocks of the assembled Hessian.
 class BlockPattern {
  public:
   // Sorted unique keys of the static stencils; diagonal blocks are always added.
   BlockPattern(int columns, std::vector<BlockKey> static_keys);
 
-  // Adds missing dynamic keys (sorted, unique) to the matrix and finds their positions there.
-  // Returns true if the structure of the matrix changed.
+  /// Adds missing dynamic keys (sorted, unique) to the matrix and finds their positions there.
+  /// Returns true if the structure of the matrix changed.
   bool cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix& matrix,
              std::vector<int>& positions);
 
-  // Returns the position in the matrix of static key k.
+  /// Returns the position in the matrix of static key k.
   const std::vector<int>& static_positions() const { return static_positions_; }
   const std::vector<BlockKey>& static_keys() const { return static_keys_; }
 

@@ -7,6 +7,7 @@
 
 namespace tack {
 
+/// A value with its first and second derivative.
 struct Dual2 {
   double v = 0, d1 = 0, d2 = 0;
 
@@ -15,7 +16,7 @@ struct Dual2 {
   Dual2(double value, double first, double second) : v(value), d1(first), d2(second) {}
   static Dual2 variable(double value) { return {value, 1.0, 0.0}; }
 
-  // Returns f(*this), given f, f' and f'' at v.
+  /// Returns f(*this), given f, f' and f'' at v.
   Dual2 chain(double f, double f1, double f2) const { return {f, f1 * d1, f2 * d1 * d1 + f1 * d2}; }
 };
 

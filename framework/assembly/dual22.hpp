@@ -7,6 +7,7 @@
 
 namespace tack {
 
+/// A value with its first and second derivatives in two variables.
 struct Dual22 {
   double v = 0, a = 0, b = 0, aa = 0, ab = 0, bb = 0;
 
@@ -18,7 +19,7 @@ struct Dual22 {
   static Dual22 first(double value) { return {value, 1, 0}; }
   static Dual22 second(double value) { return {value, 0, 1}; }
 
-  // Returns f(*this), given f, f' and f'' at v.
+  /// Returns f(*this), given f, f' and f'' at v.
   Dual22 chain(double f, double f1, double f2) const {
     return {f, f1 * a, f1 * b, f2 * a * a + f1 * aa, f2 * a * b + f1 * ab, f2 * b * b + f1 * bb};
   }
@@ -52,7 +53,7 @@ inline Dual22 exp(const Dual22& x) {
   const double e = std::exp(x.v);
   return x.chain(e, e, e);
 }
-// At 0, where the root has no derivative, the derivative is 0: laws are even in such arguments.
+/// At 0, where the root has no derivative, the derivative is 0: laws are even in such arguments.
 inline Dual22 sqrt(const Dual22& x) {
   const double r = std::sqrt(x.v);
   return r > 0 ? x.chain(r, 0.5 / r, -0.25 / (r * x.v)) : Dual22();
@@ -70,7 +71,7 @@ inline Dual22 tanh(const Dual22& x) {
   return x.chain(t, s, -2 * t * s);
 }
 
-// Returns f(x) for a formula with known derivatives: f, f' and f'' at value_of(x).
+/// Returns f(x) for a formula with known derivatives: f, f' and f'' at value_of(x).
 inline double value_of(double x) { return x; }
 inline double value_of(const Dual22& x) { return x.v; }
 inline double chained(double, double f, double, double) { return f; }

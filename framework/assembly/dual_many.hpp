@@ -9,6 +9,7 @@
 
 namespace tack {
 
+/// A value with its gradient and, with Curvature, its Hessian in N variables.
 template <int N, bool Curvature>
 struct DualMany {
   static constexpr int curvatures = Curvature ? N * (N + 1) / 2 : 0;
@@ -24,7 +25,7 @@ struct DualMany {
     return x;
   }
 
-  // Returns f(*this), given f, f' and f'' at v.
+  /// Returns f(*this), given f, f' and f'' at v.
   DualMany chain(double f, double f1, double f2) const {
     DualMany y(f);
     for (int i = 0; i < N; ++i) y.d[i] = f1 * d[i];
@@ -131,7 +132,7 @@ struct DualMany {
   }
 };
 
-// Returns the value of a number, for the branches of a formula.
+/// Returns the value of a number, for the branches of a formula.
 template <int N, bool Curvature>
 double value_of(const DualMany<N, Curvature>& x) {
   return x.v;

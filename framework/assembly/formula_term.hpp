@@ -30,8 +30,8 @@
 
 namespace tack {
 
-// Arity: vertices of a stencil. The last `Scalars` of them are scalar dofs (world/unknowns.hpp):
-// x[k].x() is the displacement of scalar k [m].
+/// Arity: vertices of a stencil. The last `Scalars` of them are scalar dofs (world/unknowns.hpp):
+/// x[k].x() is the displacement of scalar k [m].
 template <int Arity, int Scalars = 0>
 struct FormulaOf {
   static_assert(Arity >= 1 && Arity <= largest_arity,
@@ -43,13 +43,14 @@ struct FormulaOf {
   using Positions = std::array<Eigen::Matrix<T, 3, 1>, Arity>;
 };
 
+/// A term that evaluates a formula for each stencil.
 template <class Formula>
 class FormulaTerm : public Term {
  public:
   static constexpr int arity = Formula::arity, scalars = Formula::scalars;
   using Data = typename Formula::Data;
 
-  // name: of the energy in results.
+  /// name: of the energy in results.
   explicit FormulaTerm(std::string name, Formula formula = {})
       : Term(std::move(name)), formula_(std::move(formula)) {}
 
@@ -64,8 +65,8 @@ class FormulaTerm : public Term {
     return all;
   }
   const std::vector<Data>& data() const { return data_; }
-  // Data of the stencils. They may change only in begin_step, lag and remember
-  // (step_participant.hpp).
+  /// Data of the stencils. They may change only in begin_step, lag and remember
+  /// (step_participant.hpp).
   std::vector<Data>& data() { return data_; }
   const Formula& formula() const { return formula_; }
   double energy(int s, const VecX& x) const { return energy(s, x, data_[s]); }  // J

@@ -11,7 +11,7 @@
 
 namespace tack {
 
-// One batch of a term and the position of its first slots.
+/// One batch of a term and the position of its first slots.
 struct PlacedBatch {
   StencilBatch batch;
   int gradient_slot = 0;  // in 3-vectors
@@ -19,11 +19,11 @@ struct PlacedBatch {
   bool of_blocks = false;  // its `vertices` are unknown blocks
 };
 
-// Returns true if the slots are no blocks of the matrix: several unknowns move a vertex of the
-// stencil, or one unknown moves several.
+/// Returns true if the slots are no blocks of the matrix: several unknowns move a vertex of the
+/// stencil, or one unknown moves several.
 bool needs_reduction(const StencilBatch& batch, int stencil, const DofMap& dofs);
 
-// Target k sums slots slot[start[k] .. start[k+1]).
+/// Target k sums slots slot[start[k] .. start[k+1]).
 struct GatherMap {
   std::vector<BlockKey> target;  // sorted; for gradients the block index
   std::vector<int> start;
@@ -32,7 +32,7 @@ struct GatherMap {
   int targets() const { return static_cast<int>(target.size()); }
 };
 
-// Skips stencils that need reduction (reduced_stencils.hpp).
+/// Skips stencils that need reduction (reduced_stencils.hpp).
 GatherMap gradient_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 GatherMap hessian_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 

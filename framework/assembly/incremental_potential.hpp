@@ -14,6 +14,7 @@
 
 namespace tack {
 
+/// Objective of a time step.
 class IncrementalPotential : public Objective {
  public:
   // mass: lumped, per vertex [kg]. on_move: optional, called with every new configuration before
@@ -21,31 +22,31 @@ class IncrementalPotential : public Objective {
   IncrementalPotential(std::vector<const Term*> terms, const DofMap& dofs, const VecX& mass,
                        PhaseClock& clock, std::function<void(const VecX& x)> on_move = {});
 
-  // Sets the masses from the next step on.
+  /// Sets the masses from the next step on.
   void set_mass(const VecX& mass);
 
-  // Starts a step: prediction x~ (3n), scales beta h^2 (or 1), inertia on or off, and the
-  // configuration that holds the fixed vertices.
+  /// Starts a step: prediction x~ (3n), scales beta h^2 (or 1), inertia on or off, and the
+  /// configuration that holds the fixed vertices.
   void begin_step(const VecX& x_start, const VecX& prediction, const TermScales& scales,
                   bool inertia);
 
   const DofMap& dofs() const { return dofs_; }
   const VecX& configuration() const { return x_; }
   double scale() const { return scales_.body; }  // beta h^2, or 1
-  // Returns the value of a term at x if the first evaluation of the step was there; else nothing
-  // [J].
+  /// Returns the value of a term at x if the first evaluation of the step was there; else nothing
+  /// [J].
   std::optional<double> first_value(const Term* term, const VecX& x) const;
-  // Returns the gradient of all terms that store energy at x (3n) [N], fixed vertices included,
-  // linear terms excluded.
+  /// Returns the gradient of all terms that store energy at x (3n) [N], fixed vertices included,
+  /// linear terms excluded.
   VecX gradient_at_all_vertices(const VecX& x);
-  // Returns the largest component of any stencil force at the last evaluated gradient [N].
+  /// Returns the largest component of any stencil force at the last evaluated gradient [N].
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
-  // Forward to the assembler, with the stencil forces of that gradient.
+  /// Forward to the assembler, with the stencil forces of that gradient.
   template <class Act>
   void for_each_stencil_force(const Act& act) const { assembler_.for_each_stencil_force(act); }
   template <class Act>
   void for_each_lasting_stencil(const Act& act) const { assembler_.for_each_lasting_stencil(act); }
-  // Returns the largest component of the inertial force of a block at the current point [N].
+  /// Returns the largest component of the inertial force of a block at the current point [N].
   double inertial_force(int block) const;
 
   int size() const override { return dofs_.size(); }

@@ -10,26 +10,27 @@
 
 namespace tack {
 
+/// Sums of Hessians by chunks of stencils.
 class LocalSums {
  public:
-  // The ranges of each batch of stencils.
+  /// The ranges of each batch of stencils.
   void place(const std::vector<const StencilRanges*>& ranges,
              const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 
-  // Returns the blocks of the matrix that the stencils touch, sorted.
+  /// Returns the blocks of the matrix that the stencils touch, sorted.
   const std::vector<BlockKey>& targets() const { return targets_; }
 
-  // Sums the Hessians and writes all gradient slots. With flags, stencils that touch a flagged
-  // block of unknowns are clamped after `projection`.
+  /// Sums the Hessians and writes all gradient slots. With flags, stencils that touch a flagged
+  /// block of unknowns are clamped after `projection`.
   void evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at,
                 double* gradient_slots);
 
-  // Does so and measures the time of each batch [s]: the total, divided in proportion to the times
-  // of its chunks.
+  /// Does so and measures the time of each batch [s]: the total, divided in proportion to the times
+  /// of its chunks.
   std::vector<double> timed_evaluate(const VecX& x, Projection projection,
                                      const std::vector<char>* clamp_at, double* gradient_slots);
 
-  // Adds scale * sums to the matrix, where target k is at positions[k].
+  /// Adds scale * sums to the matrix, where target k is at positions[k].
   void gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
 
  private:

@@ -11,13 +11,14 @@
 
 namespace tack {
 
+/// Inertia of the vertices that several unknowns move.
 class MixedInertia : public Term, public ResidualView {
  public:
   // Includes mixed vertices with a mass. mass: per vertex [kg].
   MixedInertia(const VecX& mass, const DofMap& dofs);
   void set_mass(const VecX& mass);
   bool empty() const { return vertices_.empty(); }
-  // Begins a step. prediction: x~ (3n).
+  /// Begins a step. prediction: x~ (3n).
   void set_prediction(const VecX& prediction, double scale, bool inertia);
 
   double value(const VecX& x) const override;

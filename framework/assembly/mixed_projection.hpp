@@ -6,8 +6,8 @@
 
 namespace tack {
 
-// Projects in the space orthogonal to translations of the positions. The last `scalars` vertices
-// are scalar dofs, the first of three entries. Slots: core/term.hpp.
+/// Projects in the space orthogonal to translations of the positions. The last `scalars` vertices
+/// are scalar dofs, the first of three entries. Slots: core/term.hpp.
 void project_mixed_psd(int arity, int scalars, double* slots, Projection projection);
 
 }  // namespace tack

@@ -6,7 +6,7 @@
 
 namespace tack {
 
-// Returns the projected eigenvalue of each matrix.
+/// Returns the projected eigenvalue of each matrix.
 inline Pack projected(const Pack& eigenvalue, Projection projection) {
   if (projection == Projection::none) return eigenvalue;
   return select(eigenvalue < 0, projection == Projection::absolute ? -eigenvalue : Pack(0),
@@ -15,8 +15,8 @@ inline Pack projected(const Pack& eigenvalue, Projection projection) {
 
 namespace detail {
 
-// A <- J^T A J, V <- V J with the rotation J that zeroes A_pq, where A_pq is not negligible.
-// Returns false if it is negligible in all matrices.
+/// A <- J^T A J, V <- V J with the rotation J that zeroes A_pq, where A_pq is not negligible.
+/// Returns false if it is negligible in all matrices.
 template <int N>
 [[gnu::always_inline]] inline bool rotate_symmetric(PackMatrix<N, N>& a, PackMatrix<N, N>& v,
                                                     const Pack& negligible, int p, int q) {
@@ -47,9 +47,9 @@ template <int N>
 
 }  // namespace detail
 
-// Cyclic Jacobi rotations until off-diagonal entries are below the round-off of each matrix. The
-// result of a matrix does not depend on the others. Matrices that are not finite stay so; entries
-// whose squares overflow count as not finite.
+/// Cyclic Jacobi rotations until off-diagonal entries are below the round-off of each matrix. The
+/// result of a matrix does not depend on the others. Matrices that are not finite stay so; entries
+/// whose squares overflow count as not finite.
 template <int N>
 void project_psd(PackMatrix<N, N>& a, Projection projection) {
   if (projection == Projection::none) return;

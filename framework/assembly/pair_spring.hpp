@@ -8,6 +8,7 @@
 
 namespace tack {
 
+/// Derivatives of the energy of a pair of points.
 struct PairSpring {
   double stiffness = 0;  // k [N/m]
   double length = 0;     // L [m]
@@ -17,8 +18,8 @@ struct PairSpring {
     return stiffness / 2 * stretch * stretch;
   }
 
-  // span: from the first vertex to the second. Writes 6 numbers of the gradient and, unless null,
-  // 27 of the Hessian.
+  /// span: from the first vertex to the second. Writes 6 numbers of the gradient and, unless null,
+  /// 27 of the Hessian.
   void derivatives(const Vec3& span, Projection projection, double* gradient,
                    double* hessian) const {
     const double l = span.norm(), force = stiffness * (l - length);
@@ -38,7 +39,7 @@ struct PairSpring {
     Eigen::Map<Mat3>{hessian + 18} = h;
   }
 
-  // Returns the root of twice the energy, and writes its 6 derivatives unless null.
+  /// Returns the root of twice the energy, and writes its 6 derivatives unless null.
   double residual(const Vec3& span, double* jacobian) const {
     const double l = span.norm(), root = std::sqrt(stiffness);
     if (jacobian) {

@@ -10,17 +10,18 @@
 
 namespace tack {
 
+/// Stencils in the unknowns instead of the vertices.
 class ReducedStencils {
  public:
-  // Reduces these batches. Own slots begin at gradient_slot and hessian_slot.
+  /// Reduces these batches. Own slots begin at gradient_slot and hessian_slot.
   void place(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot,
              int hessian_slot);
   const std::vector<PlacedBatch>& batches() const { return batches_; }  // of blocks
   int gradient_end() const { return gradient_end_; }  // behind the last slot of its own
   int hessian_end() const { return hessian_end_; }
 
-  // Computes its slots from those of the stencils.
-  // hessian_slots: null if Hessians are not needed.
+  /// Computes its slots from those of the stencils.
+  /// hessian_slots: null if Hessians are not needed.
   void reduce(double* gradient_slots, double* hessian_slots) const;
 
  private:

@@ -9,12 +9,12 @@
 
 namespace tack {
 
-// Clamps the stencils first .. last - 1 of a batch that touch a flagged block of unknowns. slots:
-// from those of `first` on.
+/// Clamps the stencils first .. last - 1 of a batch that touch a flagged block of unknowns. slots:
+/// from those of `first` on.
 void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags,
                     const DofMap& dofs, double* slots);
 
-// Clamps one Hessian, of a stencil of such a batch (its vertices are not read).
+/// Clamps one Hessian, of a stencil of such a batch (its vertices are not read).
 void project_slots(const StencilBatch& kind, double* slots, Projection projection);
 
 }  // namespace tack

@@ -10,6 +10,7 @@
 
 namespace tack {
 
+/// Eigenvalues and eigenvectors of a symmetric matrix of size N.
 template <int N>
 class SymmetricEigen {
  public:

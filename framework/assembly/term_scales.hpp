@@ -6,6 +6,7 @@
 
 namespace tack {
 
+/// Factors of static and of dynamic terms.
 struct TermScales {
   double body = 1, contact = 1;
   double of(const Term& term) const { return term.dynamic() ? contact : body; }

@@ -46,7 +46,7 @@ struct Bond {
   // Per side: the site's, then the opposite one.
   std::array<double, 2> lever{0, 0};  // l_S [m]
   std::array<double, 2> side{1, 1};   // -1: n_S is opposite to the normal by the order of vertices
-  // The lagged frame.
+  /// The lagged frame.
   Vec3 normal = Vec3::Zero();
   std::array<Vec3, 2> normals{Vec3::Zero(), Vec3::Zero()};
   std::array<Vec3, most> gradients{};  // g_j by vertex [1/m]; 0 for a site at a vertex
@@ -67,11 +67,11 @@ struct Opening {
   std::array<Vec3, 2> tilts;  // b_S
 };
 
-// Stores the frame of both sides at x.
+/// Stores the frame of both sides at x.
 void lag_frame(Bond& bond, const VecX& x);
 
-// Returns opening and slip at x. Called for each bond of each evaluation: sums are written by
-// components, because assembling small vectors stalls the processor.
+/// Returns opening and slip at x. Called for each bond of each evaluation: sums are written by
+/// components, because assembling small vectors stalls the processor.
 inline Opening opening_of(const Bond& bond, const VecX& x) {
   double r[3] = {0, 0, 0}, tilt[2][3] = {{0, 0, 0}, {0, 0, 0}};
   const auto add_side = [&](int side, int begin, int end) {
@@ -100,7 +100,7 @@ inline Opening opening_of(const Bond& bond, const VecX& x) {
           {Vec3(tilt[0][0], tilt[0][1], tilt[0][2]), Vec3(tilt[1][0], tilt[1][1], tilt[1][2])}};
 }
 
-// Returns M of the derivative of r by x_i in the lagged frame, c_i I + (M g_i) n_S^T.
+/// Returns M of the derivative of r by x_i in the lagged frame, c_i I + (M g_i) n_S^T.
 inline Mat3 turn_of(const Bond& bond, const Opening& o, int side) {
   const Vec3& tilt = o.tilts[side];
   const double stretch = 1 + tilt.squaredNorm() / 2;
@@ -109,7 +109,7 @@ inline Mat3 turn_of(const Bond& bond, const Opening& o, int side) {
   return m;
 }
 
-// Distributes the force f, conjugate to r, over the vertices: calls act(i, force at vertex i).
+/// Distributes the force f, conjugate to r, over the vertices: calls act(i, force at vertex i).
 template <class Act>
 void for_each_vertex(const Bond& bond, const Opening& o, const Vec3& f, const Act& act) {
   const std::array<Vec3, 2> couple = {turn_of(bond, o, 0).transpose() * f,

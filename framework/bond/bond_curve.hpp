@@ -7,6 +7,7 @@
 
 namespace tack {
 
+/// State of a bond at a point of its path.
 struct BondPoint {
   double time = 0;               // s
   double opening = 0, slip = 0;  // m
@@ -16,24 +17,24 @@ struct BondPoint {
   double dissipated = 0;  // since the beginning [J/m^2]
 };
 
-// A point of a path: opening and slip at a time, under a barrier pressure.
+/// A point of a path: opening and slip at a time, under a barrier pressure.
 struct BondStep {
   double time, opening, slip, pressure = 0;  // s, m, m, Pa
 };
 
-// Returns the states of a new bond at the ends of the steps; the path ends where the bond is gone.
+/// Returns the states of a new bond at the ends of the steps; the path ends where the bond is gone.
 std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep>& way,
                                    bool on_contact = false);
 
-// Pulls a new bond straight to each of the turning points, in about `points` equal steps. turns:
-// distances from where it was made [m]; angle: 0 along the normal, pi/2 tangential [rad]; speed:
-// [m/s], 0 for so slow that viscosity hardly resists. Laws that are integrated get substeps as
-// needed.
+/// Pulls a new bond straight to each of the turning points, in about `points` equal steps. turns:
+/// distances from where it was made [m]; angle: 0 along the normal, pi/2 tangential [rad]; speed:
+/// [m/s], 0 for so slow that viscosity hardly resists. Laws that are integrated get substeps as
+/// needed.
 std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& turns, double angle,
                                  int points, double speed = 0);
 
-// Separates a bond slowly in that direction until hardly any traction is left. Empty if it never
-// fails.
+/// Separates a bond slowly in that direction until hardly any traction is left. Empty if it never
+/// fails.
 std::vector<BondPoint> separate_slowly(const BondLaw& law, double angle = 0, int points = 2000);
 
 }  // namespace tack

@@ -5,9 +5,9 @@
 
 namespace tack {
 
-// Returns the area-weighted mean intensity of the bonds per vertex; NaN at vertices without bonds.
+/// Returns the area-weighted mean intensity of the bonds per vertex; NaN at vertices without bonds.
 VecX bond_intensities(const BondTerm& bonds, Eigen::Index vertices);
-// Returns the magnitude of the bond force per area at each vertex [Pa]; 0 without bonds.
+/// Returns the magnitude of the bond force per area at each vertex [Pa]; 0 without bonds.
 VecX bond_tractions(const BondTerm& bonds, const VecX& x);
 
 }  // namespace tack

@@ -79,38 +79,38 @@ struct BondChange {
 class BondLaw : public AdhesionLaw {
  public:
   virtual std::unique_ptr<BondLaw> clone() const = 0;
-  // Returns whether bonds form whenever surfaces meet, not only at the start of a run; pairs may
-  // override it.
+  /// Returns whether bonds form whenever surfaces meet, not only at the start of a run; pairs may
+  /// override it.
   virtual bool bonds_on_contact() const { return false; }
-  // Returns whether a bond resists d < 0, surfaces closer than when they bonded. If not, the
-  // barrier alone does.
+  /// Returns whether a bond resists d < 0, surfaces closer than when they bonded. If not, the
+  /// barrier alone does.
   virtual bool resists_pressing() const { return true; }
-  // Longest step size for laws that are integrated rather than minimised over the step [s].
+  /// Longest step size for laws that are integrated rather than minimised over the step [s].
   virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
 
-  // Number of history variables.
+  /// Number of history variables.
   virtual int width() const = 0;
-  // Writes the history variables of a new bond.
+  /// Writes the history variables of a new bond.
   virtual void initialize(bool on_contact, double* history) const = 0;
-  // Adds phi and its derivatives for n bonds; `history` holds their history variables one after the
-  // other.
+  /// Adds phi and its derivatives for n bonds. `history` holds their history variables one after
+  /// the other.
   virtual void add_samples(int n, const double* d, const double* s, const double* history, double h,
                            BondSample* out) const = 0;
   virtual void add_values(int n, const double* d, const double* s, const double* history, double h,
                           double* out) const = 0;
-  // Returns 1 for an intact bond, 0 for one without strength.
+  /// Returns 1 for an intact bond, 0 for one without strength.
   virtual double intensity_of(const double* history) const = 0;
-  // Advances the history variables by a step, then heals. A bond that fails dissipates its stored
-  // energy.
+  /// Advances the history variables by a step, then heals. A bond that fails dissipates its stored
+  /// energy.
   virtual BondChange advance(const BondState& at, double* history) const = 0;
 
-  // Returns phi and its derivatives for one bond.
+  /// Returns phi and its derivatives for one bond.
   BondSample at(double d, double s, const double* history, double h) const {
     BondSample sample;
     add_samples(1, &d, &s, history, h, &sample);
     return sample;
   }
-  // Returns the stored energy [J/m^2].
+  /// Returns the stored energy [J/m^2].
   double stored(double d, double s, const double* history) const {
     double value = 0;
     add_values(1, &d, &s, history, 0, &value);
@@ -124,7 +124,10 @@ class BondLawOf : public BondLaw {
  public:
   std::unique_ptr<BondLaw> clone() const override { return std::make_unique<Law>(law()); }
   AdhesionTraits traits() const override {
-    return {.reversible = false, .history_dependent = width() > 0, .normal = true, .tangential = true};
+    return {.reversible = false,
+            .history_dependent = width() > 0,
+            .normal = true,
+            .tangential = true};
   }
   int width() const override {
     using HistoryVariables = typename Law::HistoryVariables;

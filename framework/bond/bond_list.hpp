@@ -13,12 +13,13 @@
 
 namespace tack {
 
+/// Bonds with their history variables.
 class BondList {
  public:
   // Both must outlive it.
   BondList(const ContactSurface& surface, const PairTable& pairs, const BondTable& table);
 
-  // Bonds of 4 vertices before bonds of 6; each of these sorted by rule.
+  /// Bonds of 4 vertices before bonds of 6; each of these sorted by rule.
   const std::vector<Bond>& bonds() const { return bonds_; }
   std::vector<Bond>& bonds() { return bonds_; }
   double* variables(int bond) { return history_.data() + history_start_[bond]; }
@@ -26,16 +27,16 @@ class BondList {
   int size() const { return static_cast<int>(bonds_.size()); }
 
   void clear();
-  // Returns an empty list of the same scene, with memory reserved for as many bonds.
+  /// Returns an empty list of the same scene, with memory reserved for as many bonds.
   BondList none() const;
   void add(const Bond& bond, const double* history);
-  // To be called after the last add().
+  /// To be called after the last add().
   void sort();
-  // Sets the bonds to those of the history. Returns whether it has any, that is, whether the run
-  // has begun to bond. Throws InputError for a history of another scene.
+  /// Sets the bonds to those of the history. Returns whether it has any, that is, whether the run
+  /// has begun to bond. Throws InputError for a history of another scene.
   bool read(const History& history);
   void write(History& history) const;
-  // Pairs that are bonded (a < b), ascending.
+  /// Pairs that are bonded (a < b), ascending.
   std::vector<std::pair<int, int>> pairs() const;
 
  private:

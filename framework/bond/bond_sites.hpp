@@ -26,14 +26,14 @@ struct BondSite {
   bool whole;             // the whole triangle overlaps
 };
 
-// Returns the sites of all pairs that bond. The system must have begun the step at x and still be
-// at x.
-// barriers: the barrier of each law of its pairs.
+/// Returns the sites of all pairs that bond. The system must have begun the step at x and still be
+/// at x.
+/// barriers: the barrier of each law of its pairs.
 std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table,
                                  const std::vector<PairLaw>& barriers, const VecX& x);
 
-// Returns the bond made at a site at x; none if the surfaces are farther apart than the bonding
-// distance.
+/// Returns the bond made at a site at x; none if the surfaces are farther apart than the bonding
+/// distance.
 std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
                               const BondTable& table, const VecX& x);
 

@@ -39,17 +39,17 @@ class BondTable {
   void set(int a, int b, int rule) {
     rule_[classes_.index(a, b)] = rule_[classes_.index(b, a)] = rule;
   }
-  // Sets the rules of the regions of two objects (PairTable::region_pair), in their order.
+  /// Sets the rules of the regions of two objects (PairTable::region_pair), in their order.
   void set_regions(int a, int b, const std::vector<int>& rules) {
     of_regions_.resize(classes_.entries());
     of_regions_[classes_.index(a, b)] = of_regions_[classes_.index(b, a)] = rules;
   }
-  // Returns the rule of a region of two objects, -1: they do not bond there. part: -1 for no
-  // region.
+  /// Returns the rule of a region of two objects, -1: they do not bond there. part: -1 for no
+  /// region.
   int between(int a, int b, int part) const {
     return part < 0 ? rule_[classes_.index(a, b)] : of_regions_[classes_.index(a, b)][part];
   }
-  // Returns whether the two objects bond in any region.
+  /// Returns whether the two objects bond in any region.
   bool bonds(int a, int b) const {
     if (rule_[classes_.index(a, b)] >= 0) return true;
     if (of_regions_.empty()) return false;
@@ -68,8 +68,8 @@ class BondTable {
   std::vector<std::vector<int>> of_regions_;  // empty without any
 };
 
-// Returns the rule of a bond, given its objects, triangle or first vertex, and opposite triangle;
-// -1: none.
+/// Returns the rule of a bond, given its objects, triangle or first vertex, and opposite triangle;
+/// -1: none.
 inline int rule_of(const Bond& bond, const BondTable& table, const PairTable& pairs,
                    const CollisionMesh& mesh) {
   const Triangle& other = mesh.triangles[bond.opposite_triangle];

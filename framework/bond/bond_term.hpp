@@ -17,6 +17,7 @@
 
 namespace tack {
 
+/// Potential of all bonds of a world.
 class BondTerm : public Term {
  public:
   // Both must outlive the term, and begin steps before it.
@@ -28,7 +29,7 @@ class BondTerm : public Term {
   void lag(const VecX& x) override;
   void commit(const VecX& x, History& history) const override;
 
-  // Returns the stored energy if no step is open.
+  /// Returns the stored energy if no step is open.
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
@@ -37,8 +38,8 @@ class BondTerm : public Term {
   void mark_debonding(const VecX& from, const VecX& to,
                        std::vector<char>& vertices) const override;
 
-  // Sets the contact pressure at each bond of the list in this step [Pa], for steppers that know
-  // it; otherwise the barrier gives it.
+  /// Sets the contact pressure at each bond of the list in this step [Pa], for steppers that know
+  /// it; otherwise the barrier gives it.
   void set_pressures(std::vector<double> pressures) { pressures_ = std::move(pressures); }
 
   // Energies of the step to x [J]: dissipation by debonding; energy that healing takes from the
@@ -47,25 +48,25 @@ class BondTerm : public Term {
     double dissipated = 0, healed = 0;
   };
   Changes changes(const VecX& x) const;
-  // Calls `visit` for each bond with its dissipation and healing.
+  /// Calls `visit` for each bond with its dissipation and healing.
   void visit_changes(const VecX& x, const EnergyVisitor& visit) const;
   bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override;
   void publish(Records& records) const override;
 
-  // Returns the force of each bond of the list on its site [N]. The opposite force acts on the
-  // attachment point. Compressive forces belong to the barrier, all others to adhesion.
+  /// Returns the force of each bond of the list on its site [N]. The opposite force acts on the
+  /// attachment point. Compressive forces belong to the barrier, all others to adhesion.
   std::vector<Vec3> site_forces(const VecX& x, LawTerm part = LawTerm::all) const;
-  // Returns the bond forces on every vertex (3n) [N]; with a pair, of its bonds only.
+  /// Returns the bond forces on every vertex (3n) [N]; with a pair, of its bonds only.
   VecX forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only = std::nullopt) const;
-  // Returns forces like ContactTerm::compressions; below zero where bonds pull.
+  /// Returns forces like ContactTerm::compressions; below zero where bonds pull.
   VecX compressions(const VecX& x, LawTerm part) const;
-  // Returns the force of object b on object a [N].
+  /// Returns the force of object b on object a [N].
   Vec3 force_between(const VecX& x, LawTerm part, ObjectPair pair) const;
 
   const BondList& list() const { return list_; }
-  // Returns the opening of each bond of the list.
+  /// Returns the opening of each bond of the list.
   std::vector<Opening> openings(const VecX& x) const;
-  // Rules that should have made bonds at the start of the run, but made none in its first step.
+  /// Rules that should have made bonds at the start of the run, but made none in its first step.
   const std::vector<int>& unbonded() const { return unbonded_; }
   const BondTable& table() const { return table_; }
   const BondLaw& law_of(int bond) const { return *table_.rules()[list_.bonds()[bond].rule].law; }

@@ -30,9 +30,9 @@ struct BlockMatrix {
     return Eigen::Map<const Mat3>(values.data() + 9 * static_cast<std::ptrdiff_t>(k));
   }
 
-  // Position of block (r, c), r >= c, or -1.
+  /// Position of block (r, c), r >= c, or -1.
   int find(int r, int c) const;
-  // y = A x with the full symmetric matrix.
+  /// y = A x with the full symmetric matrix.
   void multiply(const VecX& x, VecX& y) const;
 };
 

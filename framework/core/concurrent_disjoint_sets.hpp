@@ -9,15 +9,16 @@
 
 namespace tack {
 
+/// Disjoint sets of the numbers 0 .. n - 1 for several threads.
 class ConcurrentDisjointSets {
  public:
-  // Makes n sets of one member each.
+  /// Makes n sets of one member each.
   void reset(int n) {
     root_.resize(n);
     for (int i = 0; i < n; ++i) root_[i] = i;
   }
 
-  // Returns the smallest member of the set of i, as it is now.
+  /// Returns the smallest member of the set of i, as it is now.
   int find(int i) {
     for (int above = load(i); above != i;) {
       // A member below its root never becomes a root again, so that it may skip one on the path.

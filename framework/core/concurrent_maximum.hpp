@@ -5,7 +5,7 @@
 
 namespace tack {
 
-// largest <- max(largest, value). A value that is not a number changes nothing.
+/// largest <- max(largest, value). A value that is not a number changes nothing.
 inline void raise(double& largest, double value) {
   const std::atomic_ref<double> shared(largest);
   double now = shared.load(std::memory_order_relaxed);
@@ -13,6 +13,7 @@ inline void raise(double& largest, double value) {
   }
 }
 
+/// Sets the flag.
 inline void mark(char& flag) {
   const std::atomic_ref<char> shared(flag);
   if (!shared.load(std::memory_order_relaxed)) shared.store(1, std::memory_order_relaxed);

@@ -25,16 +25,16 @@ class Corotation {
   Corotation(int count, const Column& s, const Column& x, bool translates);
 
   const Column& u() const { return u_; }
-  // Returns the gradient by x of an energy with the gradient f by u.
+  /// Returns the gradient by x of an energy with the gradient f by u.
   Column gradient(const Column& f) const;
-  // Returns du/dx.
+  /// Returns du/dx.
   Square slopes() const;
-  // Returns the Hessian by x of an energy 1/2 u^T K u, f = K u. It may be indefinite; near u = 0 it
-  // tends to slopes^T K slopes, which is semi-definite if K is.
+  /// Returns the Hessian by x of an energy 1/2 u^T K u, f = K u. It may be indefinite. Near u = 0
+  /// it tends to slopes^T K slopes, which is semi-definite if K is.
   Square hessian(const Square& k, const Column& f) const;
 
-  // Returns the field d of the positions s without its infinitesimal rotation about their mean.
-  // Scalar dofs are unchanged.
+  /// Returns the field d of the positions s without its infinitesimal rotation about their mean.
+  /// Scalar dofs are unchanged.
   static Column without_rotation(int count, const Column& s, const Column& d);
 
  private:

@@ -23,16 +23,17 @@ namespace tack {
 
 class StrainView;
 
+/// Interface of damping terms.
 class DampingTerm : public Term {
  public:
   void begin_step(const StepStart& start) override;
   bool stores() const override { return false; }
   void publish(Records& records) const override;
 
-  // Returns the energy that the step to x dissipates: the work of its mean forces [J], never
-  // negative.
+  /// Returns the energy that the step to x dissipates: the work of its mean forces [J], never
+  /// negative.
   double dissipated(const VecX& x) const { return std::max(0.0, square(x, Reference::start) / h_); }
-  // Adds the mean forces of the step to x, those of P_d with v' = (x - x_n) / h (3n) [N].
+  /// Adds the mean forces of the step to x, those of P_d with v' = (x - x_n) / h (3n) [N].
   virtual void add_mean_forces(const VecX& x, VecX& forces) const = 0;
 
   double value(const VecX& x) const override {
@@ -53,13 +54,13 @@ class DampingTerm : public Term {
   EndVelocity velocity_{};
 };
 
-// Returns the damping beta K of an elastic term, which must outlive it. beta: s. Throws
-// std::logic_error for stencils of more than largest_arity vertices, or largest_rank_one vertices
-// if their Hessian is of rank one.
+/// Returns the damping beta K of an elastic term, which must outlive it. beta: s. Throws
+/// std::logic_error for stencils of more than largest_arity vertices, or largest_rank_one vertices
+/// if their Hessian is of rank one.
 std::unique_ptr<DampingTerm> stiffness_damping(const Term& elastic, double beta);
 
-// Damping alpha M of `count` vertices from `first_vertex` on. mass: of all vertices [kg]; alpha:
-// 1/s.
+/// Damping alpha M of `count` vertices from `first_vertex` on. mass: of all vertices [kg]; alpha:
+/// 1/s.
 class MassDamping : public DampingTerm {
  public:
   MassDamping(int first_vertex, int count, const VecX& mass, double alpha);

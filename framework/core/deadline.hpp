@@ -12,15 +12,17 @@
 
 namespace tack {
 
+/// Thrown when the time limit of a solve or of the run has passed.
 struct OutOfTime : std::exception {
   const char* what() const noexcept override { return "out of wall time"; }
 };
 
+/// Time limits of the current solve and of the run.
 class Deadline {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Limits the run to `seconds` from `begun` on; none: no limit.
+  /// Limits the run to `seconds` from `begun` on; none: no limit.
   void limit_run(Clock::time_point begun, std::optional<double> seconds) {
     end_ = run_end_ = seconds ? begun + duration(*seconds) : never;
   }

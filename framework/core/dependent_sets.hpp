@@ -9,8 +9,8 @@
 
 namespace tack {
 
-// Joins the set of each dependent vertex with the sets of the vertices that it depends on. set_of:
-// a member of the set of each vertex; negative: the vertex is in no set.
+/// Joins the set of each dependent vertex with the sets of the vertices that it depends on. set_of:
+/// a member of the set of each vertex; negative: the vertex is in no set.
 inline void join_dependent(const DofMap& dofs, std::span<const int> set_of, DisjointSets& sets) {
   for (size_t k = 0; k < dofs.dependents().size(); ++k) {
     int first = set_of[dofs.dependents()[k]];

@@ -7,6 +7,7 @@
 
 namespace tack {
 
+/// Disjoint sets of the numbers 0 .. n - 1.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : root_(n) { std::iota(root_.begin(), root_.end(), 0); }

@@ -36,7 +36,7 @@ struct EnergyAccount {
   bool growth_warned = false;        // the warning about lasting growth was given
   std::vector<GroupAccount> groups;  // empty: all bodies are one group
 
-  // Returns the energy dissipated under a name [J]; 0 for an unknown name.
+  /// Returns the energy dissipated under a name [J]; 0 for an unknown name.
   double dissipated_as(const std::string& name) const {
     for (const auto& [other, amount] : dissipated)
       if (other == name) return amount;

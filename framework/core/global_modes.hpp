@@ -11,13 +11,14 @@
 
 namespace tack {
 
+/// One summand c u u^T.
 struct GlobalMode {
   double coefficient = 0;  // c, of either sign
   VecX vector;             // u
 };
 using GlobalModes = std::vector<GlobalMode>;
 
-// y += sum_k c_k u_k (u_k . x)
+/// y += sum_k c_k u_k (u_k . x)
 inline void add_product(const GlobalModes& modes, const VecX& x, VecX& y) {
   for (const GlobalMode& mode : modes) y += mode.coefficient * mode.vector.dot(x) * mode.vector;
 }

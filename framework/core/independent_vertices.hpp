@@ -10,6 +10,7 @@
 
 namespace tack {
 
+/// Weights of independent vertices, computed on demand.
 class IndependentVertices {
  public:
   // The dependences must outlive this object.
@@ -20,7 +21,8 @@ class IndependentVertices {
 
   bool depends(int v) const { return of_[v] != nullptr; }
 
-  // Returns the weights of the independent vertices of v. Throws InputError if v depends on itself.
+  /// Returns the weights of the independent vertices of v. Throws InputError if v depends on
+  /// itself.
   const std::map<int, double>& of(int v) {
     if (state_[v] == done) return independent_[v];
     if (state_[v] == open)

@@ -8,6 +8,7 @@ namespace tack {
 
 using Lanes = double __attribute__((vector_size(32)));
 
+/// Load four numbers.
 inline Lanes load4(const double* p) {
   Lanes lanes;
   std::memcpy(&lanes, p, sizeof lanes);
@@ -18,39 +19,44 @@ inline Lanes load4(const float* p) {
   std::memcpy(&lanes, p, sizeof lanes);
   return __builtin_convertvector(lanes, Lanes);
 }
-// Reads three: they may be the last of an array.
+/// Reads three: they may be the last of an array.
 template <class T>
 Lanes load3(const T* p) {
   return Lanes{p[0], p[1], p[2], 0};
 }
+/// Write three or four numbers.
 inline void store3(const Lanes& lanes, double* p) {
   for (int d = 0; d < 3; ++d) p[d] = lanes[d];
 }
 inline void store4(const Lanes& lanes, double* p) { std::memcpy(p, &lanes, sizeof lanes); }
+/// Returns the sum of the first three lanes.
 inline double sum3(const Lanes& lanes) { return lanes[0] + lanes[1] + lanes[2]; }
+/// Returns lane d in all lanes.
 template <int d>
 Lanes spread(const Lanes& lanes) {
   return __builtin_shufflevector(lanes, lanes, d, d, d, d);
 }
 
+/// Returns the lanes 1, 2, 3, 0.
 inline Lanes rotated(const Lanes& lanes) {
   return __builtin_shufflevector(lanes, lanes, 1, 2, 3, 0);
 }
 
+/// Returns the cross product of the first three lanes.
 inline Lanes cross(const Lanes& a, const Lanes& b) {
   const auto next = [](const Lanes& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); };
   const auto last = [](const Lanes& v) { return __builtin_shufflevector(v, v, 2, 0, 1, 3); };
   return next(a) * last(b) - last(a) * next(b);
 }
 
-// The columns of a block. The fourth lane is that of another column.
+/// The columns of a block. The fourth lane is that of another column.
 struct BlockLanes {
   BlockLanes() : a{}, b{}, c{} {}
   template <class T>
   explicit BlockLanes(const T* block)
       : a(load4(block)), b(load4(block + 3)), c(rotated(load4(block + 5))) {}
   BlockLanes(const Lanes& x, const Lanes& y, const Lanes& z) : a(x), b(y), c(z) {}
-  // Reads the number after the block as well.
+  /// Reads the number after the block as well.
   template <class T>
   static BlockLanes padded(const T* block) {
     return {load4(block), load4(block + 3), load4(block + 6)};
@@ -63,12 +69,12 @@ struct BlockLanes {
     return start + a * spread<0>(v) + b * spread<1>(v) + c * spread<2>(v);
   }
   inline Lanes transposed_times(const Lanes& v) const;
-  // This times the transpose of another block.
+  /// This times the transpose of another block.
   BlockLanes times_transposed(const double* other) const {
     const auto column = [&](int j) { return a * other[j] + b * other[j + 3] + c * other[j + 6]; };
     return {column(0), column(1), column(2)};
   }
-  // The matrix of the cross product with v, times this; and this times that matrix.
+  /// The matrix of the cross product with v, times this; and this times that matrix.
   BlockLanes crossed_by(const Lanes& v) const { return {cross(v, a), cross(v, b), cross(v, c)}; }
   BlockLanes times_cross(const Lanes& v) const {
     return {b * spread<2>(v) - c * spread<1>(v), c * spread<0>(v) - a * spread<2>(v),
@@ -96,7 +102,7 @@ struct BlockLanes {
   Lanes a, b, c;
 };
 
-// Sums products of transposed blocks with vectors, lane by lane until the end.
+/// Sums products of transposed blocks with vectors, lane by lane until the end.
 struct TransposedSum {
   void add(const BlockLanes& block, const Lanes& v) {
     a += block.a * v;

@@ -7,12 +7,13 @@
 
 namespace tack {
 
+/// Potential of constant forces.
 class LinearTerm : public Term, public ResidualView {
  public:
   using Term::Term;
 
   void set_force(VecX force) { force_ = std::move(force); }              // N, 3n
-  // Sets the configuration of zero potential (3n) [m]
+  /// Sets the configuration of zero potential (3n) [m]
   void set_reference(VecX reference) {
     reference_ = std::move(reference);
   }
@@ -26,10 +27,10 @@ class LinearTerm : public Term, public ResidualView {
     if (force_.size() > 0) gradient -= force_;
   }
 
-  // Publishes nothing: the potential of external forces is no energy of a body.
+  /// Publishes nothing: the potential of external forces is no energy of a body.
   void publish(Records&) const override {}
 
-  // The view has no residuals; the whole potential is `rest`.
+  /// The view has no residuals; the whole potential is `rest`.
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override { return {}; }
   bool residuals(const VecX&, double*, double*) const override { return true; }

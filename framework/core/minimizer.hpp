@@ -15,6 +15,7 @@
 
 namespace tack {
 
+/// Reason why a minimisation ended.
 enum class MinimizerStatus {
   converged,          // the stopping norm is below the tolerance
   iteration_limit,    // max_iterations used up
@@ -25,14 +26,15 @@ enum class MinimizerStatus {
   interrupted,
   time_limit,         // OutOfTime was thrown (deadline.hpp)
 };
+/// Returns the status in words.
 std::string_view to_string(MinimizerStatus status);
 
 /// One problem: objective, feasible steps and convergence criteria.
 struct MinimizerProblem {
   Objective& objective;
-  // The largest t in (0, 1] such that q + s p is feasible for s in [0, t].
+  /// The largest t in (0, 1] such that q + s p is feasible for s in [0, t].
   std::function<double(const VecX& q, const VecX& p)> feasible_step;
-  // Stopping norm of the last search direction p and the gradient; below 1: converged.
+  /// Stopping norm of the last search direction p and the gradient; below 1: converged.
   std::function<double(const VecX& p, const VecX& gradient)> stopping_norm;
   PhaseClock& clock;
   // True if the stopping norm depends on p, which then must be the Newton direction. Methods with
@@ -43,11 +45,11 @@ struct MinimizerProblem {
   using Observer =
       std::function<void(int iteration, double residual, double value, double seconds)>;
   Observer observer = {};
-  // Bound of the stopping norm of the exact direction minus that of p, given the residual
-  // r = -g - H p of the Newton system. None: the stopping norm of p counts without correction.
+  /// Bound of the stopping norm of the exact direction minus that of p, given the residual
+  /// r = -g - H p of the Newton system. None: the stopping norm of p counts without correction.
   std::function<double(const VecX& r)> direction_error = {};
-  // Largest force residual, in units of its tolerance. If given, it must be below 1 at the end of
-  // the minimisation.
+  /// Largest force residual, in units of its tolerance. If given, it must be below 1 at the end of
+  /// the minimisation.
   std::function<double(const VecX& gradient)> force_residual = {};
   // Retraction on rotations, optional: replaces p by a step from q that agrees with p to first
   // order and rotates stiff bodies without strain. It applies to bodies whose strain energy under p
@@ -69,7 +71,7 @@ struct MinimizerResult {
   int line_search_evaluations = 0;  // values in line searches, or in an external minimiser
   double residual = 0;  // the last stopping norm, in units of the tolerance
 
-  // Adds the work of an earlier minimisation of the same step.
+  /// Adds the work of an earlier minimisation of the same step.
   void add_work(const MinimizerResult& other) {
     iterations += other.iterations;
     linear_solves += other.linear_solves;
@@ -108,7 +110,7 @@ class Minimizer : public Component {
   std::optional<double> time_limit() const { return time_limit_; }  // s of wall time
   bool checks_iterates() const { return check_iterates_; }
 
-  // Settings that the scene leaves open get defaults in framework/experiment/tolerances.hpp.
+  /// Settings that the scene leaves open get defaults in framework/experiment/tolerances.hpp.
   bool tolerance_given() const { return tolerance_.has_value(); }
   bool balance_given() const { return balance_tolerance_.has_value(); }
   void set_velocity_tolerance(double tolerance) { tolerance_ = tolerance; }

@@ -8,15 +8,16 @@
 
 namespace tack {
 
+/// Correction of an inverse for the global modes of a matrix.
 class ModeUpdate {
  public:
-  // Prepares the update of a positive definite A. solve(b, x): x <- A^-1 b. Returns false if the
-  // sum is not positive definite or not finite.
+  /// Prepares the update of a positive definite A. solve(b, x): x <- A^-1 b. Returns false if the
+  /// sum is not positive definite or not finite.
   template <class Solve>
   bool prepare(const GlobalModes& modes, const Solve& solve) {
     return prepare_any(modes, solve) && definite();
   }
-  // Prepares the update of any invertible A; returns false if the sum is not invertible.
+  /// Prepares the update of any invertible A; returns false if the sum is not invertible.
   template <class Solve>
   bool prepare_any(const GlobalModes& modes, const Solve& solve) {
     clear();
@@ -30,7 +31,7 @@ class ModeUpdate {
   }
   void clear();
   bool empty() const { return columns_.empty(); }
-  // Replaces x = A^-1 b by (A + U C U^T)^-1 b.
+  /// Replaces x = A^-1 b by (A + U C U^T)^-1 b.
   void apply(VecX& x) const;
 
  private:

@@ -15,6 +15,7 @@ namespace tack {
 
 class TermTimes;
 
+/// Phases of a step.
 enum class Phase { other, assembly, projection, factorize, solve, broad_phase, narrow_phase, ccd,
                    line_search, check, io, count };
 
@@ -23,6 +24,7 @@ inline constexpr std::array<std::string_view, phase_count> phase_names = {
     "other", "assembly", "projection", "factorize", "solve", "broad_phase", "narrow_phase", "ccd",
     "line_search", "check", "io"};
 
+/// Clock of a run: seconds per phase, time limits, times of terms.
 class PhaseClock {
  public:
   using Seconds = std::array<double, phase_count>;
@@ -33,7 +35,7 @@ class PhaseClock {
   Clock::time_point begun() const { return begun_; }
   Deadline& deadline() { return deadline_; }
 
-  // Charges the time since the last change to the current phase; returns that phase.
+  /// Charges the time since the last change to the current phase; returns that phase.
   Phase enter(Phase phase) {
     const auto now = Clock::now();
     seconds_[static_cast<int>(current_)] += std::chrono::duration<double>(now - start_).count();
@@ -45,13 +47,13 @@ class PhaseClock {
     enter(current_);
     return seconds_;
   }
-  // Excludes the time since the last change from all phases.
+  /// Excludes the time since the last change from all phases.
   void skip() { start_ = Clock::now(); }
 
-  // Counts numeric factorisations, those of preconditioners included.
+  /// Counts numeric factorisations, those of preconditioners included.
   void count_factorization() { ++factorizations_; }
   long factorizations() const { return factorizations_; }
-  // Returns the table of the times of terms (term_times.hpp); null: terms are not timed.
+  /// Returns the table of the times of terms (term_times.hpp); null: terms are not timed.
   TermTimes* term_times() const { return term_times_; }
   void time_terms(TermTimes* times) { term_times_ = times; }
 
@@ -64,7 +66,7 @@ class PhaseClock {
   TermTimes* term_times_ = nullptr;
 };
 
-// Enters a phase for the lifetime of a scope.
+/// Enters a phase for the lifetime of a scope.
 class PhaseScope {
  public:
   PhaseScope(PhaseClock& clock, Phase phase) : clock_(clock), outer_(clock.enter(phase)) {}
@@ -77,7 +79,7 @@ class PhaseScope {
   Phase outer_;
 };
 
-// Excludes the lifetime of a scope from all phases. The scope must enter no phase.
+/// Excludes the lifetime of a scope from all phases. The scope must enter no phase.
 class ClockPause {
  public:
   explicit ClockPause(PhaseClock& clock) : clock_(clock) { clock.seconds(); }

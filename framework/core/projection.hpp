@@ -3,6 +3,7 @@
 
 namespace tack {
 
+/// Projection of the eigenvalues of a stencil's Hessian.
 enum class Projection {
   none,      // the exact Hessian
   clamp,     // negative eigenvalues become zero (Teran et al. 2005; the paper, section 5)

@@ -7,6 +7,7 @@
 
 namespace tack {
 
+/// Registered name, unit and shape of a field.
 class PublishedField : public Component {
  public:
   static constexpr const char* kind_name = "field";
@@ -16,7 +17,7 @@ class PublishedField : public Component {
 
   virtual const char* unit() const { return ""; }
   virtual bool of_elements() const { return false; }  // else of vertices
-  // Components of a field of elements: 1, 3, or 6 of a symmetric tensor (xx, yy, zz, xy, yz, xz).
+  /// Components of a field of elements: 1, 3, or 6 of a symmetric tensor (xx, yy, zz, xy, yz, xz).
   virtual int components() const { return 1; }
 };
 

@@ -17,6 +17,7 @@
 
 namespace tack {
 
+/// Indices of two objects.
 struct ObjectPair {
   int a, b;
 };
@@ -34,14 +35,14 @@ struct ForceRecord {
   // Names of the summands that are available alone. Probes use "barrier" and "adhesion" of normal
   // forces, "friction" and "adhesion" of tangential forces. "" is the whole force.
   std::vector<std::string> summands = {};
-  // Adds the forces of the named summand on all vertices (3n) [N], fixed vertices included. None:
-  // minus the gradient of the term that publishes the record.
+  /// Adds the forces of the named summand on all vertices (3n) [N], fixed vertices included. None:
+  /// minus the gradient of the term that publishes the record.
   std::function<void(const VecX& x, std::string_view summand, VecX& forces)> add = {};
-  // Returns the force of object b on object a [N]. None: the force does not act between objects.
+  /// Returns the force of object b on object a [N]. None: the force does not act between objects.
   std::function<Vec3(const VecX& x, std::string_view summand, ObjectPair pair)> between = {};
-  // For pressures of normal forces, in the first of three entries per vertex (3n): adds the
-  // magnitude of compression (positive) or tension [N], and the area over which the force acts
-  // [m^2], unless another record adds that area.
+  /// For pressures of normal forces, in the first of three entries per vertex (3n): adds the
+  /// magnitude of compression (positive) or tension [N], and the area over which the force acts
+  /// [m^2], unless another record adds that area.
   std::function<void(const VecX& x, std::string_view summand, VecX& compressions)>
       add_compressions = {};
   std::function<void(const VecX& x, VecX& areas)> add_areas = {};
@@ -53,6 +54,7 @@ struct ForceRecord {
   bool has(std::string_view summand) const;
 };
 
+/// Kinds of energies in the energy balance.
 enum class EnergyKind {
   motion,           // kinetic energy
   of_objects,       // stored in objects
@@ -61,6 +63,7 @@ enum class EnergyKind {
   between_objects,  // stored between objects otherwise
   of_step           // potential of the last step alone, close to its dissipation: not stored
 };
+/// Returns true for energies that are stored.
 constexpr bool is_stored(EnergyKind kind) { return kind != EnergyKind::of_step; }
 
 /// An energy of a term.
@@ -78,6 +81,7 @@ struct NamedEnergy {
   EnergyKind kind = EnergyKind::of_objects;
 };
 
+/// Kinds of energy flows in the energy balance.
 enum class FlowKind {
   fed,        // adds to the stored energy
   within,     // moves energy between stored energies
@@ -94,11 +98,11 @@ struct FlowColumn {
 struct FlowRecord {
   std::string name;  // of the source
   std::vector<FlowColumn> columns;  // columns of one name add up
-  // Writes the amount of each column for the step to x [J]. Called before the step is committed,
-  // so that lagged quantities are still those of the step.
+  /// Writes the amount of each column for the step to x [J]. Called before the step is committed,
+  /// so that lagged quantities are still those of the step.
   std::function<void(const VecX& x, double* amounts)> amounts = {};
-  // Calls share(vertices, energy) for each stencil: the dissipation of the step to x minus the fed
-  // energy [J]. None: all stencils of the term count as connected (Term::visit_energies).
+  /// Calls share(vertices, energy) for each stencil: the dissipation of the step to x minus the fed
+  /// energy [J]. None: all stencils of the term count as connected (Term::visit_energies).
   std::function<void(const VecX& x, const EnergyVisitor& visit)> visit_energies = {};
   const Term* term = nullptr;  // the publishing term
 };
@@ -106,11 +110,11 @@ struct FlowRecord {
 /// A field on vertices or elements.
 struct FieldRecord {
   std::string name;  // registered (published_field.hpp)
-  // Returns the values at x:
-  //   vertices  one or three numbers per vertex; NaN where the field has no value
-  //   elements  the registered number of components per stencil of the term; the stencils are one
-  //             batch of tets or triangles
-  // Fields of one name from several terms are summed (`summed`), or the largest value counts.
+  /// Returns the values at x:
+  ///   vertices  one or three numbers per vertex; NaN where the field has no value
+  ///   elements  the registered number of components per stencil of the term; the stencils are one
+  ///             batch of tets or triangles
+  /// Fields of one name from several terms are summed (`summed`), or the largest value counts.
   std::function<VecX(const VecX& x)> values = {};
   bool of_elements = false;
   bool summed = false;

@@ -21,7 +21,7 @@ struct ReferenceEnergy {
     range[2] = std::max(range[2], range[0]);
   }
   bool operator==(const ReferenceEnergy&) const = default;
-  // Returns the largest of all amounts [J].
+  /// Returns the largest of all amounts [J].
   double largest() const {
     double largest = std::max(kinetic, dissipated);
     for (const Range* range : {&elastic, &contact, &gravity, &work})

@@ -16,6 +16,7 @@ namespace tack {
 
 class ContactSystem;
 
+/// Objects of a world that step filters use.
 struct FeasibilityContext {
   ContactSystem* contact;        // null without contact
   const std::vector<Tet>& tets;  // of all solids

@@ -57,7 +57,7 @@ class StepParticipants : public StepParticipant {
   void load_history(const History& history) override {
     for (StepParticipant* p : all_) p->load_history(history);
   }
-  // Calls lag(start.x) afterwards if any participant lags.
+  /// Calls lag(start.x) afterwards if any participant lags.
   void begin_step(const StepStart& start) override {
     for (StepParticipant* p : all_) p->begin_step(start);
     lag(start.x);

@@ -8,12 +8,13 @@
 
 namespace tack {
 
+/// Second base class of terms with strains.
 class StrainView {
  public:
-  // e(x) of all stencils.
+  /// e(x) of all stencils.
   virtual VecX strains(const VecX& x) const = 0;
-  // Compute P and its derivatives, in the slots of the term (Term::derivatives), with `rest` for
-  // e_0.
+  /// Compute P and its derivatives, in the slots of the term (Term::derivatives), with `rest` for
+  /// e_0.
   virtual double value_from(const VecX& x, const VecX& rest) const = 0;
   virtual void derivatives_from(const VecX& x, const VecX& rest, Projection projection,
                                 double* gradient, double* hessian) const = 0;

@@ -11,6 +11,7 @@
 
 namespace tack {
 
+/// Parallel product of a block matrix with a vector.
 class SymmetricProduct {
  public:
   void multiply(const BlockMatrix& matrix, const VecX& x, VecX& y);

@@ -27,6 +27,7 @@ using EnergyVisitor = std::function<void(std::span<const int> vertices, double j
 inline constexpr int largest_arity = 10;     // vertices of a stencil
 inline constexpr int largest_rank_one = 24;  // vertices of a stencil with a Hessian of rank one
 
+/// Returns the number of Hessian blocks of a stencil.
 constexpr int hessian_blocks(int arity) { return arity * (arity + 1) / 2; }
 
 /// Stencils of one kind: stencil s touches vertices[arity * s + (0..arity-1)].

@@ -11,14 +11,17 @@ namespace tack {
 
 class Term;
 
+/// Kinds of evaluations of a term.
 enum class Evaluation { value, gradient, hessian, count };  // hessian: with the gradient
 inline constexpr int evaluation_count = static_cast<int>(Evaluation::count);
 
+/// Count and time of the evaluations of a term, by kind.
 struct TermTime {
   std::array<long, evaluation_count> evaluations{};
   std::array<double, evaluation_count> seconds{};
 };
 
+/// Counts and times of all terms.
 class TermTimes {
  public:
   void add(const Term* term, Evaluation kind, double seconds) {
@@ -26,7 +29,7 @@ class TermTimes {
     ++time.evaluations[static_cast<int>(kind)];
     time.seconds[static_cast<int>(kind)] += seconds;
   }
-  // Returns the counts and times of a term; zeros for a term that was never evaluated.
+  /// Returns the counts and times of a term; zeros for a term that was never evaluated.
   TermTime of(const Term* term) const {
     const auto found = times_.find(term);
     return found == times_.end() ? TermTime() : found->second;
@@ -36,7 +39,7 @@ class TermTimes {
   std::map<const Term*, TermTime> times_;
 };
 
-// Charges the lifetime of a scope to a term; does nothing without a table.
+/// Charges the lifetime of a scope to a term; does nothing without a table.
 class TermScope {
  public:
   TermScope(TermTimes* times, const Term* term, Evaluation kind)

@@ -20,41 +20,42 @@
 
 namespace tack {
 
+/// One minimisation for an external method.
 class GuardedProblem {
  public:
   // Moves q to every accepted point and fills the counts of `result`.
   GuardedProblem(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
                  VecX& q, MinimizerResult& result);
 
-  // Rescales around the last accepted point. Returns false if nothing is left to do; see over().
+  /// Rescales around the last accepted point. Returns false if nothing is left to do; see over().
   bool begin_round();
   int size() const { return static_cast<int>(q_.size()); }
 
   enum class Trial { usable, blocked, not_finite };
-  // Evaluates f and its gradient at z (both scaled). `blocked`: the path to z is infeasible, or far
-  // too long.
+  /// Evaluates f and its gradient at z (both scaled). `blocked`: the path to z is infeasible, or
+  /// far too long.
   Trial evaluate(const double* z, double& f, double* gradient);
-  // Returns, after an unusable trial, value and gradient of a quadratic penalty above the last
-  // accepted point, for methods that need values everywhere.
+  /// Returns, after an unusable trial, value and gradient of a quadratic penalty above the last
+  /// accepted point, for methods that need values everywhere.
   void evaluate_penalty(const double* z, double& f, double* gradient);
 
   double accepted_value() const { return accepted_f_; }
-  // Makes z the accepted point and counts one iteration. Returns false, with nothing changed,
-  // unless f is lower there and the path is feasible.
+  /// Makes z the accepted point and counts one iteration. Returns false, with nothing changed,
+  /// unless f is lower there and the path is feasible.
   bool accept(const double* z);
 
-  // Returns true if no further trial is wanted: convergence, budgets, Ctrl-C, or an exception of
-  // the objective.
+  /// Returns true if no further trial is wanted: convergence, budgets, Ctrl-C, or an exception of
+  /// the objective.
   bool over() const { return status_.has_value() || failure_; }
   MinimizerStatus status() const { return *status_; }
   void stop(MinimizerStatus status) { status_ = status; }
-  // Stores an exception: external code need not pass exceptions on. rethrow() throws it.
+  /// Stores an exception: external code need not pass exceptions on. rethrow() throws it.
   void fail(std::exception_ptr failure) { failure_ = failure; }
   void rethrow() const { if (failure_) std::rethrow_exception(failure_); }
 
-  // Returns true after too many consecutive failed trials: the method should restart.
+  /// Returns true after too many consecutive failed trials: the method should restart.
   bool makes_no_progress() const;
-  // fruitless: the last round had no accepted point; reason: the status for that.
+  /// fruitless: the last round had no accepted point; reason: the status for that.
   bool fruitless() const { return result_.iterations == iterations_before_; }
   MinimizerStatus reason() const;
 
@@ -89,8 +90,8 @@ class GuardedProblem {
   std::exception_ptr failure_;
 };
 
-// Calls round(guarded) until nothing is left to do, or two rounds in a row accept no point. In a
-// round an external method runs from z = 0 until it ends or is stopped.
+/// Calls round(guarded) until nothing is left to do, or two rounds in a row accept no point. In a
+/// round an external method runs from z = 0 until it ends or is stopped.
 MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge,
                                    int max_iterations, VecX& q,
                                    const std::function<void(GuardedProblem&)>& round);
