@@ -128,13 +128,13 @@ Plot curves_of(const BatchPlot& what, const BatchPlan& plan, const std::map<std:
 }
 
 StackedBars bars_of(const BatchPlot& what, const BatchPlan& plan, const CsvTexts& table) {
-  StackedBars bars{.title = what.title.empty() ? what.name : what.title, .y_label = what.y_label, .names = {}, .parts = {}, .heights = {}, .top = {}};
+  StackedBars bars{.title = what.title.empty() ? what.name : what.title, .y_label = what.y_label, .names = {}, .segments = {}, .heights = {}, .top = {}};
   if (bars.y_label.empty()) bars.y_label = what.per.empty() ? what.bars : what.bars + " / " + what.per;
-  bars.parts = {"here"};
-  if (!what.published.empty()) bars.parts.push_back(what.source);
+  bars.segments = {"here"};
+  if (!what.published.empty()) bars.segments.push_back(what.source);
   const auto add = [&](std::string name, size_t part, double height) {
     bars.names.push_back(std::move(name));
-    bars.heights.emplace_back(bars.parts.size(), 0.0)[part] = height;
+    bars.heights.emplace_back(bars.segments.size(), 0.0)[part] = height;
   };
   for (const BatchCase& one : plan.cases) {
     if (!what.bases.empty() && std::find(what.bases.begin(), what.bases.end(), one.base) == what.bases.end()) continue;

@@ -50,7 +50,7 @@ bool CaseEvaluator::needs_run(const BatchCase& one) {
 }
 
 void CaseEvaluator::request_cases(PointQueue& queue, PointQueue::Request& request, std::vector<const BatchCase*>& new_cases) {
-  Pending pending{&request, {}};
+  PendingRequest pending{&request, {}};
   try {
     for (int run = 0; run < scenes_.runs(); ++run) pending.cases.push_back(case_of(run, request.values, request.derivatives));
   } catch (const InputError& error) {
@@ -70,7 +70,7 @@ void CaseEvaluator::request_cases(PointQueue& queue, PointQueue::Request& reques
 
 // Answers the requests whose runs have all ended.
 void CaseEvaluator::answer_completed(PointQueue& queue) {
-  std::erase_if(pending_, [&](const Pending& p) {
+  std::erase_if(pending_, [&](const PendingRequest& p) {
     if (std::any_of(p.cases.begin(), p.cases.end(), [&](const BatchCase* one) { return running_.contains(one); })) return false;
     PointEvaluation e = evaluation_of(p);
     if (settings_.on_evaluated) settings_.on_evaluated(e);
@@ -79,7 +79,7 @@ void CaseEvaluator::answer_completed(PointQueue& queue) {
   });
 }
 
-PointEvaluation CaseEvaluator::evaluation_of(const Pending& p) const {
+PointEvaluation CaseEvaluator::evaluation_of(const PendingRequest& p) const {
   std::vector<std::filesystem::path> folders;
   for (const BatchCase* one : p.cases) {
     const CaseState state = state_of(settings_.folder, *one);

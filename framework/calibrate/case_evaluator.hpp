@@ -35,7 +35,7 @@ class CaseEvaluator : public Evaluator {
   std::vector<std::filesystem::path> run_folders(const PointEvaluation& of);
 
  private:
-  struct Pending {
+  struct PendingRequest {
     PointQueue::Request* request;
     std::vector<const BatchCase*> cases;  // one for each run
   };
@@ -45,7 +45,7 @@ class CaseEvaluator : public Evaluator {
   void request_cases(PointQueue& queue, PointQueue::Request& request,
              std::vector<const BatchCase*>& new_cases);
   void answer_completed(PointQueue& queue);
-  PointEvaluation evaluation_of(const Pending& pending) const;
+  PointEvaluation evaluation_of(const PendingRequest& pending) const;
   void serve_here(PointQueue& queue);
   void serve_by_slurm(PointQueue& queue);
   void run_array(const std::vector<const BatchCase*>& new_cases);
@@ -57,7 +57,7 @@ class CaseEvaluator : public Evaluator {
   std::map<std::string, size_t> by_name_;
   // Cases that run now; all cases that this program started.
   std::set<const BatchCase*> running_, started_cases_;
-  std::vector<Pending> pending_;
+  std::vector<PendingRequest> pending_;
   int started_count_ = 0;
 };
 

@@ -173,14 +173,14 @@ BatchCase FittedScenes::case_of(int run, const DesignPoint& values, bool derivat
   ResolvedCase made = resolved(run, values, more);
   BatchCase one;
   one.base = run_name(run);
-  std::vector<std::pair<std::string, std::string>> parts;
-  if (runs() > 1) parts.emplace_back("base", one.base), one.values["base"] = one.base;
+  std::vector<std::pair<std::string, std::string>> name_values;
+  if (runs() > 1) name_values.emplace_back("base", one.base), one.values["base"] = one.base;
   for (size_t i = 0; i < parameters_.size(); ++i) {
-    parts.emplace_back(parameters_[i].name, number_text(values[i]));
+    name_values.emplace_back(parameters_[i].name, number_text(values[i]));
     one.values[parameters_[i].name] = number_text(values[i]);
   }
-  if (!gradients.empty()) parts.emplace_back("derivatives", "true");
-  one.name = case_name(parts);
+  if (!gradients.empty()) name_values.emplace_back("derivatives", "true");
+  one.name = case_name(name_values);
   if (one.name.size() > case_name_max) one.name = fmt::format("{}-{:08x}", one.name.substr(0, case_name_max / 2), crc32_of(one.name.data(), one.name.size()));
   one.scene = std::move(made.scene);
   one.digest = std::move(made.digest);

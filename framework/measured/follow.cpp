@@ -23,7 +23,7 @@ class RunAbscissa {
     return !std::is_sorted(x_.begin(), x_.end()) && !std::is_sorted(x_.rbegin(), x_.rend());
   }
 
-  // Returns the first passage of `wanted` from `place` on, and moves `place` there. direction:
+  // Returns the first passage of `target` from `position` on, and moves `position` there. direction:
   // upwards (1), downwards (-1), either (0).
   std::optional<Passage> pass(double target, int direction, Passage& position) const {
     if (x_.empty()) return std::nullopt;

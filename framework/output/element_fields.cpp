@@ -22,9 +22,9 @@ double von_mises(const Mat3& stress) {
 }
 
 // Index of the frames' cells (tetrahedra and triangles) by their vertices.
-class Cells {
+class CellIndex {
  public:
-  explicit Cells(const FrameGeometry& geometry) {
+  explicit CellIndex(const FrameGeometry& geometry) {
     int cell = 0;
     for (const Tet& t : geometry.tets) cells_.emplace_back(key(t.data(), 4), cell++);
     for (const Triangle& t : geometry.triangles) cells_.emplace_back(key(t.data(), 3), cell++);
@@ -59,14 +59,14 @@ StencilBatch elements_of(const Record& record) {
 
 // Calls act(cell, element) for each element that is a cell.
 template <class Act>
-void for_each_cell(const StencilBatch& elements, const Cells& cells, const Act& act) {
+void for_each_cell(const StencilBatch& elements, const CellIndex& cells, const Act& act) {
   if (elements.arity != 3 && elements.arity != 4) return;
   for (int s = 0; s < elements.count; ++s)
     if (const int cell = cells.find(elements.vertices + static_cast<size_t>(elements.arity) * s, elements.arity); cell >= 0) act(cell, s);
 }
 
 // Returns the sum over all energies of an element, by cell.
-std::map<int, Mat3> cauchy_stresses(const World& world, const VecX& x, const Cells& cells) {
+std::map<int, Mat3> cauchy_stresses(const World& world, const VecX& x, const CellIndex& cells) {
   std::map<int, Mat3> sums;
   for (const StressRecord& record : world.records.stresses()) {
     const std::vector<Mat3> stresses = record.values(x);
@@ -135,7 +135,7 @@ VecX stretches(const World& world, const VecX& x, const FrameGeometry& geometry,
 }
 
 // Returns fields that terms publish.
-VecX published(const FrameFieldInfo& field, const World& world, const VecX& x, const Cells& cells, VecX all) {
+VecX published(const FrameFieldInfo& field, const World& world, const VecX& x, const CellIndex& cells, VecX all) {
   const int n = field.components;
   for (const FieldRecord& record : world.records.fields()) {
     if (record.name != field.name || !record.of_elements) continue;
@@ -159,7 +159,7 @@ std::vector<CellField> element_fields(const std::vector<std::string>& names, con
   };
   const std::vector<FrameFieldInfo> known = frame_fields();
   std::vector<CellField> fields;
-  std::optional<Cells> cells;
+  std::optional<CellIndex> cells;
   std::optional<std::map<int, Mat3>> stresses;
   for (const std::string& name : names) {
     const auto info = std::find_if(known.begin(), known.end(), [&](const FrameFieldInfo& f) { return f.name == name && f.of_elements; });

@@ -106,7 +106,7 @@ Unit unit_of(const std::string& column, const std::vector<std::string>& columns,
 void check_units(const Expectation& e, const std::vector<std::string>& columns, const std::vector<Unit>& units) {
   const Unit probe = unit_of(e.query.probe, columns, units), along = unit_of(e.query.along, columns, units);
   const std::string si = unit_of(e.query.statistic, probe, along);
-  const Unit unit{si, e.query.statistic == Statistic::integral ? "integral" : of_measured(e.query.statistic) ? "number" : probe.quantity};
+  const Unit unit{si, e.query.statistic == Statistic::integral ? "integral" : is_deviation(e.query.statistic) ? "number" : probe.quantity};
   const auto check = [&](const char* key, const auto& test) {
     try {
       test();

@@ -45,7 +45,7 @@ bool still_there(int file, const fs::path& path) {
 
 bool FolderLock::marked(const fs::path& folder) { return fs::is_regular_file(folder / marker); }
 
-bool FolderLock::held(const fs::path& folder) {
+bool FolderLock::is_locked(const fs::path& folder) {
   const int file = ::open((folder / marker).c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
   const bool free = ::flock(file, LOCK_SH | LOCK_NB) == 0 || errno != EWOULDBLOCK;

@@ -19,7 +19,7 @@ class FolderLock {
   static bool marked(const std::filesystem::path& folder);
   // Returns true if a process has the lock now. A process that locks at the same moment waits for
   // microseconds.
-  static bool held(const std::filesystem::path& folder);
+  static bool is_locked(const std::filesystem::path& folder);
 
  private:
   int file_ = -1;

@@ -45,7 +45,7 @@ namespace {
 struct ForceField {
   const char* name;
   ForceDirection direction;
-  std::string_view part;
+  std::string_view summand;
   enum { force, pressure, traction } quantity;
 };
 constexpr ForceField force_fields[] = {{"contact_force", ForceDirection::normal, "", ForceField::force},
@@ -58,11 +58,11 @@ constexpr ForceField force_fields[] = {{"contact_force", ForceDirection::normal,
 VecX values_of(const ForceField& field, const World& world, const VecX& x) {
   if (!world.records.has_forces(field.direction)) return {};
   VecX forces = VecX::Zero(x.size());
-  world.records.add_forces(field.direction, x, field.part, forces);
+  world.records.add_forces(field.direction, x, field.summand, forces);
   world.collect_on_meshes(forces);
   if (field.quantity == ForceField::force) return forces;
   if (field.quantity == ForceField::traction) return tangential_tractions(world, x, forces);
-  return (field.part.empty() ? 1 : -1) * normal_pressures(world, x, forces, field.part);
+  return (field.summand.empty() ? 1 : -1) * normal_pressures(world, x, forces, field.summand);
 }
 
 // Returns the field published under that name, combined over all its publishers; empty if there is

@@ -20,8 +20,8 @@ FrameGeometry frame_geometry(const World& world) {
     g.points.insert(g.points.end(), body.points.begin(), body.points.end());
     of_points.insert(of_points.end(), body.points.size(), object);
   }
-  for (const auto* part : {&of_tets, &of_triangles, &of_edges, &of_points})
-    g.cell_object.insert(g.cell_object.end(), part->begin(), part->end());
+  for (const auto* objects : {&of_tets, &of_triangles, &of_edges, &of_points})
+    g.cell_object.insert(g.cell_object.end(), objects->begin(), objects->end());
   return g;
 }
 

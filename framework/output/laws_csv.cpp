@@ -21,8 +21,8 @@ std::string rows_of(const std::string& pair, const PairLaw& law, double peak) {
   for (int i = 1; i <= law_samples; ++i) {
     const double gap = 1.05 * range * i / law_samples, traction = law.at(law.offset() + gap).slope;
     double adhesion = 0;
-    for (const auto& part : law.laws())
-      if (dynamic_cast<const NormalAdhesion*>(part.get())) adhesion += part->at(gap).slope;
+    for (const auto& term : law.laws())
+      if (dynamic_cast<const NormalAdhesion*>(term.get())) adhesion += term->at(gap).slope;
     if (traction < -steepest * peak) continue;
     rows += fmt::format("{},{},{},{},{}\n", csv_cell(pair), gap, traction, traction - adhesion, adhesion);
   }

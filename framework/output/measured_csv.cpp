@@ -12,7 +12,7 @@ namespace tack {
 namespace {
 
 std::string rows_of(const StatisticQuery& query, const ProbeSeries& series) try {
-  const Followed f = followed(query, series);
+  const MeasuredComparison f = compare_with_measured(query, series);
   std::string rows;
   for (size_t i = 0; i < f.curve.size(); ++i)
     rows += fmt::format("{},{},{},{},{}\n", csv_cell(query.probe), csv_cell(query.along), f.curve.x[i], f.curve.y[i], f.run[i]);

@@ -35,7 +35,7 @@ int terminal_width(int descriptor) {
 Progress::Progress(std::ostream& out, std::ostream* log, ProgressOptions options)
     : out_(out), log_(log), options_(std::move(options)) {
   if (!options_.clock) options_.clock = steady_seconds;
-  begun_ = told_ = options_.clock();
+  start_clock_ = last_output_ = options_.clock();
 }
 
 Progress::~Progress() { finish(); }
@@ -43,9 +43,9 @@ Progress::~Progress() { finish(); }
 void Progress::begin(double start, double end) {
   start_ = start;
   end_ = end;
-  begun_ = options_.clock();
-  shown_ = -1;
-  printed_ = 0;
+  start_clock_ = options_.clock();
+  last_live_line_ = -1;
+  printed_twentieths_ = 0;
 }
 
 double Progress::fraction(double time) const {
@@ -54,7 +54,7 @@ double Progress::fraction(double time) const {
 
 std::string Progress::time_left(const StepReport& report, double now) const {
   const double done = fraction(report.time);
-  return done > 0 ? duration_text((now - begun_) * (1 - done) / done) + " left" : "";
+  return done > 0 ? duration_text((now - start_clock_) * (1 - done) / done) + " left" : "";
 }
 
 std::string Progress::line_of(const StepReport& r, double now) const {
@@ -79,15 +79,15 @@ void Progress::step(const StepReport& report) {
   if (options_.verbosity == Verbosity::quiet) return;
   if (options_.verbosity == Verbosity::verbose) return print(line);
   if (options_.live_width > 0) return show_live(line, now);
-  const int part = static_cast<int>(plain_lines * fraction(report.time) + 1e-9);
-  if (part <= printed_) return;
-  printed_ = part;
+  const int twentieth = static_cast<int>(plain_lines * fraction(report.time) + 1e-9);
+  if (twentieth <= printed_twentieths_) return;
+  printed_twentieths_ = twentieth;
   print(line);
 }
 
 void Progress::iteration(int step, double time, int iteration, double residual) {
   const double now = options_.clock();
-  if (now - told_ < silence) return;
+  if (now - last_output_ < silence) return;
   const std::string line = fmt::format("step {}  t {:.6g} s ({:.0f}%)  iteration {}  residual {:.3g}", step, time,
                                        std::floor(100 * fraction(time) + 1e-9), iteration, residual);
   log(line);
@@ -98,17 +98,17 @@ void Progress::iteration(int step, double time, int iteration, double residual) 
 
 // Leaves the cursor on the line. A longer line would wrap and could not be erased.
 void Progress::show_live(const std::string& line, double now) {
-  if (shown_ >= 0 && now - shown_ < live_interval) return;
-  shown_ = now;
+  if (last_live_line_ >= 0 && now - last_live_line_ < live_interval) return;
+  last_live_line_ = now;
   const auto room = static_cast<std::size_t>(std::max(1, options_.live_width - 1));
   out_ << '\r' << line.substr(0, room) << "\x1b[K" << std::flush;
-  live_ = true;
+  has_live_line_ = true;
 }
 
 void Progress::erase() {
-  if (live_) out_ << "\r\x1b[K";
-  live_ = false;
-  shown_ = -1;  // the next step shows the line at once
+  if (has_live_line_) out_ << "\r\x1b[K";
+  has_live_line_ = false;
+  last_live_line_ = -1;  // the next step shows the line at once
 }
 
 void Progress::print(std::string_view text) {
@@ -117,7 +117,7 @@ void Progress::print(std::string_view text) {
 }
 
 void Progress::log(std::string_view text) {
-  told_ = options_.clock();
+  last_output_ = options_.clock();
   if (log_) *log_ << text << '\n' << std::flush;
 }
 

@@ -64,11 +64,11 @@ class Progress {
   std::ostream* log_;
   ProgressOptions options_;
   double start_ = 0, end_ = 0;  // s, simulated
-  double begun_ = 0;            // s, on the clock
-  double told_ = 0;             // s, time of the last output
-  double shown_ = -1;           // s, time of the last live line; negative: never
-  int printed_ = 0;             // twentieths of the run shown in plain lines
-  bool live_ = false;           // the terminal shows a live line
+  double start_clock_ = 0;            // s, on the clock
+  double last_output_ = 0;             // s, time of the last output
+  double last_live_line_ = -1;           // s, time of the last live line; negative: never
+  int printed_twentieths_ = 0;             // twentieths of the run shown in plain lines
+  bool has_live_line_ = false;           // the terminal shows a live line
 };
 
 }  // namespace tack

@@ -19,15 +19,15 @@ std::string check_abscissa(const SpecifiedStatistic& e) {
 
 std::string check_along(const SpecifiedStatistic& e) {
   const Statistic s = e.query.statistic;
-  const bool used = s == Statistic::at || s == Statistic::integral || of_measured(s);
+  const bool used = s == Statistic::at || s == Statistic::integral || is_deviation(s);
   if (used || e.query.along == "time") return "";
   return "only the statistics 'integral' and 'at', and deviations, use it; remove it or change the statistic";
 }
 
 std::string check_data(const SpecifiedStatistic& e) {
   const Statistic s = e.query.statistic;
-  if (of_measured(s) && !e.query.follows) return fmt::format("statistic '{}' needs follows, the measured curve: {{file: load.csv}}, say", to_string(s));
-  if (!of_measured(s) && e.query.follows) return "only 'deviation', 'rms_deviation' and 'worst_deviation' use it; remove it or change the statistic";
+  if (is_deviation(s) && !e.query.follows) return fmt::format("statistic '{}' needs follows, the measured curve: {{file: load.csv}}, say", to_string(s));
+  if (!is_deviation(s) && e.query.follows) return "only 'deviation', 'rms_deviation' and 'worst_deviation' use it; remove it or change the statistic";
   return "";
 }
 

@@ -52,7 +52,7 @@ Samples samples_of(const StatisticQuery& query, const ProbeSeries& series) {
 // Returns why the samples have no such statistic; "" if they have.
 std::string problem_with(const Samples& samples, const StatisticQuery& query) {
   if (samples.size() == 0) return "there are no samples";
-  const bool along_matters = query.statistic == Statistic::integral || query.statistic == Statistic::at || of_measured(query.statistic);
+  const bool along_matters = query.statistic == Statistic::integral || query.statistic == Statistic::at || is_deviation(query.statistic);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (std::isnan(samples.t[i])) return "a sample has no time";
     const bool bad_abscissa = along_matters && std::isnan(samples.s[i]);
@@ -92,8 +92,8 @@ std::optional<double> value_at(const Samples& samples, double where) {
     const double after = samples.s[i] - where;
     if (after == 0) return samples.p[i];
     if ((before < 0) == (after < 0)) continue;
-    const double part = before / (before - after);
-    return (1 - part) * samples.p[i - 1] + part * samples.p[i];
+    const double fraction = before / (before - after);
+    return (1 - fraction) * samples.p[i - 1] + fraction * samples.p[i];
   }
   return std::nullopt;
 }
@@ -109,7 +109,7 @@ StatisticValue at(const Samples& samples, const StatisticQuery& query) {
                               query.along, query.where, *low, *high));
 }
 
-std::string not_covered(const Followed& f, const Samples& samples, const StatisticQuery& query) {
+std::string uncovered_points_text(const MeasuredComparison& f, const Samples& samples, const StatisticQuery& query) {
   const auto [low, high] = std::minmax_element(samples.s.begin(), samples.s.end());
   const auto missed = std::count_if(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); });
   const size_t first = static_cast<size_t>(std::find_if(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); }) - f.run.begin());
@@ -119,15 +119,15 @@ std::string not_covered(const Followed& f, const Samples& samples, const Statist
                      beyond ? "; simulate more, or exclude them with from and to" : ", and reverses; the data must be in the order in which they were measured");
 }
 
-Followed followed_by(const StatisticQuery& query, const Samples& samples) {
+MeasuredComparison compare_samples(const StatisticQuery& query, const Samples& samples) {
   MeasuredCurve curve = query.follows->read(query.along, units::any, query.probe, units::any);
   std::vector<double> run = follow(curve.x, samples.s, samples.p);
   return {std::move(curve), std::move(run)};
 }
 
 StatisticValue deviation(const StatisticQuery& query, const Samples& samples) {
-  const Followed f = followed_by(query, samples);
-  if (std::any_of(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); })) return no_value(not_covered(f, samples, query));
+  const MeasuredComparison f = compare_samples(query, samples);
+  if (std::any_of(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); })) return no_value(uncovered_points_text(f, samples, query));
   const Deviation d = deviation_of(f.curve, f.run, query.follows->scale);
   if (!std::isfinite(d.worst))
     return no_value(fmt::format("the measured {} at {} is 0, and so that a relative deviation is undefined; use `relative_to: peak`", query.probe, f.curve.location(d.worst_at)));
@@ -187,12 +187,12 @@ std::string_view to_string(Statistic statistic) {
   return "";
 }
 
-bool of_measured(Statistic statistic) {
+bool is_deviation(Statistic statistic) {
   return statistic == Statistic::deviation || statistic == Statistic::rms_deviation || statistic == Statistic::worst_deviation;
 }
 
 std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along) {
-  if (of_measured(statistic)) return std::string(units::none.si);
+  if (is_deviation(statistic)) return std::string(units::none.si);
   return statistic == Statistic::integral ? product_unit(probe, along) : std::string(probe.si);
 }
 
@@ -213,8 +213,8 @@ StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series) 
   return result;
 }
 
-Followed followed(const StatisticQuery& query, const ProbeSeries& series) {
-  return followed_by(query, samples_of(query, series));
+MeasuredComparison compare_with_measured(const StatisticQuery& query, const ProbeSeries& series) {
+  return compare_samples(query, samples_of(query, series));
 }
 
 std::string description(const StatisticQuery& query) {

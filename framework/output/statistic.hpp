@@ -43,7 +43,7 @@ inline constexpr Statistic all_statistics[] = {
     Statistic::rms_deviation, Statistic::worst_deviation};
 
 std::string_view to_string(Statistic statistic);
-bool of_measured(Statistic statistic);  // one of the deviations
+bool is_deviation(Statistic statistic);  // one of the deviations
 
 struct StatisticQuery {
   Statistic statistic = Statistic::final;
@@ -71,12 +71,12 @@ std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along);
 StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series);
 
 // A run at the points of measured data; `run` is NaN where the run never gets.
-struct Followed {
+struct MeasuredComparison {
   MeasuredCurve curve;
   std::vector<double> run;
 };
 // Evaluates a query with measured data. Throws InputError for data that cannot be read.
-Followed followed(const StatisticQuery& query, const ProbeSeries& series);
+MeasuredComparison compare_with_measured(const StatisticQuery& query, const ProbeSeries& series);
 
 // Returns "peel_force: mean from 0.5 s to 1.2 s", "force: integral along gap".
 std::string description(const StatisticQuery& query);

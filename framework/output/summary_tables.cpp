@@ -18,10 +18,10 @@ std::string phase_table(const RunSummary& summary) {
   std::string text = fmt::format("{:<14}{:>10}{:>7}\n", "phase", "seconds", "%");
   for (const int phase : order) {
     if (!(seconds[phase] > 0)) continue;
-    const double share = seconds[phase] / total;
-    const std::string bar(static_cast<std::size_t>(40 * share + 0.5), '#');
+    const double fraction = seconds[phase] / total;
+    const std::string bar(static_cast<std::size_t>(40 * fraction + 0.5), '#');
     const std::string row = fmt::format("{:<14}{:>10.3f}{:>7.1f}  {}", phase_names[phase],
-                                        seconds[phase], 100 * share, bar);
+                                        seconds[phase], 100 * fraction, bar);
     text += row.substr(0, row.find_last_not_of(' ') + 1) + "\n";
   }
   return text + fmt::format("{:<14}{:>10.3f}\n", "total", total);

@@ -44,14 +44,14 @@ void for_each_total(Summary& s, const Act& act) {
   act("energy_moving", s.losses.moving);
   act("energy_noise", s.losses.noise);
   const auto of_cause = [&](const std::string& cause, auto& c) {
-    const auto part = [&](const char* name, auto& number) { act(fmt::format("energy_{}_{}", cause, name), number); };
-    part("lost", c.lost);
-    part("made", c.gained);
-    part("losing", c.losing);
-    part("making", c.gaining);
-    part("sum", c.sum);
-    part("in_contact", c.in_contact);
-    part("bin", c.over_time.width);
+    const auto add_total = [&](const char* name, auto& number) { act(fmt::format("energy_{}_{}", cause, name), number); };
+    add_total("lost", c.lost);
+    add_total("made", c.gained);
+    add_total("losing", c.losing);
+    add_total("making", c.gaining);
+    add_total("sum", c.sum);
+    add_total("in_contact", c.in_contact);
+    add_total("bin", c.over_time.width);
     for (std::size_t i = 0; i < c.over_time.sums.size(); ++i) act(fmt::format("energy_{}_in_bin_{}", cause, i), c.over_time.sums[i]);
   };
   EnergyLosses::for_each(s.losses, of_cause);

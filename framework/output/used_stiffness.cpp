@@ -36,8 +36,8 @@ UsedStiffness used_stiffness(const World& world) {
     const PairTable& table = world.contact->pairs();
     std::map<int, size_t> of_law;
     for (const auto& [a, b] : table.classes().examples())
-      for (int part = -1; part < table.region_pair_count(a, b); ++part) {
-        const int law = table.codimensional(a, b, part).law;
+      for (int region_pair = -1; region_pair < table.region_pair_count(a, b); ++region_pair) {
+        const int law = table.codimensional(a, b, region_pair).law;
         if (law < 0 || barrier_stiffness(table.laws()[law]) == 0) continue;
         const auto [found, is_new] = of_law.emplace(law, used.barriers.size());
         if (is_new) used.barriers.push_back({{world.bodies[a].name, world.bodies[b].name}, 0, barrier_stiffness(table.laws()[law])});

@@ -63,10 +63,10 @@ VecX tractions(const World& world, const VecX& x, const VecX& forces, const VecX
 
 }  // namespace
 
-VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, std::string_view part) {
+VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, std::string_view summand) {
   VecX pressed = VecX::Zero(x.size());
   for (const ForceRecord& force : world.records.forces())
-    if (force.direction == ForceDirection::normal && force.add_compressions && force.has(part)) force.add_compressions(x, part, pressed);
+    if (force.direction == ForceDirection::normal && force.add_compressions && force.has(summand)) force.add_compressions(x, summand, pressed);
   world.collect_on_meshes(pressed);
   return tractions(world, x, forces, pressed(Eigen::seq(0, Eigen::last, 3)));
 }

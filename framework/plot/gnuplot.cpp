@@ -111,7 +111,7 @@ struct Sheet {
   double axis() const { return axis_height * font / plain_font; }
 };
 
-// Returns the size of a picture. Without a size in `look`: wide if its names need it, and higher by
+// Returns the size of a picture. Without a size in `style`: wide if its names need it, and higher by
 // `below`, the space under the plot.
 Sheet sheet_of(const FigureStyle& style, bool wide, double below) {
   const double pixels = dots_per_inch / 0.0254;
@@ -177,7 +177,7 @@ std::optional<std::vector<double>> label_heights(const PlotData& s, const Plot& 
   return separate_labels(wanted, label_distance);
 }
 
-// Applies the title and the y label of a look to a picture.
+// Applies the title and the y label of a style to a picture.
 template <class Picture>
 Picture styled(Picture picture, const FigureStyle& style) {
   if (!style.title.empty()) picture.title = style.title;
@@ -265,7 +265,7 @@ std::string script_of(const StackedBars& given, const std::string& name, const F
   const StackedBars bars = styled(given, style);
   std::string out = "set encoding utf8\n$bars << END\n";
   double highest = 0;
-  for (const std::vector<double>& parts : bars.heights) highest = std::max(highest, std::accumulate(parts.begin(), parts.end(), 0.0));
+  for (const std::vector<double>& segments : bars.heights) highest = std::max(highest, std::accumulate(segments.begin(), segments.end(), 0.0));
   const AxisUnit up = bars.y_unit.empty() ? AxisUnit{} : axis_unit(highest, bars.y_unit);
   size_t longest = 0;
   for (size_t i = 0; i < bars.names.size(); ++i) {
@@ -282,10 +282,10 @@ std::string script_of(const StackedBars& given, const std::string& name, const F
                      "set key outside right invert noenhanced samplen 1.5 maxcols 1\nset yrange [0:{}]\nset lmargin {}\nset bmargin {}\n",
                      in_quotes(bars.title), in_quotes(axis_label(bars.y_label, up.text)), bars.top ? fmt::format("{}", *bars.top) : "*", std::max<size_t>(11, longest * 7 / 10), 3 + longest * 4 / 10);
   std::vector<std::string> commands;
-  for (size_t k = 0; k < bars.parts.size(); ++k) {
+  for (size_t k = 0; k < bars.segments.size(); ++k) {
     const std::string fill = k < colours.size() ? "fill solid 1" : fmt::format("fill pattern {}", 1 + k % 6);
     commands.push_back(fmt::format("{} using {}{} title {} {} lc rgb '{}'", "$bars", k + 2, k ? "" : ":xtic(1)",
-                                   in_quotes(bars.parts[k]), fill, colours[k % colours.size()]));
+                                   in_quotes(bars.segments[k]), fill, colours[k % colours.size()]));
   }
   return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), sheet_of(style, true, 0), style);
 }
@@ -316,7 +316,7 @@ std::string draw(const Plot& plot, const fs::path& folder, const std::string& na
 }
 
 std::string draw(const StackedBars& bars, const fs::path& folder, const std::string& name, const FigureStyle& style) {
-  if (bars.names.empty() || bars.parts.empty()) return fmt::format("{}: nothing to draw", name);
+  if (bars.names.empty() || bars.segments.empty()) return fmt::format("{}: nothing to draw", name);
   replace_file(folder / (name + ".gp"), script_of(bars, name, style));
   return draw_script(folder, name);
 }

@@ -13,7 +13,7 @@
 
 namespace tack {
 
-// Writes folder/name.gp, and with it name.svg, name.png and, if `look` asks for it, name.pdf.
+// Writes folder/name.gp, and with it name.svg, name.png and, if `style` requests it, name.pdf.
 // Returns "" or the reason why there are no pictures. Throws InputError if the script cannot be
 // written.
 std::string draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name,

@@ -105,11 +105,11 @@ std::optional<std::vector<double>> separate_labels(const std::vector<double>& wa
       groups.pop_back();
     }
   }
-  std::vector<double> places(n);
+  std::vector<double> heights(n);
   size_t k = 0;
   for (const Group& g : groups)
-    for (size_t i = 0; i < g.count; ++i) places[order[k++]] = foot(g) + static_cast<double>(i) * apart;
-  return places;
+    for (size_t i = 0; i < g.count; ++i) heights[order[k++]] = foot(g) + static_cast<double>(i) * apart;
+  return heights;
 }
 
 }  // namespace tack

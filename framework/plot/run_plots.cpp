@@ -165,20 +165,20 @@ std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs) {
   };
   for (const PlottedRun& run : runs)
     for (const std::string& column : run.steps.columns)
-      if (is_phase(column) && takes_time(run.steps, column) && std::find(bars.parts.begin(), bars.parts.end(), column.substr(8)) == bars.parts.end())
-        bars.parts.push_back(column.substr(8));
+      if (is_phase(column) && takes_time(run.steps, column) && std::find(bars.segments.begin(), bars.segments.end(), column.substr(8)) == bars.segments.end())
+        bars.segments.push_back(column.substr(8));
   for (const PlottedRun& run : runs) {
     if (run.steps.rows.empty()) continue;
     bars.names.push_back(run.name);
     std::vector<double>& heights = bars.heights.emplace_back();
-    for (const std::string& part : bars.parts) {
+    for (const std::string& segment : bars.segments) {
       double sum = 0;
-      if (const auto at = run.steps.column("seconds_" + part))
+      if (const auto at = run.steps.column("seconds_" + segment))
         for (const auto& row : run.steps.rows) sum += row[*at];
       heights.push_back(sum / static_cast<double>(run.steps.rows.size()));
     }
   }
-  if (bars.names.empty() || bars.parts.empty()) return std::nullopt;
+  if (bars.names.empty() || bars.segments.empty()) return std::nullopt;
   return bars;
 }
 
@@ -187,9 +187,9 @@ StackedBars percentages_of(StackedBars bars) {
   bars.y_label = "fraction of the wall time [%]";
   bars.y_unit = "";
   bars.top = 100;
-  for (std::vector<double>& parts : bars.heights) {
-    const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
-    for (double& p : parts) p *= sum > 0 ? 100 / sum : 0;
+  for (std::vector<double>& segments : bars.heights) {
+    const double sum = std::accumulate(segments.begin(), segments.end(), 0.0);
+    for (double& p : segments) p *= sum > 0 ? 100 / sum : 0;
   }
   return bars;
 }

@@ -29,20 +29,20 @@ class PairForce : public VectorProbe {
 
  protected:
   bool from_one() const { return !from_.empty(); }
-  Vec3 force(const ForceRecord& record, std::string_view part, const World& world, const VecX& x) const {
-    if (b_ >= 0) return record.between ? record.between(x, part, {a_, b_}) : Vec3(Vec3::Zero());
+  Vec3 force(const ForceRecord& record, std::string_view summand, const World& world, const VecX& x) const {
+    if (b_ >= 0) return record.between ? record.between(x, summand, {a_, b_}) : Vec3(Vec3::Zero());
     VecX forces = VecX::Zero(x.size());
-    record.add(x, part, forces);
+    record.add(x, summand, forces);
     Vec3 sum = Vec3::Zero();
     for (const int v : world.vertices_of(a_))
       if (!world.is_scalar_dof(v)) sum += vertex(forces, v);
     return sum;
   }
   // Returns the sum of all forces that act in that direction.
-  Vec3 force(ForceDirection direction, std::string_view part, const World& world, const VecX& x) const {
+  Vec3 force(ForceDirection direction, std::string_view summand, const World& world, const VecX& x) const {
     Vec3 sum = Vec3::Zero();
     for (const ForceRecord& record : world.records.forces())
-      if (record.direction == direction && record.has(part)) sum += force(record, part, world, x);
+      if (record.direction == direction && record.has(summand)) sum += force(record, summand, world, x);
     return sum;
   }
 
@@ -57,9 +57,9 @@ class ContactForce : public PairForce {
   void fields(Fields& f) override {
     PairForce::fields(f);
     f.choice("part", part_,
-             {{"all", Part::all, "barrier and adhesion"},
-              {"barrier", Part::barrier, "repulsion only"},
-              {"adhesion", Part::adhesion, "attraction only"}},
+             {{"all", LawChoice::all, "barrier and adhesion"},
+              {"barrier", LawChoice::barrier, "repulsion only"},
+              {"adhesion", LawChoice::adhesion, "attraction only"}},
              "normal laws that count");
   }
 
@@ -70,12 +70,12 @@ class ContactForce : public PairForce {
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    return force(ForceDirection::normal, part_ == Part::all ? "" : part_ == Part::barrier ? "barrier" : "adhesion", world, state.x);
+    return force(ForceDirection::normal, part_ == LawChoice::all ? "" : part_ == LawChoice::barrier ? "barrier" : "adhesion", world, state.x);
   }
 
  private:
-  enum class Part { all, barrier, adhesion };
-  Part part_ = Part::all;
+  enum class LawChoice { all, barrier, adhesion };
+  LawChoice part_ = LawChoice::all;
 };
 
 // Tangential force of the second object on the first, or of all on one, in the last step.
@@ -84,9 +84,9 @@ class FrictionForce : public PairForce {
   void fields(Fields& f) override {
     PairForce::fields(f);
     f.choice("part", part_,
-             {{"all", Part::all, "friction and tangential adhesion"},
-              {"friction", Part::friction, "friction only"},
-              {"adhesion", Part::adhesion, "tangential adhesion only"}},
+             {{"all", LawChoice::all, "friction and tangential adhesion"},
+              {"friction", LawChoice::friction, "friction only"},
+              {"adhesion", LawChoice::adhesion, "tangential adhesion only"}},
              "tangential laws that count");
   }
 
@@ -99,12 +99,12 @@ class FrictionForce : public PairForce {
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    return force(ForceDirection::tangential, part_ == Part::all ? "" : part_ == Part::friction ? "friction" : "adhesion", world, state.x);
+    return force(ForceDirection::tangential, part_ == LawChoice::all ? "" : part_ == LawChoice::friction ? "friction" : "adhesion", world, state.x);
   }
 
  private:
-  enum class Part { all, friction, adhesion };
-  Part part_ = Part::all;
+  enum class LawChoice { all, friction, adhesion };
+  LawChoice part_ = LawChoice::all;
 };
 
 // Force of a given name.

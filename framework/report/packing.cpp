@@ -61,8 +61,8 @@ std::string planes(std::span<const float> numbers) { return planes_of(numbers); 
 
 std::uint16_t Quantizer::code(double number) const {
   if (!std::isfinite(number)) return 0;
-  const double part = highest > lowest ? (number - lowest) / (highest - lowest) : 0;
-  return static_cast<std::uint16_t>(1 + std::lround(std::clamp(part, 0.0, 1.0) * (levels - 1)));
+  const double fraction = highest > lowest ? (number - lowest) / (highest - lowest) : 0;
+  return static_cast<std::uint16_t>(1 + std::lround(std::clamp(fraction, 0.0, 1.0) * (levels - 1)));
 }
 
 double Quantizer::number(std::uint16_t code) const {

@@ -20,19 +20,19 @@ constexpr int frame_count_max = 5000;              // limit of the frames read o
 constexpr int lights_per_picture = 48, lights_per_film_frame = 8;
 
 // A temporary folder, deleted with its owner.
-class Scratch {
+class ScratchFolder {
  public:
-  Scratch() {
+  ScratchFolder() {
     std::string name = (fs::temp_directory_path() / "tack_render_XXXXXX").string();
     if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: cannot make a folder there; set TMPDIR", name));
     path_ = name;
   }
-  ~Scratch() {
+  ~ScratchFolder() {
     std::error_code none;
     fs::remove_all(path_, none);
   }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
   const fs::path& path() const { return path_; }
 
  private:
@@ -54,7 +54,7 @@ void render(const RenderSettings& settings, const RenderView& view) {
     throw InputError(fmt::format("{}: names of pictures end in .png, names of films in .mp4 or .gif; give one with -o", settings.output.string()));
   for (const fs::path& folder : settings.folders)
     if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs can be rendered; give the folder of a run", folder.string()));
-  const Scratch scratch;
+  const ScratchFolder scratch;
   ReportSettings report;
   report.folders = settings.folders;
   report.output = scratch.path() / "film.html";

@@ -37,7 +37,7 @@ RunView::RunView(fs::path folder, std::string version, std::string commit, RunCo
   report_.commit = std::move(commit);
 }
 
-bool RunView::running() const { return control_ ? !control_->progress().over : FolderLock::held(report_.folders[0]); }
+bool RunView::running() const { return control_ ? !control_->progress().over : FolderLock::is_locked(report_.folders[0]); }
 
 HttpAnswer RunView::answer(const HttpRequest& request) {
   if (request.post) return order(request.path);

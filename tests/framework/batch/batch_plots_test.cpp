@@ -64,7 +64,7 @@ TEST_CASE("plots of a batch have bars of its table beside published values", "[b
   const CsvTexts table{{"case", "steps", "newton_iterations"}, {{plan.cases[0].name, "10", "40"}, {plan.cases[1].name, "20", "60"}}};
   const StackedBars bars = bars_of(plan.plots[0], plan, table);
   CHECK(bars.names == std::vector<std::string>{"one", "two", "two, published"});
-  CHECK(bars.parts == std::vector<std::string>{"here", "Them"});
+  CHECK(bars.segments == std::vector<std::string>{"here", "Them"});
   CHECK(bars.heights == std::vector<std::vector<double>>{{4, 0}, {3, 0}, {0, 8.5}});
   CHECK(bars.y_label == "newton_iterations / steps");
   CHECK(bars_of(plan.plots[1], plan, table).heights == std::vector<std::vector<double>>{{10}});

@@ -37,7 +37,7 @@ TEST_CASE("a plot of a probe over another has a curve for each run with both", "
 TEST_CASE("bars of phases: seconds per step and percentages", "[plot]") {
   const auto bars = phase_bars({run_named("a", 1)});
   REQUIRE(bars);
-  CHECK(bars->parts == std::vector<std::string>{"assembly", "linear_solve"});
+  CHECK(bars->segments == std::vector<std::string>{"assembly", "linear_solve"});
   CHECK(bars->heights == std::vector<std::vector<double>>{{1.5, 2.5}});
   const StackedBars shares = percentages_of(*bars);
   CHECK(shares.heights[0][0] == Approx(37.5));
