@@ -141,7 +141,7 @@ TEST_CASE("a triangle over the end of a surface has the area of the closed form"
 TEST_CASE("overlaps of random triangles with a rectangle are those of their projections, whatever its mesh", "[contact][division]") {
   RandomPoints random(1);
   int partly = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 25; ++trial) {
     const Corners3 own = random_triangle(random, Vec3(0.5, 0.5, 0.4) + random.point(0.5).cwiseProduct(Vec3(1, 1, 0)), 0.4);
     const double exact = common_area(own, {0, 0}, {1, 1});
     partly += exact > 1e-3 && exact < 0.95 * whole_area(own);
@@ -152,7 +152,7 @@ TEST_CASE("overlaps of random triangles with a rectangle are those of their proj
       CHECK(d.facet_area() == Approx(d.area()).margin(1e-12));
     }
   }
-  CHECK(partly > 25);
+  CHECK(partly > 10);
 }
 
 TEST_CASE("overlaps with two surfaces that meet in a line add up to that with both as one", "[contact][division]") {
@@ -167,7 +167,7 @@ TEST_CASE("overlaps with two surfaces that meet in a line add up to that with bo
 
 TEST_CASE("the overlap does not depend on depth, rotation, translation, or the rotation of corners", "[contact][division]") {
   RandomPoints random(3);
-  for (int trial = 0; trial < 15; ++trial) {
+  for (int trial = 0; trial < 6; ++trial) {
     Corners3 own = random_triangle(random, {0.8, 0.7, 0.4}, 0.3);
     const auto scene = [&] { return Scene(own).rectangle({2, 2}, {0, 0, 0}, 1, 1); };
     const double area = scene().subdivide(0.6, 2).area();
@@ -181,7 +181,7 @@ TEST_CASE("the overlap does not depend on depth, rotation, translation, or the r
 
 TEST_CASE("the derivative of the overlap by a shift is the length of its boundary across the shift", "[contact][division]") {
   RandomPoints random(4);
-  for (int trial = 0; trial < 30; ++trial) {
+  for (int trial = 0; trial < 15; ++trial) {
     const Corners3 own = random_triangle(random, {0.9, 0.8, 0.4}, 0.3);
     const Vec3 shift = random.direction().cwiseProduct(Vec3(1, 1, 0));
     const auto at = [&](double s) { return Scene(own).rectangle({2, 2}, s * shift, 1, 1); };
@@ -199,6 +199,34 @@ TEST_CASE("the derivative of the overlap by a shift is the length of its boundar
     INFO(trial);
     CHECK(rate == Approx((exact(step) - exact(-step)) / (2 * step)).margin(2e-3));
   }
+}
+
+TEST_CASE("the overlap with an L is that of its squares but for one cell at its inner corner", "[contact][division]") {
+  RandomPoints random(6);
+  int within = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners3 own = random_triangle(random, {0.55, 0.5, 0.4}, 0.3);
+    Scene scene(own);
+    std::array<int, 8> v{};
+    for (int i = 0; i < 8; ++i) v[i] = scene.builder.add_vertex({0.5 * (i % 3), 0.5 * (i / 3), 0}, 1);
+    for (const int corner : {0, 1, 3}) {  // of three quarters of the unit square
+      scene.builder.add_triangle({v[corner], v[corner + 1], v[corner + 4]});
+      scene.builder.add_triangle({v[corner], v[corner + 4], v[corner + 3]});
+    }
+    // A cell whose corners overlap counts as a whole, although the inner corner may lie within it.
+    const Subdivision d = scene.subdivide(0.6, 4);
+    const double cell = whole_area(own) / 256;
+    CHECK(d.area() == Approx(common_area(own, {0, 0}, {1, 1}) - common_area(own, {0.5, 0.5}, {1, 1})).margin(cell));
+    // A line that goes on beyond the corner lies within the overlap, where its segments come in pairs that cancel.
+    for (const OverlapBoundaryEdge& e : d.facets.boundary_edges) {
+      if (e.length > 0) continue;
+      ++within;
+      CHECK(std::count_if(d.facets.boundary_edges.begin(), d.facets.boundary_edges.end(), [&](const OverlapBoundaryEdge& other) {
+        return other.other == e.other && other.side == e.side && (other.inside - e.inside).norm() < 1e-9 && std::abs(other.length + e.length) < 1e-9;
+      }) == 1);
+    }
+  }
+  CHECK(within > 0);
 }
 
 TEST_CASE("only what is nearer than twice the range overlaps", "[contact][division]") {

@@ -185,11 +185,11 @@ TEST_CASE("pieces of groups follow each other in the order of the groups", "[con
 
 TEST_CASE("joined pieces are those of the chunks, one after another", "[contact][pieces]") {
   RandomPoints random(2);
-  std::vector<VertexQuadrature> chunks(4);
+  std::vector<VertexQuadrature> chunks(6);
   for (VertexQuadrature& c : chunks)
-    for (int g = random.index(4); g > 0; --g) {
+    for (int g = random.index(6); g > 0; --g) {
       c.group_begin.push_back(static_cast<int>(c.points.size()));
-      for (int k = random.index(3); k > 0; --k) {
+      for (int k = random.index(4); k > 0; --k) {
         VertexQuadraturePoint p{};
         p.point = random.index(100);
         const auto fill = [&](auto& list, int& begin, int& end) {

@@ -55,6 +55,51 @@ TEST_CASE("a share that goes too far in every step settles", "[contact][thin]") 
   }
 }
 
+TEST_CASE("relaxation finds the fixed point of a linear map in the third step, and stays there", "[contact][thin]") {
+  for (const double slope : {-0.2, -0.7, -1.0, -3.0, -20.0})
+    for (const double fixed_point : {0.3, 0.6}) {
+      const auto map = [&](double weight) { return fixed_point + slope * (weight - fixed_point); };
+      LaggedWeights lagged;
+      double weight = relaxed(fixed_point + 0.01, lagged);
+      for (int step = 1; step < 3; ++step) weight = relaxed(map(weight), lagged);
+      INFO(slope);
+      CHECK(weight == Approx(fixed_point).epsilon(1e-9));
+      weight = relaxed(map(weight), lagged);
+      CHECK(weight == Approx(fixed_point).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("weights of several triangles are relaxed by one factor, so that their ratio is kept", "[contact][thin]") {
+  LaggedWeights lagged, now;
+  std::array<double, 2> found{};
+  double swing = 0.1;
+  for (int step = 0; step < 4; ++step, swing = -swing) {
+    std::vector<TriangleWeight> weights{{0.5 + swing, Vec3::UnitY(), Vec3::Zero(), false, 0.5}, {0.4 + 0.5 * swing, Vec3::UnitY(), Vec3::Zero(), false, 0.5}};
+    now.clear();
+    relax_weights(point, std::array{3, 8}, 1, lagged, weights, now);
+    lagged = now;
+    found = {weights[0].weight, weights[1].weight};
+  }
+  CHECK(found[0] != 0.6);
+  CHECK(found[0] - 0.5 == Approx(2 * (found[1] - 0.4)).margin(1e-12));
+}
+
+TEST_CASE("pins the bounds of relaxation: one hundredth at least, and a fifth more from step to step", "[contact][thin]") {
+  LaggedWeights lagged;
+  double weight = 0;
+  for (const double target : {0.5, 0.6, -60.0}) weight = relaxed(target, lagged);  // a swing of 600 times its cause
+  CHECK(weight == Approx(0.6 - 0.01 * 60.6));
+  // From there it creeps on in one direction: the factor grows by a fifth at most.
+  double factor = 0.01;
+  for (int step = 0; step < 5; ++step) {
+    const double target = weight - 1;
+    const double next = relaxed(target, lagged);
+    factor *= 1.2;
+    CHECK(weight - next <= factor * (1 + 1e-9));
+    weight = next;
+  }
+}
+
 TEST_CASE("shares that go on in one direction do not lag, nor what was not near", "[contact][thin]") {
   LaggedWeights lagged;
   for (int step = 0; step < 10; ++step) CHECK(relaxed(0.1 + 0.07 * step + 0.001 * step * step, lagged) == 0.1 + 0.07 * step + 0.001 * step * step);

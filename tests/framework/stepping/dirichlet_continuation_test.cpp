@@ -3,6 +3,10 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "framework/contact/contact_system.hpp"
+#include "framework/stepping/dirichlet_continuation.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "tests/support/step_problem.hpp"
 #include "tests/support/test_run.hpp"
 #include "tests/support/warnings.hpp"
 
@@ -37,7 +41,59 @@ std::string rocked_pan(const std::string& step, const std::string& stiffness) {
       step, stiffness);
 }
 
+// One continuation of a plate that rises by 20 mm under a block 5 mm above it.
+struct Continuation : StepProblem {
+  explicit Continuation(const std::string& block)
+      : StepProblem(fmt::format("time: {{step: 0.01, duration: 1}}\n"
+                                "objects:\n"
+                                "  - {{name: plate, shape: {{type: box, size: [0.1, 0.01, 0.1]}}, motion: [{{type: translate, velocity: [0, 2, 0]}}]}}\n"
+                                "  - {{name: block, shape: {{type: box, size: [0.05, 0.05, 0.05]}}, place: {{translate: [0, 0.035, 0]}}, {}}}\n"
+                                "  - {{name: free, shape: {{type: box, size: [0.01, 0.01, 0.01]}}, place: {{translate: [0, 5, 0]}}, energies: [{{type: neo_hookean, young: 1e5}}]}}\n"
+                                "contact: {{distance: 1 mm}}\n",
+                                block)) {
+    steps.observe([this](const VecX& x, const VecX& p, double t) { feasible = feasible && !intersects(x) && !intersects(x + t * p); });
+  }
+  bool intersects(const VecX& x) const { return !find_intersections(world->contact->surface().mesh, x, world->contact->colliding(), 1).empty(); }
+  DirichletContinuation::Result run() { return DirichletContinuation(*world, *solver, clock, steps).run(step.state.x, step.targets, step.prediction); }
+  double left(const VecX& x) const {  // largest distance of a vertex of the plate to its target [m]
+    double largest = 0;
+    for (const int v : world->vertices_of(0)) largest = std::max(largest, (vertex(x, v) - vertex(step.targets, v)).norm());
+    return largest;
+  }
+  bool feasible = true;  // every start and end of a step that was taken
+};
+
 }  // namespace
+
+TEST_CASE("a continuation ends exactly at the targets, by feasible steps alone") {
+  Continuation c("energies: [{type: neo_hookean, young: 1e5, density: 1000}]");
+  const DirichletContinuation::Result result = c.run();
+  CHECK(result.failure.empty());
+  CHECK(result.solve.status == MinimizerStatus::converged);
+  CHECK(c.left(result.x) == 0);
+  CHECK(c.feasible);
+  CHECK_FALSE(c.intersects(result.x));
+  CHECK(result.solve.iterations > 0);
+}
+
+TEST_CASE("a continuation against a fixed obstacle fails with its name, as near as it came, and feasible") {
+  Continuation c("motion: [fixed]");
+  const DirichletContinuation::Result result = c.run();
+  CHECK_THAT(result.failure, Catch::Contains("'plate' into 'block'"));
+  CHECK(c.feasible);
+  CHECK(c.left(result.x) > 0.015);  // it may rise by less than 5 mm
+  CHECK(c.left(result.x) < 0.02);
+  for (const int v : c.world->vertices_of(1)) CHECK(Vec3(vertex(result.x, v)) == Vec3(vertex(c.step.state.x, v)));
+}
+
+TEST_CASE("continuations of one object are independent of each other") {
+  Continuation c("energies: [{type: neo_hookean, young: 1e5, density: 1000}]");
+  DirichletContinuation continuation(*c.world, *c.solver, c.clock, c.steps);
+  const VecX first = continuation.run(c.step.state.x, c.step.targets, c.step.prediction).x;
+  const DirichletContinuation::Result second = continuation.run(c.step.state.x, c.step.targets, c.step.prediction);
+  CHECK(second.failure.empty());
+  CHECK((second.x - first).lpNorm<Eigen::Infinity>() < 1e-4);
+}
 
 // In one stage, the grains would have to rotate in an iteration by more than CCD allows, and gaps would vanish.
 TEST_CASE("a pan rotates under grains and a ball without step cutbacks") {
