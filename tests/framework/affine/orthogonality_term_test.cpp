@@ -74,7 +74,7 @@ TEST_CASE("orthogonality: retracted steps rotate bodies about centroids on linea
   dofs.gather(f.rest, q);
   const Vec3 spin(0.5, -0.8, 0.3), velocity(2, 1, 0);
   for (int v = 0; v < 4; ++v) p.segment<3>(3 * v) = velocity + spin.cross(Vec3(q.segment<3>(3 * v)));
-  p.tail<12>() = f.random.vectors(12).segment<3>(0).replicate<4, 1>();  // turns nothing
+  p.tail<12>() = f.random.vectors(12).segment<3>(0).replicate<4, 1>();  // translates the body
   const VecX straight = p;
   REQUIRE(f.term.retract(dofs, q, p, 1e-3));
   CHECK(f.term.value(q + straight) > 1e-3);
@@ -86,9 +86,9 @@ TEST_CASE("orthogonality: retracted steps rotate bodies about centroids on linea
   CHECK_FALSE(f.term.retract(dofs, q, cheap, 1.01 * f.term.value(q + straight)));
   CHECK(cheap == straight);
   // A body with fixed vertices is not retracted.
-  std::vector<char> held(8, 1);
-  held[0] = 0;
-  const DofMap fewer(held);
+  std::vector<char> free(8, 1);
+  free[0] = 0;
+  const DofMap fewer(free);
   VecX r, s = straight.tail<21>();
   fewer.gather(f.rest, r);
   CHECK_FALSE(f.term.retract(fewer, r, s, 1e-3));

@@ -27,8 +27,8 @@ std::vector<Triangle> turned(std::vector<Triangle> triangles) {
   return triangles;
 }
 
-double volume(const std::vector<CavityWall>& parts, const VecX& rest) {
-  return OrientedSurface(cavity_surface(parts, rest, "chamber 'air'").triangles).volume(rest, Vec3::Zero());
+double volume(const std::vector<CavityWall>& walls, const VecX& rest) {
+  return OrientedSurface(cavity_surface(walls, rest, "chamber 'air'").triangles).volume(rest, Vec3::Zero());
 }
 
 }  // namespace

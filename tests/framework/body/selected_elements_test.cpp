@@ -32,7 +32,7 @@ TEST_CASE("an energy acts on, and gives mass to, the elements all of whose verti
   CHECK(left < 600);
   const StencilBatch batch = s.world->elastic_terms[0]->batches()[0];
   for (int i = 0; i < 4 * batch.count; ++i) CHECK(vertex(s.world->rest, batch.vertices[i]).x() < 0.1);
-  CHECK(s.world->tets.size() == 12);  // what must not invert is all of it
+  CHECK(s.world->tets.size() == 12);  // all tets must not invert
 }
 
 TEST_CASE("without a selection an energy acts on all elements") {

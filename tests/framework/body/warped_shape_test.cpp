@@ -58,15 +58,15 @@ TEST_CASE("a selection by a formula has the vertices that fulfil it, and an inva
     const auto selection = bind_component<Selection>(parse_string("{type: formula, where: \"" + where + "\"}", "test"));
     return select(*selection, s.world->selection_context(0));
   };
-  const std::vector<int> rim = choose("abs(x) > 0.75 || y < -0.75");
+  const std::vector<int> boundary = choose("abs(x) > 0.75 || y < -0.75");
   int expected = 0;
   for (int v = 0; v < s.world->bodies[0].vertex_count; ++v) {
     const Vec3 x = vertex(s.world->rest, v);
     if (!(std::abs(x.x()) > 0.75 || x.y() < -0.75)) continue;
-    REQUIRE(expected < static_cast<int>(rim.size()));
-    CHECK(rim[expected++] == v);
+    REQUIRE(expected < static_cast<int>(boundary.size()));
+    CHECK(boundary[expected++] == v);
   }
-  CHECK(expected == static_cast<int>(rim.size()));
+  CHECK(expected == static_cast<int>(boundary.size()));
   CHECK_THROWS_WITH(choose("x > 5"), Contains("chooses no vertex"));
   CHECK_THROWS_WITH(choose("x > "), Contains("where: "));
 }

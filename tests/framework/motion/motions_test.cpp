@@ -26,10 +26,10 @@ Mat3 turn(const Vec3& axis, double angle) {
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-using Place = std::function<Vec3(const Vec3& rest, double t)>;
+using PrescribedPosition = std::function<Vec3(const Vec3& rest, double t)>;
 struct Case {
   std::string motion;
-  Place place;
+  PrescribedPosition position;
 };
 
 const std::vector<Case> cases = {
@@ -67,14 +67,14 @@ const std::vector<Case> cases = {
      }},
 };
 
-void check_places(const TestRun& run, const Place& place) {
-  int held = 0;
+void check_positions(const TestRun& run, const PrescribedPosition& position) {
+  int fixed_count = 0;
   for (int v = 0; v < 8; ++v) {
     if (run.world->dofs.block(v) >= 0) continue;
-    ++held;
-    CHECK((run.at(v) - place(run.rest(v), run.state().time)).norm() <= 1e-15);
+    ++fixed_count;
+    CHECK((run.at(v) - position(run.rest(v), run.state().time)).norm() <= 1e-15);
   }
-  CHECK(held == 4);
+  CHECK(fixed_count == 4);
 }
 
 std::string error_of(const std::string& yaml) {
@@ -94,7 +94,7 @@ TEST_CASE("fixed vertices are at their prescribed positions in every step") {
     TestRun run(block(c.motion));
     for (int i = 0; i < 8; ++i) {
       run.step();
-      check_places(run, c.place);
+      check_positions(run, c.position);
     }
     CHECK(run.warnings.empty());
   }
@@ -107,7 +107,7 @@ TEST_CASE("the time of a motion follows step cutbacks") {
     int steps = 0;
     while (run.state().time < 0.1 - 1e-9 && steps++ < 5000) {
       run.step();
-      check_places(run, c.place);
+      check_positions(run, c.position);
     }
     CHECK(run.state().time == Approx(0.1).epsilon(1e-9));
     CHECK(steps > 5);
@@ -155,43 +155,43 @@ TEST_CASE("a motion with a carrier moves along with it, and the carrier with its
     const Vec3 at(0.1, 0, 0);
     for (int v = 0; v < 8; ++v) CHECK((run.at(v) - upper * at - lower * (run.rest(v) - at)).norm() <= 1e-15);
     for (int v = 8; v < 16; ++v) CHECK((run.at(v) - upper * run.rest(v)).norm() <= 1e-15);
-    int held = 0;
+    int fixed_count = 0;
     for (int v = 16; v < 24; ++v) {
       if (run.world->dofs.block(v) >= 0) continue;
-      ++held;
+      ++fixed_count;
       CHECK((run.at(v) - upper * at - lower * (run.rest(v) + Vec3(0.1 * t, 0, 0) - at)).norm() <= 1e-15);
     }
-    CHECK(held == 4);
+    CHECK(fixed_count == 4);
   }
 }
 
 TEST_CASE("vertices that are fixed during a motion move along from their positions") {
   TestRun run(chain(shoulder, elbow, "type: fixed, carrier: upper, from: 0.06"));
   for (int i = 1; i <= 3; ++i) run.step();
-  std::vector<Vec3> seized;
-  for (int v = 16; v < 24; ++v) seized.push_back(run.at(v));
+  std::vector<Vec3> positions_before;
+  for (int v = 16; v < 24; ++v) positions_before.push_back(run.at(v));
   const Mat3 before = turn({0, 0, 1}, 24 * std::numbers::pi / 180), after = turn({0, 0, 1}, 40 * std::numbers::pi / 180);
   for (int i = 4; i <= 6; ++i) run.step();
-  int held = 0;
+  int fixed_count = 0;
   for (int v = 16; v < 24; ++v) {
     if (run.world->dofs.block(v) >= 0) continue;
-    ++held;
-    CHECK((run.at(v) - after * before.transpose() * seized[v - 16]).norm() <= 1e-14);
+    ++fixed_count;
+    CHECK((run.at(v) - after * before.transpose() * positions_before[v - 16]).norm() <= 1e-14);
   }
-  CHECK(held == 4);
+  CHECK(fixed_count == 4);
 }
 
 TEST_CASE("impossible carriers are refused") {
   const std::string fixed = "type: fixed";
-  const auto told = [](const std::string& text, const std::string& what) {
+  const auto check_error = [](const std::string& text, const std::string& message) {
     INFO(text);
-    CHECK_THAT(error_of(text), Catch::Contains(what));
+    CHECK_THAT(error_of(text), Catch::Contains(message));
   };
-  told(chain(shoulder, "type: fixed, carrier: uper", fixed), "motion 0 (fixed) of 'lower': its carrier 'uper' is no object; did you mean 'upper'?");
-  told(chain("type: fixed, carrier: lower", elbow, fixed), "is carried by itself in the end");
-  told(chain("type: formula, x: t", elbow, fixed), "object 'upper' has no one motion that holds all of it, rigidly, from 0 s to the end");
-  told(chain(shoulder + ", until: 1", elbow, fixed), "object 'upper' has no one motion");
-  told(chain(shoulder, elbow + ", along: [1, 0, 0]", fixed), "take `along` or `across` away");
+  check_error(chain(shoulder, "type: fixed, carrier: uper", fixed), "motion 0 (fixed) of 'lower': its carrier 'uper' is no object; did you mean 'upper'?");
+  check_error(chain("type: fixed, carrier: lower", elbow, fixed), "is carried by itself in the end");
+  check_error(chain("type: formula, x: t", elbow, fixed), "object 'upper' has no one motion that holds all of it, rigidly, from 0 s to the end");
+  check_error(chain(shoulder + ", until: 1", elbow, fixed), "object 'upper' has no one motion");
+  check_error(chain(shoulder, elbow + ", along: [1, 0, 0]", fixed), "remove `along` or `across`");
 }
 
 // Two motions fix one half of the plate in turn, three the other half.
@@ -243,26 +243,26 @@ TEST_CASE("a rejected step fixes no vertices") {
 }
 
 TEST_CASE("wrong motions are reported with their location") {
-  const auto told = [](const std::string& motion, const std::string& what) {
+  const auto check_error = [](const std::string& motion, const std::string& message) {
     INFO(motion);
-    CHECK_THAT(error_of(block(motion)), Catch::Contains(what));
+    CHECK_THAT(error_of(block(motion)), Catch::Contains(message));
   };
-  told("type: formula, y: sin(t", "test.yaml:5:31: y: formula 'sin(t': Missing parenthesis (position 6)");
-  told("type: formula, y: 2 * tt", "test.yaml:5:31: y: formula '2 * tt': Unexpected token \"tt\" found at position 4");
-  told("type: formula, y: 2 * tt", "variables: t, X, Y, Z");
-  told("type: keyframes, frames: [{time: 1}, {time: 1}]", "test.yaml:5:38: frames: times must increase");
-  told("type: keyframes, frames: []", "test.yaml:5:38: frames");
-  told("type: translate", "test.yaml:5:12: velocity: give either velocity or displacement");
-  told("type: translate, velocity: [1, 0, 0], displacement: [1, 0, 0]", "give either");
-  told("type: translate, displacement: [1, 0, 0]", "displacement: needs the duration");
-  told("type: rotate, axis: [0, 0, 0], angle: 1, duration: 1", "axis: must not be zero");
-  told("type: rotate, axis: [0, 0, 1]", "give either angular_velocity or angle");
-  told("type: rotate, axis: [0, 0, 1], angle: 1", "angle: needs the duration");
-  told("type: fixed, from: 2, until: 1", "until: must be later than from");
-  told("type: fixed}, {type: translate, velocity: [1, 0, 0]",
+  check_error("type: formula, y: sin(t", "test.yaml:5:31: y: formula 'sin(t': Missing parenthesis (position 6)");
+  check_error("type: formula, y: 2 * tt", "test.yaml:5:31: y: formula '2 * tt': Unexpected token \"tt\" found at position 4");
+  check_error("type: formula, y: 2 * tt", "variables: t, X, Y, Z");
+  check_error("type: keyframes, frames: [{time: 1}, {time: 1}]", "test.yaml:5:38: frames: times must increase");
+  check_error("type: keyframes, frames: []", "test.yaml:5:38: frames");
+  check_error("type: translate", "test.yaml:5:12: velocity: give either velocity or displacement");
+  check_error("type: translate, velocity: [1, 0, 0], displacement: [1, 0, 0]", "give either");
+  check_error("type: translate, displacement: [1, 0, 0]", "displacement: needs the duration");
+  check_error("type: rotate, axis: [0, 0, 0], angle: 1, duration: 1", "axis: must not be zero");
+  check_error("type: rotate, axis: [0, 0, 1]", "give either angular_velocity or angle");
+  check_error("type: rotate, axis: [0, 0, 1], angle: 1", "angle: needs the duration");
+  check_error("type: fixed, from: 2, until: 1", "until: must be later than from");
+  check_error("type: fixed}, {type: translate, velocity: [1, 0, 0]",
        "test.yaml:3:11: motion 0 (fixed) of 'block' and motion 1 (translate) of 'block' hold 4 vertices at once, "
        "from 0 s to the end; give them different");
-  told("type: fixed, until: 0.5}, {type: fixed, from: 0.25", "from 0.25 s to 0.5 s");
+  check_error("type: fixed, until: 0.5}, {type: fixed, from: 0.25", "from 0.25 s to 0.5 s");
   CHECK(error_of(block("type: fixed, until: 0.5}, {type: fixed, from: 0.5")).empty());
 }
 

@@ -195,9 +195,9 @@ TEST_CASE("a stiff grain that lands on its tip and rotates takes few iterations"
               "    place: {scale: [2, 1, 1], axis: [0, 0, 1], angle: 50 deg, translate: [0, 6 mm, 0]}\n"
               "    velocity: [0, -0.4, 0]\n    body: {type: affine, density: 1200, stiffness: 1 GPa}\n"
               "contact: {distance: 0.4 mm, barrier: {stiffness: 200 kPa}, friction: {mu: 0.3, eps_v: 1 cm/s}}\n");
-  int most = 0;
+  int largest_iterations = 0;
   for (int i = 0; i < 10; ++i) {
-    most = std::max(most, run.step().solve.iterations);
+    largest_iterations = std::max(largest_iterations, run.step().solve.iterations);
   }
-  CHECK(most < 40);
+  CHECK(largest_iterations < 40);
 }

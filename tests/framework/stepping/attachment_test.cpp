@@ -11,7 +11,7 @@ namespace {
 
 const std::string header = "time: {step: 2 ms, duration: 1}\ngravity: [0, -9.81, 0]\nsolver: {type: projected_newton, tolerance: 1e-8, linear: cholmod}\nobjects:\n";
 const std::string material = "energies: [{type: neo_hookean, young: 1e5, poisson: 0.3, density: 1000}]";
-const std::string held = "motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}]";
+const std::string fixed_end = "motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}]";
 
 std::string beam(const std::string& name, double length, int cells, double x, const std::string& more) {
   return "  - {name: " + name + ", shape: {type: box, size: [" + std::to_string(length) + ", 0.1, 0.1], cells: [" +
@@ -29,8 +29,8 @@ int nearest(const TestRun& run, const Vec3& point) {
 }  // namespace
 
 TEST_CASE("two attached boxes move as one mesh", "[attach]") {
-  TestRun one(header + beam("beam", 0.4, 4, 0.2, held));
-  TestRun two(header + beam("left", 0.2, 2, 0.1, held) +
+  TestRun one(header + beam("beam", 0.4, 4, 0.2, fixed_end));
+  TestRun two(header + beam("left", 0.2, 2, 0.1, fixed_end) +
               beam("right", 0.2, 2, 0.3, "attach: [{select: {type: face, direction: [-1, 0, 0]}, to: left}]"));
   CHECK(two.world->dofs.size() == one.world->dofs.size());
   for (int i = 0; i < 30; ++i) {
@@ -48,12 +48,12 @@ TEST_CASE("non-matching meshes are attached, with derivatives by the remaining u
   const std::string right =
       "  - {name: right, shape: {type: box, size: [0.2, 0.06, 0.06], cells: [2, 3, 3]}, place: {translate: [0.3, 0.01, 0]}, " + material +
       ", attach: [{select: {type: face, direction: [-1, 0, 0]}, to: left}]}\n";
-  TestScene scene(header + beam("left", 0.2, 2, 0.1, held) + right);
+  TestScene scene(header + beam("left", 0.2, 2, 0.1, fixed_end) + right);
   for (const DerivativeCheck& c : check_derivatives(*scene.world, 2e-3, scene.clock)) {
     INFO(c.term);
     CHECK_FALSE(c.wrong());
   }
-  TestRun run(header + beam("left", 0.2, 2, 0.1, held) + right);
+  TestRun run(header + beam("left", 0.2, 2, 0.1, fixed_end) + right);
   for (int i = 0; i < 20; ++i) run.step();
   const std::vector<int>& tied = run.world->dofs.dependents();
   CHECK(tied.size() == 16);
@@ -69,13 +69,13 @@ TEST_CASE("vertices attached to an affine body follow it, and are released with 
               "  - {name: ball, shape: {type: box, size: [0.02, 0.02, 0.02]}, place: {translate: [0.11, 0, 0]}, energies: [{type: neo_hookean, young: 1e5, density: 100}],\n"
               "     attach: [{to: wheel, within: 3 cm, until: 50 ms}], spin: [0, 0, 5], velocity: [0, 0.55, 0]}\n");
   const int ball = run.world->bodies[1].first_vertex;
-  const double reach = run.rest(ball).norm();
+  const double distance = run.rest(ball).norm();
   for (int i = 0; i < 50; ++i) run.step();
-  CHECK(run.at(ball).norm() == Approx(reach).epsilon(1e-3));
+  CHECK(run.at(ball).norm() == Approx(distance).epsilon(1e-3));
   const double angle = 5 * 0.05;
   CHECK((run.at(ball) - Vec3(run.rest(ball).x() * std::cos(angle) - run.rest(ball).y() * std::sin(angle),
                              run.rest(ball).x() * std::sin(angle) + run.rest(ball).y() * std::cos(angle), run.rest(ball).z()))
-            .norm() < 0.02 * reach);
+            .norm() < 0.02 * distance);
   const int unknowns = run.world->dofs.size();
   const Vec3 v = run.world->centre_of_mass(1, run.state().v);
   CHECK(v.norm() == Approx(0.55).epsilon(0.02));
@@ -85,7 +85,7 @@ TEST_CASE("vertices attached to an affine body follow it, and are released with 
 }
 
 TEST_CASE("an affine body that is attached to a soft one follows it", "[attach]") {
-  TestRun run(header + beam("left", 0.2, 2, 0.1, held) +
+  TestRun run(header + beam("left", 0.2, 2, 0.1, fixed_end) +
               "  - {name: stone, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0.25, 0, 0]}, body: {type: affine, density: 3000}, "
               "attach: [{select: {type: face, direction: [-1, 0, 0]}, to: left}]}\n");
   const int tip = nearest(run, {0.2, 0.05, 0.05}), corner = run.world->bodies[1].first_vertex;

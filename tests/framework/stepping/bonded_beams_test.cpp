@@ -67,7 +67,7 @@ struct Beams {
     return std::sqrt(toughness(at_one.mixity()) / at_one.sum());
   }
   // Displacement of the lever at the load, with a crack of length a.
-  double way(double a) const {
+  double lever_displacement(double a) const {
     const double load = sharp_load(a);
     const Modes one = loads(), d = deflections({load * one.opening, load * one.shear}, a);
     const double middle = d.shear - d.opening / 4;
@@ -84,7 +84,7 @@ struct Beams {
   }
   // Fast until shortly before the crack grows, then slowly from the displacement `grows` to `ends`.
   std::string scene(double grows, double ends, int steps) const {
-    const double reach = 0.02, offset = thickness / 2 - gap / 2, begin = std::min({first, second, pushed}), end = std::max({first, second, pushed});
+    const double clearance = 0.02, offset = thickness / 2 - gap / 2, begin = std::min({first, second, pushed}), end = std::max({first, second, pushed});
     const std::string left = "select: {type: face, direction: [-1, 0, 0]}}\n", right = "select: {type: face, direction: [1, 0, 0]}}\n";
     const auto link = [&](const char* name, double x) {
       return fmt::format("  - {{type: spring, name: {}, from: {{object: up, {}}}, to: {{object: lever, {}}}, stiffness: 1e4}}\n", name, at(x), at(x));
@@ -97,7 +97,7 @@ struct Beams {
            strip("lo", 0, 2 * half, -thickness / 2, young, offset,
                  "      - {type: fixed, along: [0, 1, 0], " + left + "      - {type: fixed, along: [1, 0, 0], " + right + "      - {type: fixed, along: [0, 1, 0], " + right) +
            strip("up", 0, 2 * half, thickness / 2, young, offset, "") +
-           strip("lever", begin, end, thickness / 2 + reach, 1e3 * young, 0,
+           strip("lever", begin, end, thickness / 2 + clearance, 1e3 * young, 0,
                  fmt::format("      - {{type: formula, y: \"-(t < 0.2 ? {} * t : {} + {} * (t - 0.2))\", along: [0, 1, 0], {}}}\n      - {{type: fixed, along: [1, 0, 0], {}}}\n",
                              5 * grows, grows, (ends - grows) / 0.8, at(pushed), at(pushed))) +
            fmt::format("time: {{step: {}, duration: 1, integrator: quasi_static}}\n"
@@ -114,7 +114,7 @@ struct Beams {
 };
 
 struct Growth {
-  double rate = 0, mixity = 0, most = 0;  // mean G over the toughness, mean G_II / G; largest load
+  double rate = 0, mixity = 0, largest_load = 0;  // mean G over the toughness, mean G_II / G; largest load
 };
 
 // Follows the crack from its first broken bond to `until`. rate_of: G over the toughness, and the
@@ -128,7 +128,7 @@ Growth follow(const Beams& beams, double grows, double ends, int steps, const Ra
   while (run.state().time < 1 - 1e-9) {
     run.step();
     const double load = run.sample(0)[0], crack = 2 * beams.half - run.sample(3)[0] / beams.width;
-    mean.most = std::max(mean.most, load);
+    mean.largest_load = std::max(mean.largest_load, load);
     const auto [rate, mixity] = rate_of(load, run.sample(1)[0] - apart, run.sample(2)[0] - middle);
     if (crack < beams.grown || crack > beams.until) continue;
     mean.rate += rate, mean.mixity += mixity, ++count;
@@ -140,14 +140,14 @@ Growth follow(const Beams& beams, double grows, double ends, int steps, const Ra
 
 // Mixed-mode bending: the end of the upper strip is drawn up as the middle is pushed down. The
 // largest load is relative to that of a sharp crack of the first length.
-Growth bend(Beams beams, double lever, int steps = 25) {
+Growth mixed_mode_bending(Beams beams, double lever, int steps = 25) {
   beams.second = beams.half, beams.pushed = beams.half + lever;
-  Growth g = follow(beams, 0.85 * beams.way(beams.crack), beams.way(beams.until), steps, [&](double load, double end, double middle) {
+  Growth g = follow(beams, 0.85 * beams.lever_displacement(beams.crack), beams.lever_displacement(beams.until), steps, [&](double load, double end, double middle) {
     const Modes one = beams.loads(), loads{load * one.opening, load * one.shear};
     const Modes g = beams.rates(loads, beams.lengths(loads, {end, end / 4 - middle}));
     return std::pair(g.sum() / beams.toughness(g.mixity()), g.mixity());
   });
-  g.most /= beams.sharp_load(beams.crack);
+  g.largest_load /= beams.sharp_load(beams.crack);
   return g;
 }
 
@@ -156,7 +156,7 @@ Growth bend(Beams beams, double lever, int steps = 25) {
 TEST_CASE("end-notched flexure: a crack sheared open releases its work, whichever side integrates", "[bonds]") {
   double before = 0;
   for (const std::string side : {"lo", "up"}) {
-    const Growth g = bend({.side = side}, 0);
+    const Growth g = mixed_mode_bending({.side = side}, 0);
     INFO(side);
     CHECK(g.rate == Approx(1).epsilon(0.02));
     if (before > 0) CHECK(g.rate == Approx(before).epsilon(2e-3));
@@ -185,7 +185,7 @@ TEST_CASE("four-point end-notched flexure: a load that stays as the crack grows,
 TEST_CASE("mixed-mode bending: a crack releases its work, one for all modes, whichever side integrates", "[bonds]") {
   double before = 0;
   for (const std::string side : {"lo", "up"}) {
-    const Growth g = bend({.side = side, .work_opening = 0.6, .work_shear = 0.6}, 0.035);
+    const Growth g = mixed_mode_bending({.side = side, .work_opening = 0.6, .work_shear = 0.6}, 0.035);
     INFO(side);
     CHECK(g.mixity == Approx(0.5).epsilon(0.03));
     CHECK(g.rate == Approx(1).epsilon(0.03));
@@ -200,7 +200,7 @@ TEST_CASE("mixed-mode bending: a crack releases its work, one for all modes, whi
 TEST_CASE("mixed-mode bending: the work of Benzeggagh and Kenane at the mixity of the load", "[bonds]") {
   const auto [lever, mixity] = GENERATE(std::pair(0.086, 0.2), std::pair(0.035, 0.5), std::pair(0.0225, 0.8));
   INFO(mixity);
-  const Growth g = bend({.strength = 1e5, .shear_strength = 3e5}, lever, 40);
+  const Growth g = mixed_mode_bending({.strength = 1e5, .shear_strength = 3e5}, lever, 40);
   CHECK(g.mixity == Approx(mixity).margin(0.03));
   CHECK(g.rate == Approx(1).epsilon(0.03));
 }
@@ -208,7 +208,7 @@ TEST_CASE("mixed-mode bending: the work of Benzeggagh and Kenane at the mixity o
 // Slip that extends three times as far as the opening dissipates more, but less than pure shear.
 TEST_CASE("mixed-mode bending: bonds that slip far ahead of the crack spend more than the mixity of the load says", "[bonds]") {
   const Beams beams{};
-  const Growth g = bend(beams, 0.035);
+  const Growth g = mixed_mode_bending(beams, 0.035);
   CHECK(g.rate > 1.05);
   CHECK(g.rate < beams.work_shear / beams.toughness(g.mixity));
 }
@@ -218,7 +218,7 @@ TEST_CASE("mixed-mode bending: bonds that slip far ahead of the crack spend more
 TEST_CASE("end-notched flexure: the largest load tends to that of a sharp crack as the strength grows", "[bonds]") {
   const auto missing = [](double strength, int cells) {
     const Beams beams{.strength = strength, .shear_strength = strength, .cells = cells};
-    return 1 - bend(beams, 0).most;
+    return 1 - mixed_mode_bending(beams, 0).largest_load;
   };
   const double weak = missing(1e5, 80), middle = missing(2e5, 160), strong = missing(4e5, 160);
   CHECK(weak < 0.16);
@@ -230,7 +230,7 @@ TEST_CASE("end-notched flexure: the largest load tends to that of a sharp crack 
 // Before the crack grows, the arm is a beam on an elastic foundation behind the root of the crack:
 // opening / load = a^3 / (3 E I) (1 + 3/m + 3/m^2 + 3/(2 m^3)), m = a (k / (4 E I))^(1/4), k = K b.
 TEST_CASE("double cantilever: the root of the crack is as stiff as a beam on springs", "[bonds]") {
-  const double young = 135.3e9, width = 5e-3, thickness = 1.5e-3, crack = 30e-3, strength = 57e6, onset = 0.5e-6, way = 4e-5;
+  const double young = 135.3e9, width = 5e-3, thickness = 1.5e-3, crack = 30e-3, strength = 57e6, onset = 0.5e-6, displacement = 4e-5;
   TestRun run("objects:\n"
               "  - {name: middle, shape: {type: grid, size: [0.03, 0.006]}, place: {translate: [0.015, 0, 0]}, motion: [fixed]}\n"
               "  - name: arm\n    shape: {type: grid, size: [0.06, 0.005], cells: [240, 2]}\n    place: {translate: [0, 20e-6, 0]}\n"
@@ -246,5 +246,5 @@ TEST_CASE("double cantilever: the root of the crack is as stiff as a beam on spr
   while (run.state().time < 1 - 1e-9) run.step();
   const double bending = young * width * std::pow(thickness, 3) / 12, m = crack * std::pow(strength / onset * width / (4 * bending), 0.25);
   const double stiffness = 3 * bending / std::pow(crack, 3) / (1 + 3 / m + 3 / (m * m) + 1.5 / (m * m * m));
-  CHECK(run.sample(0)[0] / way == Approx(stiffness).epsilon(0.03));
+  CHECK(run.sample(0)[0] / displacement == Approx(stiffness).epsilon(0.03));
 }

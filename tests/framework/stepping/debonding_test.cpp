@@ -101,12 +101,12 @@ TEST_CASE("a cube hangs by an eighth of the strength of any adhesion in steps of
   for (const Law& law : gap_laws()) laws.push_back(law);
   size_t in_statics = 0;
   for (const Law& law : laws) {
-    const auto holds = [&](const std::string& integrator) {
+    const auto stays_bonded = [&](const std::string& integrator) {
       TestRun run(hanging(law, integrator, 1e-2, law.peak * side * side / (8 * mass), "motion: [fixed]"));
       return opened(run, 3) < apart;
     };
     try {
-      if (!holds("quasi_static")) {
+      if (!stays_bonded("quasi_static")) {
         WARN(law.yaml);
         continue;
       }
@@ -117,7 +117,7 @@ TEST_CASE("a cube hangs by an eighth of the strength of any adhesion in steps of
     ++in_statics;
     for (const std::string& integrator : integrators) {
       INFO(law.yaml << ", " << integrator);
-      CHECK(holds(integrator));
+      CHECK(stays_bonded(integrator));
     }
   }
   CHECK(in_statics == laws.size());
@@ -130,8 +130,8 @@ TEST_CASE("bonds carry a moving cube in steps of many times their onset", "[bond
         INFO(law.yaml << ", " << integrator << ", " << speed << " m/s");
         // A moving plate pulls it across and along the bonds, at first by a thirtieth of the strength.
         const double acceleration = law.peak * side * side / (30 * mass), until = speed / acceleration, h = std::min(1e-2, until / 2);
-        const std::string way = fmt::format("t < {0} ? 0.5 * {1} * t * t : {2} * (t - {0} / 2)", until, acceleration, speed);
-        TestRun run(hanging(law, integrator, h, 0, fmt::format("motion: [{{type: formula, x: \"{0}\", y: \"{0}\"}}]", way)));
+        const std::string path = fmt::format("t < {0} ? 0.5 * {1} * t * t : {2} * (t - {0} / 2)", until, acceleration, speed);
+        TestRun run(hanging(law, integrator, h, 0, fmt::format("motion: [{{type: formula, x: \"{0}\", y: \"{0}\"}}]", path)));
         CHECK(opened(run, 4) < apart);
       }
 }

@@ -27,23 +27,23 @@ class SnappingTerm : public Term {
   void move_to(const VecX& x) override {
     acting_.clear();
     for (const int v : vertices_)
-      if (way(v, x).norm() < length_) acting_.push_back(v);
+      if (displacement(v, x).norm() < length_) acting_.push_back(v);
   }
   double value(const VecX& x) const override {
     double sum = 0;
-    for (const int v : vertices_) sum += 0.5 * stiffness_ * std::min(way(v, x).squaredNorm(), length_ * length_);
+    for (const int v : vertices_) sum += 0.5 * stiffness_ * std::min(displacement(v, x).squaredNorm(), length_ * length_);
     return sum;
   }
   std::vector<StencilBatch> batches() const override { return {{1, static_cast<int>(acting_.size()), acting_.data()}}; }
   void derivatives(const VecX& x, Projection, double* gradient, double* hessian) const override {
     for (size_t i = 0; i < acting_.size(); ++i) {
-      Eigen::Map<Vec3>(gradient + 3 * i) = stiffness_ * way(acting_[i], x);
+      Eigen::Map<Vec3>(gradient + 3 * i) = stiffness_ * displacement(acting_[i], x);
       if (hessian) Eigen::Map<Mat3>(hessian + 9 * i) = stiffness_ * Mat3::Identity();
     }
   }
 
  private:
-  Vec3 way(int v, const VecX& x) const { return vertex(x, v) - vertex(rest_, v); }
+  Vec3 displacement(int v, const VecX& x) const { return vertex(x, v) - vertex(rest_, v); }
 
   VecX rest_;
   double stiffness_, length_;  // N/m, m
@@ -138,15 +138,15 @@ TEST_CASE("bonds carry a cube on a circle with m w^2 r: every integrator", "[dyn
     constexpr int before = 30, steps = 150;
     for (int i = 0; i < steps; ++i) {
       run.step();
-      const auto pull = run.sample(0), centre = run.sample(1);
-      if (i >= before) ratio -= (pull[0] * centre[0] + pull[1] * centre[1]) / (mass * w * w * (centre[0] * centre[0] + centre[1] * centre[1])) / (steps - before);
+      const auto force = run.sample(0), centre = run.sample(1);
+      if (i >= before) ratio -= (force[0] * centre[0] + force[1] * centre[1]) / (mass * w * w * (centre[0] * centre[0] + centre[1] * centre[1])) / (steps - before);
     }
     CHECK(ratio == Approx(1).epsilon(0.02));
   }
 }
 
 TEST_CASE("a term that declares itself dynamic is integrated as one, without contact in the scene", "[dynamic]") {
-  const auto held = [](const std::string& integrator, double h, const std::string& more) {
+  const auto scene_of = [](const std::string& integrator, double h, const std::string& more) {
     return fmt::format("time: {{step: {}, duration: 1, integrator: {}}}\n", h, integrator) +
            "solver: {type: projected_newton, tolerance: 1e-9, force_floor: 1e-9}\n"
            "objects: [{name: cube, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [1, 1, 1]},\n"
@@ -156,13 +156,13 @@ TEST_CASE("a term that declares itself dynamic is integrated as one, without con
     if (!has_inertia(integrator)) continue;
     INFO(integrator);
     // Rest position of 1 kg on 800 N/m.
-    TestRun resting("gravity: [0, -9.81, 0]\n" + held(integrator, 0.01, ", damping: {mass: 57}}]\n"));
+    TestRun resting("gravity: [0, -9.81, 0]\n" + scene_of(integrator, 0.01, ", damping: {mass: 57}}]\n"));
     for (int i = 0; i < 60; ++i) resting.step();
-    double pull = 0;
-    for (int v = 0; v < 8; ++v) pull += 100 * (resting.rest(v) - resting.at(v)).y();
-    CHECK(pull == Approx(9.81).epsilon(1e-3));
+    double force = 0;
+    for (int v = 0; v < 8; ++v) force += 100 * (resting.rest(v) - resting.at(v)).y();
+    CHECK(force == Approx(9.81).epsilon(1e-3));
     // The term becomes zero during the motion; two-step integrators drop their history there.
-    TestRun leaving(held(integrator, 0.01, ", velocity: [2, 0, 0]}]\n"));
+    TestRun leaving(scene_of(integrator, 0.01, ", velocity: [2, 0, 0]}]\n"));
     for (int i = 0; i < 40 && (leaving.at(0) - leaving.rest(0)).x() < 0.05; ++i) leaving.step();
     const bool follows = leaving.config.time.integrator->follows_contact();
     CHECK((leaving.state().contact.size() > 0) == follows);

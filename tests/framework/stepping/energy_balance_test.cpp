@@ -81,9 +81,9 @@ TEST_CASE("the energy balance adds up in every step, and each of its flows occur
       before = after;
       sum += f;
     }
-    EnergyFlows::for_each(sum, [](const std::string& name, double part) {
+    EnergyFlows::for_each(sum, [](const std::string& name, double amount) {
       INFO(name);
-      CHECK(part != 0);
+      CHECK(amount != 0);
     });
     CHECK(sum.of("dissipated_friction") > 1e-4);
     CHECK(sum.prescribed_motion > 1e-3);
@@ -199,25 +199,25 @@ TEST_CASE("numerical energy gain is noticed", "[energy_balance]") {
   CHECK(gain.moving == gain.reference_energy);
   CHECK_FALSE(step_to(1.006).gained);
   CHECK_FALSE(step_to(0.5).gained);
-  CHECK(step_to(0.6).gained);  // what was lost before is no credit
+  CHECK(step_to(0.6).gained);  // earlier losses do not hide the gain
   // The reference energy may still grow, so that only lasting gains are warned of before the end of the run.
   const auto told_after = [&](double speed, int steps) {
-    int told = 0;
+    int warned_step = 0;
     for (int i = 1; i <= steps; ++i) {
       step_to(speed);
       if (balance.warning().empty()) continue;
-      CHECK(told == 0);
+      CHECK(warned_step == 0);
       CHECK(balance.warning().find("energy has grown by") != std::string::npos);
-      told = i;
+      warned_step = i;
     }
-    return told;
+    return warned_step;
   };
   CHECK(told_after(0.55, 30) == 0);  // 5% of the reference energy
   CHECK(told_after(0.7, 15) == 0);
   CHECK(told_after(0.5, 1) == 0);  // it has passed
   CHECK(told_after(0.7, 30) == 16);
   CHECK(told_after(0.9, 30) == 0);  // once in a run, also after a checkpoint
-  CHECK(state.energy.told);
+  CHECK(state.energy.growth_warned);
 }
 
 TEST_CASE("a step with numerical energy gain is repeated with smaller steps", "[energy_balance]") {

@@ -85,21 +85,21 @@ TEST_CASE("the feasible step is the smallest of those of all filters", "[steppin
 TEST_CASE("steps that a minimiser requests reach the observer, other questions do not", "[stepping][feasible]") {
   Plates plates;
   FeasibleSteps steps(plates.world, plates.clock);
-  std::vector<double> seen;
+  std::vector<double> observed;
   VecX from, by;
   steps.observe([&](const VecX& x, const VecX& p, double feasible) {
     from = x;
     by = p;
-    seen.push_back(feasible);
+    observed.push_back(feasible);
   });
   const VecX p = plates.motion({0, 0, -2 * gap});
   const double t = steps.largest(plates.x(), p);
-  CHECK(seen.empty());
+  CHECK(observed.empty());
   CHECK(steps.largest_requested(plates.x(), p) == t);
   CHECK(steps.largest_requested(plates.x(), 0.1 * p) == 1);
-  REQUIRE(seen.size() == 2);
-  CHECK(seen[0] == t);
-  CHECK(seen[1] == 1);
+  REQUIRE(observed.size() == 2);
+  CHECK(observed[0] == t);
+  CHECK(observed[1] == 1);
   CHECK(from == plates.x());
   CHECK(by == VecX(0.1 * p));
 }

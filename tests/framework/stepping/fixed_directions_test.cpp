@@ -36,17 +36,17 @@ TEST_CASE("three planes of symmetry: uniaxial tension, exactly", "[fixed]") {
   }
   CHECK(x < 1e-7);
   CHECK(y < 1e-7);
-  const std::vector<double> pull = run.sample(0);
-  CHECK(pull[0] == Approx(1e5 * strain * 0.01).epsilon(2e-3));
-  CHECK(std::abs(pull[1]) < 1e-6);
+  const std::vector<double> reaction = run.sample(0);
+  CHECK(reaction[0] == Approx(1e5 * strain * 0.01).epsilon(2e-3));
+  CHECK(std::abs(reaction[1]) < 1e-6);
 }
 
 TEST_CASE("a block in free fall on an inclined guide slides along it", "[fixed]") {
   TestRun run(scene("{type: fixed, across: [1, -1, 0]}", "gravity: [0, -10, 0]\n", "newmark"));
   for (int i = 0; i < 20; ++i) run.step();
-  const double t = run.state().time, way = 10 / std::sqrt(2.0) * t * t / 2;
+  const double t = run.state().time, distance = 10 / std::sqrt(2.0) * t * t / 2;
   for (const int v : {0, 20, 44})
-    CHECK((run.at(v) - run.rest(v) - way / std::sqrt(2.0) * Vec3(1, -1, 0)).norm() < 1e-6);
+    CHECK((run.at(v) - run.rest(v) - distance / std::sqrt(2.0) * Vec3(1, -1, 0)).norm() < 1e-6);
 }
 
 TEST_CASE("an affine body on a guide, and one pushed by a prescribed plate that slides freely", "[fixed]") {

@@ -20,7 +20,7 @@ const std::string far = "{name: far, shape: {type: box, size: [0.01, 0.01, 0.01]
 }  // namespace
 
 TEST_CASE("a half turn in one step is made in substeps that push obstacles") {
-  const auto parts = [](const std::string& motion) {
+  const auto substeps = [](const std::string& motion) {
     TestScene scene("time: {step: 0.01, duration: 1}\nobjects: [" + far +
                     ", {name: bar, shape: {type: box, size: [0.2, 0.02, 0.02], cells: [4, 1, 1]}, motion: [" +
                     motion + "]}]\n");
@@ -29,17 +29,17 @@ TEST_CASE("a half turn in one step is made in substeps that push obstacles") {
     return fixed.rotation_substeps(0, 0.01);
   };
   const auto turn = [&](double degrees) {
-    return parts(fmt::format("{{type: rotate, axis: [0, 0, 1], angular_velocity: {}}}", degrees / 180 * M_PI / 0.01));
+    return substeps(fmt::format("{{type: rotate, axis: [0, 0, 1], angular_velocity: {}}}", degrees / 180 * M_PI / 0.01));
   };
-  CHECK(parts("fixed") == 1);
-  CHECK(parts("{type: translate, velocity: [100, 0, 0]}") == 1);
+  CHECK(substeps("fixed") == 1);
+  CHECK(substeps("{type: translate, velocity: [100, 0, 0]}") == 1);
   CHECK(turn(10) == 1);
   CHECK(turn(89) == 1);
   CHECK(turn(100) == 2);
   CHECK(turn(180) == 2);
   CHECK(turn(360) == 1);
-  CHECK(turn(540) == 2);  // three quarters each, and the straight ways those of a quarter the other way
-  CHECK(parts("{type: formula, x: '-200 * X * t'}") == 1);  // walks if it has to
+  CHECK(turn(540) == 2);  // three quarter turns each, with the linear trajectories of a quarter turn back
+  CHECK(substeps("{type: formula, x: '-200 * X * t'}") == 1);  // not rigid
 }
 
 TEST_CASE("a paddle that rotates by 135 degrees in a step hits obstacles") {
@@ -52,7 +52,7 @@ TEST_CASE("a paddle that rotates by 135 degrees in a step hits obstacles") {
                  "contact: {distance: 1 mm}\n");
   run.step();
   const int first = run.world->bodies[1].first_vertex;
-  CHECK(vertex(run.state().v, first).norm() > 0.5);  // m/s; nothing if the paddle leapt past
+  CHECK(vertex(run.state().v, first).norm() > 0.5);  // m/s; zero if the paddle passed through
 }
 
 TEST_CASE("candidates within a rigid group are searched only while self-pairs are enabled, those of other groups never") {

@@ -59,18 +59,18 @@ TEST_CASE("a quasi-static body that falls past all others is named in its first 
 }
 
 TEST_CASE("a quasi-static body fixed in some directions is free in the others", "[stepping]") {
-  const auto held = [](const char* directions) {
+  const auto cube_fixed = [](const char* directions) {
     return std::string("time: {step: 0.25, duration: 1, integrator: quasi_static}\ngravity: [0, -9.81, 0]\n"
                        "objects:\n"
                        "  - name: cube\n    shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}\n"
                        "    energies: [{type: neo_hookean, young: 1e6, poisson: 0.3, density: 101.94}]\n"
                        "    motion: [{type: fixed") + directions + ", select: {type: face, direction: [0, -1, 0]}}]\n";
   };
-  const std::string slides = error_of(held(", along: [1, 0, 0]"), 0.99);
+  const std::string slides = error_of(cube_fixed(", along: [1, 0, 0]"), 0.99);
   INFO(slides);
   CHECK(contains(slides, "nothing supports 'cube' against the force (0, -1, 0) N"));
-  CHECK(error_of(held(""), 0.99).empty());
-  CHECK(error_of(held(", along: [0, 1, 0]"), 0.99).empty());
+  CHECK(error_of(cube_fixed(""), 0.99).empty());
+  CHECK(error_of(cube_fixed(", along: [0, 1, 0]"), 0.99).empty());
 }
 
 // The check of `tack check`.

@@ -19,18 +19,18 @@ std::string floor_at(const char* name, double x, double y) {
   return fmt::format("  - {{name: {}, shape: {{type: box, size: [0.5, 0.02, 0.5]}}, place: {{translate: [{}, {}, 0]}}, motion: [fixed]}}\n", name, x, y);
 }
 
-struct Told {
+struct Losses {
   std::vector<Warning> warnings;
   double scene_loss = 0, reference_energy = 0;  // J
 };
 
-Told told(const std::string& objects, int steps) {
+Losses losses_of(const std::string& objects, int steps) {
   TestRun run(head + "objects:\n" + objects + "contact: {distance: 1 mm}\n");
   RunSummary summary;
   for (int i = 0; i < steps; ++i) summary.add(run.step());
-  Told told{{}, summary.losses.integrator.lost, summary.losses.reference_energy};
-  told.warnings = summary.losses.warnings(*run.config.time.integrator, run.stepper.energy_groups());
-  return told;
+  Losses losses{{}, summary.losses.integrator.lost, summary.losses.reference_energy};
+  losses.warnings = summary.losses.warnings(*run.config.time.integrator, run.stepper.energy_groups());
+  return losses;
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ TEST_CASE("energy loss of a small body beside a heavy bouncing one is warned of 
   // It bounces on its fixed base for many steps.
   const std::string heavy = "  - {name: heavy, shape: {type: box, size: [0.4, 0.4, 0.4], cells: [2, 2, 2]}, place: {translate: [10, 0.2, 0]}, velocity: [0, -1, 0],\n"
                             "     energies: [{type: neo_hookean, young: 200 kPa}], motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}\n";
-  const Told alone = told(block, 10), beside = told(block + heavy, 10), only_heavy = told(heavy, 10);
+  const Losses alone = losses_of(block, 10), beside = losses_of(block + heavy, 10), only_heavy = losses_of(heavy, 10);
   CHECK_THAT(first_text(alone.warnings, WarningKind::energy_integration), Catch::Contains("energy: time integration lost"));
   CHECK_THAT(first_text(beside.warnings, WarningKind::energy_integration), Catch::Contains("energy of 'block': time integration lost") && Catch::Contains("contact that comes and goes within a few steps"));
   for (const Warning& warning : beside.warnings) CHECK(warning.subject == "'block'");
@@ -69,7 +69,7 @@ TEST_CASE("the energy balances of groups add up to that of the scene", "[energy]
   TestRun run(head + "objects:\n" + objects +
               "contact:\n  distance: 1 mm\n  friction: {mu: 0.3}\n"
               "  pairs: [{between: [base, stuck], bond_distance: 1 mm, adhesion: {type: rcc, normal_stiffness: 1e8 Pa/m, work_of_adhesion: 1 J/m^2}}]\n");
-  std::vector<double> most(5, 0);
+  std::vector<double> largest_flows(5, 0);
   for (int i = 0; i < 10; ++i) {
     const StepReport r = run.step();
     REQUIRE(r.flows.groups.size() == 5);
@@ -77,7 +77,7 @@ TEST_CASE("the energy balances of groups add up to that of the scene", "[energy]
     for (size_t g = 0; g < 5; ++g) {
       const GroupFlow& flow = r.flows.groups[g];
       sum += flow.numerics;
-      most[g] = std::max(most[g], std::abs(flow.numerics));
+      largest_flows[g] = std::max(largest_flows[g], std::abs(flow.numerics));
       reference_energy = std::max(reference_energy, flow.reference_energy);
       CHECK_FALSE(flow.met_another);
     }
@@ -85,5 +85,5 @@ TEST_CASE("the energy balances of groups add up to that of the scene", "[energy]
     CHECK(sum == Approx(r.flows.numerics + r.flows.areas).margin(1e-9 * reference_energy));
   }
   CHECK(run.stepper.energy_groups() == std::vector<std::string>{"'slider'", "'cube'", "'pushed'", "'yields'", "'base' and 1 more"});
-  for (const double largest : most) CHECK(largest > 0);
+  for (const double largest : largest_flows) CHECK(largest > 0);
 }

@@ -31,9 +31,9 @@ namespace {
 // Along the edges of tets, u = (x_b - x_a) - (X_b - X_a) and L = |X_b - X_a|:
 //     E = sum k_e (|u|^2 / 2 + |u|^4 / (4 L^2)),   k_e = k (1 + n_e / 100 + s_e),
 // n_e: the steps so far, s_e: the sum of |u| / L at their ends.
-class RememberingTerm : public Term {
+class HistoryTerm : public Term {
  public:
-  RememberingTerm(const Body& body, const VecX& rest, double stiffness)
+  HistoryTerm(const Body& body, const VecX& rest, double stiffness)
       : Term("remembering"), stiffness_(stiffness), name_(fmt::format("{}/energies/{}/use", body.name, body.energy)) {
     for (const Tet& t : body.tets)
       for (int i = 0; i < 4; ++i)
@@ -66,12 +66,12 @@ class RememberingTerm : public Term {
   std::vector<StencilBatch> batches() const override { return {{2, count(), edges_.front().data()}}; }
   void derivatives(const VecX& x, Projection, double* gradient, double* hessian) const override {
     for (int e = 0; e < count(); ++e) {
-      const Vec3 way = u(e, x);
-      const double l2 = spans_[e].squaredNorm(), hardened = k(e) * (1 + way.squaredNorm() / l2);
-      Eigen::Map<Vec3>{gradient + 6 * e} = -hardened * way;
-      Eigen::Map<Vec3>{gradient + 6 * e + 3} = hardened * way;
+      const Vec3 elongation = u(e, x);
+      const double l2 = spans_[e].squaredNorm(), hardened = k(e) * (1 + elongation.squaredNorm() / l2);
+      Eigen::Map<Vec3>{gradient + 6 * e} = -hardened * elongation;
+      Eigen::Map<Vec3>{gradient + 6 * e + 3} = hardened * elongation;
       if (!hessian) continue;
-      const Mat3 h = hardened * Mat3::Identity() + 2 * k(e) / l2 * way * way.transpose();
+      const Mat3 h = hardened * Mat3::Identity() + 2 * k(e) / l2 * elongation * elongation.transpose();
       Eigen::Map<Mat3>{hessian + 27 * e} = h;
       Eigen::Map<Mat3>{hessian + 27 * e + 9} = -h;
       Eigen::Map<Mat3>{hessian + 27 * e + 18} = h;
@@ -90,11 +90,11 @@ class RememberingTerm : public Term {
   std::vector<double> use_;  // per edge: n, s
 };
 
-class Remembering : public Energy {
+class HistoryEnergy : public Energy {
  public:
   void fields(Fields& f) override { f.number("stiffness", stiffness_, units::stiffness, "k at the start").positive(); }
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
-    return std::make_unique<RememberingTerm>(body, rest, stiffness_);
+    return std::make_unique<HistoryTerm>(body, rest, stiffness_);
   }
   void add_mass(const Body& body, const VecX&, VecX& mass) const override {
     mass.segment(body.first_vertex, body.vertex_count).array() += 0.1;
@@ -104,7 +104,7 @@ class Remembering : public Energy {
   double stiffness_ = 500;  // N/m
 };
 
-TACK_REGISTER(Energy, Remembering, "remembering", "Springs that count how they are used.", "tests");
+TACK_REGISTER(Energy, HistoryEnergy, "remembering", "Springs that count how they are used.", "tests");
 
 // A bar fixed at one end while the other flies off; hard for few iterations.
 std::string scene_with(int iterations, const std::string& integrator = "implicit_euler", double duration = 0.2) {
@@ -139,10 +139,10 @@ RunSettings in(const fs::path& folder, int steps, bool resume = false) {
 LoadedExperiment loaded(const std::string& yaml) { return parse_experiment("name: memory\n" + yaml, "memory.yaml"); }
 
 RunSummary record(const std::string& yaml, const RunSettings& settings) {
-  std::ostringstream told;
-  RecordedRun run(loaded(yaml), settings, provenance_of("", 1), told, {});
+  std::ostringstream output;
+  RecordedRun run(loaded(yaml), settings, provenance_of("", 1), output, {});
   const RunSummary summary = run.execute();
-  INFO(told.str());
+  INFO(output.str());
   REQUIRE(summary.status == RunStatus::done);
   return summary;
 }
@@ -169,8 +169,8 @@ void run_and_kill(const std::string& yaml, const fs::path& folder) {
   if (child == 0) {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     try {
-      std::ostringstream told;
-      RecordedRun(loaded(yaml), in(folder, 0), provenance_of("", 1), told, {}).execute();
+      std::ostringstream output;
+      RecordedRun(loaded(yaml), in(folder, 0), provenance_of("", 1), output, {}).execute();
     } catch (...) {
     }
     _exit(1);
@@ -219,14 +219,14 @@ TEST_CASE("a failed solve and rejected substeps do not change the history", "[hi
   CHECK(same(stepper.state(), before));
 
   // A step that fails and succeeds with substeps, and a run that begins with those substeps.
-  const StepReport halved = failing.step();
-  REQUIRE(halved.cutbacks > 0);
-  TestRun parts(scene_with(2));
+  const StepReport cut_back = failing.step();
+  REQUIRE(cut_back.cutbacks > 0);
+  TestRun resumed(scene_with(2));
   State smaller = before;
-  smaller.h_next = halved.step_size;
-  parts.simulation.start_from(smaller);
-  CHECK(parts.step().cutbacks == 0);
-  CHECK(same(failing.state(), parts.state()));
+  smaller.h_next = cut_back.step_size;
+  resumed.simulation.start_from(smaller);
+  CHECK(resumed.step().cutbacks == 0);
+  CHECK(same(failing.state(), resumed.state()));
   CHECK(counted(failing.state()) == 2);
   while (failing.state().whole_steps < 3) failing.step();
   CHECK(counted(failing.state()) == failing.state().step);
@@ -245,14 +245,14 @@ TEST_CASE("a step that is undone because of its energy is not stored", "[history
 
 TEST_CASE("the history survives a checkpoint and a resume", "[history]") {
   const TemporaryFolder folder;
-  const fs::path whole = folder.path() / "whole", parts = folder.path() / "parts";
-  record(scene_with(enough), in(whole, 0));
-  record(scene_with(enough), in(parts, 5));
-  record(scene_with(enough), in(parts, 0, true));
-  const State a = state_at(whole, 10), b = state_at(parts, 10);
+  const fs::path uninterrupted = folder.path() / "whole", resumed = folder.path() / "parts";
+  record(scene_with(enough), in(uninterrupted, 0));
+  record(scene_with(enough), in(resumed, 5));
+  record(scene_with(enough), in(resumed, 0, true));
+  const State a = state_at(uninterrupted, 10), b = state_at(resumed, 10);
   CHECK(same(a, b));
   CHECK(counted(a) == 10);
-  CHECK(file_text(parts / "probes.csv") == file_text(whole / "probes.csv"));
+  CHECK(file_text(resumed / "probes.csv") == file_text(uninterrupted / "probes.csv"));
 }
 
 TEST_CASE("the history is part of a stored problem", "[history]") {
@@ -270,14 +270,14 @@ TEST_CASE("the history is part of a stored problem", "[history]") {
   again.step();
   CHECK(same(again.state(), end));
 
-  const CompareCase what = problem_case(path.string());
-  Trial trial(what, {parse_string("{type: projected_newton, linear: cholmod}", "test"), 1e-3, what.step_size});
+  const CompareCase compared = problem_case(path.string());
+  Trial trial(compared, {parse_string("{type: projected_newton, linear: cholmod}", "test"), 1e-3, compared.step_size});
   CHECK((trial.run().x == end.x));
 
   // Without it, the step ends elsewhere.
-  State forgetful = problem.state;
-  forgetful.history.clear();
-  again.start_from(forgetful);
+  State without_history = problem.state;
+  without_history.history.clear();
+  again.start_from(without_history);
   again.step();
   CHECK((again.state().x != end.x));
 }
@@ -285,13 +285,13 @@ TEST_CASE("the history is part of a stored problem", "[history]") {
 TEST_CASE("the history survives a run that is killed", "[history]") {
   const TemporaryFolder folder;
   const std::string endless = scene_with(enough, "implicit_euler", 1e5);
-  const fs::path killed = folder.path() / "killed", whole = folder.path() / "whole";
+  const fs::path killed = folder.path() / "killed", uninterrupted = folder.path() / "whole";
   run_and_kill(endless, killed);
   const int there = newest(killed);
   REQUIRE(there >= 12);
   CHECK(counted(state_at(killed, there)) == there);
   record(endless, in(killed, there + 8, true));
-  record(endless, in(whole, there + 8));
-  CHECK(same(state_at(killed, there + 8), state_at(whole, there + 8)));
-  CHECK(file_text(killed / "probes.csv") == file_text(whole / "probes.csv"));
+  record(endless, in(uninterrupted, there + 8));
+  CHECK(same(state_at(killed, there + 8), state_at(uninterrupted, there + 8)));
+  CHECK(file_text(killed / "probes.csv") == file_text(uninterrupted / "probes.csv"));
 }

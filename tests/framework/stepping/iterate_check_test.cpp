@@ -122,21 +122,21 @@ TEST_CASE("no prescribed motion passes through an obstacle", "[iterates]") {
   const std::string frames = "{type: keyframes, frames: [{time: 0}, {time: 0.01, translation: [-0.24, 0, 0], "
                              "rotation: [0, 3.14159, 0]}, {time: 0.02}]}";
   const std::string formula = "{type: formula, x: '-200 * X * t', y: '-200 * Y * t'}";
-  struct Way {
+  struct Sweep {
     std::string paddle;
     int block_cells;
   };
-  const std::vector<Way> ways = {
+  const std::vector<Sweep> sweeps = {
       {paddle("0.02, 0.06, 0.06", "1, 6, 6", half_turns), 2}, {paddle("0.06, 0.06, 0.06", "4, 4, 4", half_turns), 2},
       {paddle("0.1, 0.01, 0.1", "8, 1, 8", half_turns), 2},   {paddle("0.1, 0.01, 0.1", "8, 1, 8", half_turns), 4},
       {paddle("0.02, 0.06, 0.06", "1, 3, 3", through), 2},    {paddle("0.02, 0.06, 0.06", "1, 3, 3", frames), 2},
       {paddle("0.06, 0.06, 0.06", "4, 4, 4", formula), 2}};
-  for (const Way& way : ways) {
-    INFO(way.paddle);
+  for (const Sweep& sweep : sweeps) {
+    INFO(sweep.paddle);
     TestRun run("time: {step: 0.01, duration: 0.02}\n"
-                   "solver: {type: projected_newton, check_iterates: true}\nobjects:\n" + way.paddle +
+                   "solver: {type: projected_newton, check_iterates: true}\nobjects:\n" + sweep.paddle +
                    fmt::format("  - {{name: block, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [{0}, {0}, {0}]}},\n"
-                               "     energies: [{{type: neo_hookean, young: 1e5}}]}}\n", way.block_cells) +
+                               "     energies: [{{type: neo_hookean, young: 1e5}}]}}\n", sweep.block_cells) +
                    "contact: {distance: 1 mm}\n");
     CHECK_NOTHROW(run.step());
     CHECK_NOTHROW(run.step());

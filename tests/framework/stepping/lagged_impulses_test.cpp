@@ -57,11 +57,11 @@ TEST_CASE("the accumulated impulse error of friction is restored bit for bit fro
       const std::string scene = sliding(integrator, 4e-3, start);
       const TemporaryFolder folder;
       const auto next = [&](TestRun& run) { step(run, 4e-3 * sizes[run.state().step % sizes.size()]); };
-      TestRun whole(scene);
+      TestRun uninterrupted(scene);
       std::vector<State> states;
       for (int i = 0; i < steps; ++i) {
-        next(whole);
-        states.push_back(whole.state());
+        next(uninterrupted);
+        states.push_back(uninterrupted.state());
       }
       const State& end = states.back();
       const auto gone_on = [&](const State& from) {
@@ -70,7 +70,7 @@ TEST_CASE("the accumulated impulse error of friction is restored bit for bit fro
         while (rest.state().step < end.step) next(rest);
         return rest.state();
       };
-      int depends = 0;  // on what is owed after how many steps
+      int depends = 0;  // number of steps whose impulse error matters
       for (int i = 0; i + 1 < steps; ++i) {
         StateFile file;
         file.kind = StateFile::Kind::checkpoint;
@@ -113,10 +113,10 @@ TEST_CASE("a block that starts inside a barrier slides as far as friction by its
 }
 
 TEST_CASE("a start at rest, or without contact, needs no further solves for friction", "[stepping][friction]") {
-  for (const std::string place : {"", ", place: {translate: [-1, 0.06, 0]}"}) {
+  for (const std::string placement : {"", ", place: {translate: [-1, 0.06, 0]}"}) {
     const std::string scene = sliding("implicit_euler", 0.005, Start::at_rest);
     const size_t at = scene.find(", place: {translate: [-1, ");
-    TestRun run(place.empty() ? scene : scene.substr(0, at) + place + scene.substr(scene.find("}", at) + 1));
+    TestRun run(placement.empty() ? scene : scene.substr(0, at) + placement + scene.substr(scene.find("}", at) + 1));
     for (int i = 0; i < 30; ++i) CHECK(run.step().lag_iterations == 1);
     CHECK(run.warnings.empty());
   }

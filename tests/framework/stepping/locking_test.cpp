@@ -67,7 +67,7 @@ TEST_CASE("locking: a cantilever with one composite cell over its depth bends as
   for (const double poisson : {0.3, 0.49, 0.4999}) {
     INFO("poisson " << poisson);
     CHECK(tip("composite", 1, poisson) == Approx(1).epsilon(0.03));
-    CHECK(tip("linear", 1, poisson) < 0.25);  // what it is about
+    CHECK(tip("linear", 1, poisson) < 0.25);  // it locks
   }
   CHECK(tip("composite", 2, 0.4999) > 0.95);
 }
@@ -76,7 +76,7 @@ TEST_CASE("locking: patches prevent volumetric locking of linear tets", "[lockin
   CHECK(tip("patches", 2, 0.4999) == Approx(tip("patches", 2, 0.3)).epsilon(0.02));
   CHECK(tip("patches", 2, 0.4999) == Approx(0.607).epsilon(0.02));  // of an independent implementation
   CHECK(tip("linear", 2, 0.4999) < 0.02);
-  CHECK(cook("patches", 8, 0.4999) == Approx(5.77).epsilon(0.02));  // likewise
+  CHECK(cook("patches", 8, 0.4999) == Approx(5.77).epsilon(0.02));  // linear tets without locking
 }
 
 TEST_CASE("locking: patches of meshes without cells are free of volumetric locking", "[locking]") {
@@ -104,15 +104,15 @@ TEST_CASE("locking: the pressure in a bent bar of composite tets is that of a be
   for (const double poisson : {0.3, 0.4999}) {
     TestRun run(cantilever("composite", 2, poisson));
     run.step();
-    const std::vector<Tet>& parts = run.world->bodies[0].tets;
+    const std::vector<Tet>& tets = run.world->bodies[0].tets;
     const std::vector<Mat3> stress = run.world->records.stresses()[0].values(run.state().x);
     double error = 0, size = 0;
-    for (size_t t = 0; t < parts.size(); t += 8) {
+    for (size_t t = 0; t < tets.size(); t += 8) {
       double pressure = 0;
       Vec3 middle = Vec3::Zero();
       for (size_t s = t; s < t + 8; ++s) {
         pressure += stress[s].trace() / 3 / 8;
-        for (const int v : parts[s]) middle += run.rest(v) / 32;
+        for (const int v : tets[s]) middle += run.rest(v) / 32;
       }
       if (std::abs(middle.x()) > 3) continue;
       const double expected = (5 - middle.x()) * middle.y() * 12 / 3;

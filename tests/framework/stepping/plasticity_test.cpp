@@ -13,7 +13,7 @@ using namespace tack;
 namespace {
 
 // A block of E = 1 MPa that yields at 2 kPa, its upper face pulled up by 2% per second.
-std::string pulled(const std::string& integrator, double h, const std::string& solver, double hardening = 1e5) {
+std::string stretched(const std::string& integrator, double h, const std::string& solver, double hardening = 1e5) {
   return fmt::format(
       "time: {{step: {}, duration: 10, integrator: {}}}\nsolver: {{type: projected_newton, linear: cholmod, {}}}\n"
       "objects:\n"
@@ -35,7 +35,7 @@ double largest_strain(const TestRun& run) {
 TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticity]") {
   for (const double hardening : {1e5, 0.0}) {
     INFO("H = " << hardening);
-    TestRun run(pulled("quasi_static", 0.2, precise + ", projection: none", hardening));
+    TestRun run(stretched("quasi_static", 0.2, precise + ", projection: none", hardening));
     std::vector<double> residuals;
     run.stepper.observe({[&](int, double residual, double, double) { residuals.push_back(residual); }, {}, {}});
     for (int i = 0; i < 3; ++i) {
@@ -57,7 +57,7 @@ TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticit
 }
 
 TEST_CASE("a failed step that is cut back does not change the history", "[plasticity]") {
-  TestRun run(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
+  TestRun run(stretched("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
   run.step();
   run.step();
   const History before = run.state().history;
@@ -71,7 +71,7 @@ TEST_CASE("a failed step that is cut back does not change the history", "[plasti
   }
   CHECK(failed);
   // Rejected solves do not change later steps.
-  TestRun other(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
+  TestRun other(stretched("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
   other.step();
   other.step();
   run.step();
@@ -84,7 +84,7 @@ TEST_CASE("a failed step that is cut back does not change the history", "[plasti
 TEST_CASE("the work of a prescribed motion is stored, plastic work and numerical loss", "[plasticity]") {
   for (const std::string integrator : {"quasi_static", "implicit_euler", "bdf2", "newmark"}) {
     INFO(integrator);
-    TestRun run(pulled(integrator, 0.02, "tolerance: 1e-8, force_tolerance: 1e-10"));
+    TestRun run(stretched(integrator, 0.02, "tolerance: 1e-8, force_tolerance: 1e-10"));
     EnergyFlows sum;
     StepReport last;
     for (int i = 0; i < 50; ++i) {
@@ -101,14 +101,14 @@ TEST_CASE("the work of a prescribed motion is stored, plastic work and numerical
 
 TEST_CASE("ten steps of plastic flow end where many steps do", "[plasticity]") {
   const auto end = [](int steps) {
-    TestRun run(pulled("quasi_static", 1.0 / steps, precise));
+    TestRun run(stretched("quasi_static", 1.0 / steps, precise));
     for (int i = 0; i < steps; ++i) run.step();
     return std::pair(run.state().energy.dissipated_as("dissipated_plastic"), run.state().x);
   };
   const auto [few, x_of_few] = end(10);
   const auto [many, x_of_many] = end(200);
   CHECK(few == Approx(many).epsilon(0.01));
-  CHECK((x_of_few - x_of_many).norm() <= 0.01 * (x_of_many - TestRun(pulled("quasi_static", 1, precise)).world->rest).norm());
+  CHECK((x_of_few - x_of_many).norm() <= 0.01 * (x_of_many - TestRun(stretched("quasi_static", 1, precise)).world->rest).norm());
 }
 
 TEST_CASE("methods for sums of squares refuse a plastic solid by name", "[plasticity]") {

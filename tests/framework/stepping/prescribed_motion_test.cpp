@@ -108,18 +108,18 @@ TEST_CASE("pushing works without inertia") {
 }
 
 TEST_CASE("a blocked prescribed motion is reported by name") {
-  const auto told = [](const std::string& scene, const std::string& what) {
+  const auto check_error = [](const std::string& scene, const std::string& message) {
     TestRun run(scene);
     const auto ahead = [&] { while (!run.stepper.finished()) run.step(); };
     CHECK_THROWS_AS(ahead(), SimulationError);
     const double reached = run.state().time;
-    CHECK_THROWS_WITH(run.step(), Catch::Contains(what));
+    CHECK_THROWS_WITH(run.step(), Catch::Contains(message));
     CHECK(run.state().time == reached);  // the last good state stays
     if (!run.world->contact) return;
     CHECK_FALSE(run.intersects());
   };
   // onto the fixed wall
-  told("time: {step: 0.01, duration: 0.1, max_halvings: 3}\n"
+  check_error("time: {step: 0.01, duration: 0.1, max_halvings: 3}\n"
        "objects:\n"
        "  - {name: wall, shape: {type: box, size: [0.02, 0.2, 0.2]}, motion: [fixed]}\n"
        "  - {name: plate, shape: {type: box, size: [0.02, 0.1, 0.1]}, place: {translate: [-0.04, 0, 0]},\n"
@@ -129,12 +129,12 @@ TEST_CASE("a blocked prescribed motion is reported by name") {
        "contact: {distance: 1 mm}\n",
        "the prescribed motion drives 'plate' into 'wall': vertex ");
   // through a block that cannot move away
-  told(plate_and_block("time: {step: 0.5, duration: 1, integrator: quasi_static, max_halvings: 0}\n",
+  check_error(plate_and_block("time: {step: 0.5, duration: 1, integrator: quasi_static, max_halvings: 0}\n",
                        "{type: translate, velocity: [0.25, 0, 0]}",
                        "{type: fixed, select: {type: face, direction: [1, 0, 0]}}"),
        "the prescribed motion drives 'plate' into 'block': vertex ");
   // deforming its own elements
-  told("time: {step: 0.1, duration: 1, max_halvings: 2}\n"
+  check_error("time: {step: 0.1, duration: 1, max_halvings: 2}\n"
        "objects: [{name: bar, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 1, 1]},\n"
        "  energies: [{type: neo_hookean, young: 1e5}],\n"
        "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}},\n"
@@ -191,14 +191,14 @@ TEST_CASE("no force between fixed primitives, no candidates within a rigid group
                  "contact: {distance: 20 mm}\n");
   const ContactSystem& contact = *run.world->contact;
   const CollisionMesh& mesh = contact.surface().mesh;
-  const auto held = [&](int v) { return run.world->dofs.block(v) < 0; };
+  const auto is_fixed = [&](int v) { return run.world->dofs.block(v) < 0; };
   for (const auto& [p, t] : contact.candidates().point_triangle)
-    CHECK_FALSE((mesh.vertex_object[p] == mesh.vertex_object[mesh.triangles[t][0]] && held(p) && held(mesh.triangles[t][0]) && held(mesh.triangles[t][1]) && held(mesh.triangles[t][2])));
+    CHECK_FALSE((mesh.vertex_object[p] == mesh.vertex_object[mesh.triangles[t][0]] && is_fixed(p) && is_fixed(mesh.triangles[t][0]) && is_fixed(mesh.triangles[t][1]) && is_fixed(mesh.triangles[t][2])));
   run.world->contact->begin_step({run.world->rest});
   run.world->contact->move_to(run.world->rest);
   const auto all_have_a_free_vertex = [&](const auto& stencils) {
     for (const auto& s : stencils)
-      CHECK(std::any_of(s.vertices.begin(), s.vertices.end(), [&](int v) { return !held(v); }));
+      CHECK(std::any_of(s.vertices.begin(), s.vertices.end(), [&](int v) { return !is_fixed(v); }));
   };
   CHECK(contact.contacts().size() > 10);
   all_have_a_free_vertex(contact.contacts().point_point);

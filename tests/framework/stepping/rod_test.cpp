@@ -22,11 +22,11 @@ namespace {
 std::string vertices(const std::string& list) { return "select: {type: indices, vertices: [" + list + "]}"; }
 
 // A line of edges as a mesh file, with vertices at these coordinates.
-std::string line_file(const TemporaryFolder& folder, const std::vector<Vec3>& places, bool closed = false) {
+std::string line_file(const TemporaryFolder& folder, const std::vector<Vec3>& points, bool closed = false) {
   std::string text;
-  for (const Vec3& p : places) text += fmt::format("v {:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
-  for (size_t i = 1; i < places.size(); ++i) text += fmt::format("l {} {}\n", i, i + 1);
-  if (closed) text += fmt::format("l {} 1\n", places.size());
+  for (const Vec3& p : points) text += fmt::format("v {:.17g} {:.17g} {:.17g}\n", p.x(), p.y(), p.z());
+  for (size_t i = 1; i < points.size(); ++i) text += fmt::format("l {} {}\n", i, i + 1);
+  if (closed) text += fmt::format("l {} 1\n", points.size());
   const auto path = folder.path() / "line.obj";
   write_file(path, text);
   return "{type: file, path: " + path.string() + "}";
@@ -92,15 +92,15 @@ TEST_CASE("a cantilever bends by beam theory, about both axes of its section", "
   const int edges = GENERATE(16, 40);
   CAPTURE(even, upright, edges);
   const TemporaryFolder folder;
-  std::vector<Vec3> places;
+  std::vector<Vec3> points;
   const std::vector<double> s = stations(edges, even);
-  for (const double x : s) places.emplace_back(x, 0, 0);
-  TestRun run(cantilever(line_file(folder, places),
+  for (const double x : s) points.emplace_back(x, 0, 0);
+  TestRun run(cantilever(line_file(folder, points),
                          fmt::format("    loads: [{{type: force, value: {}, {}}}]\n", upright ? "[0, -0.2, 0]" : "[0, 0, -0.05]",
                                      vertices(std::to_string(edges))),
                          "step: 1 s, duration: 1 s, integrator: quasi_static"));
   run.step();
-  const double length = 1 - s[1] / 2;  // from the middle of the edge that is held
+  const double length = 1 - s[1] / 2;  // from the middle of the edge that is fixed
   const double stiffness = 1e9 * (upright ? 0.01 * std::pow(0.02, 3) : 0.02 * std::pow(0.01, 3)) / 12;
   const double sag = -(upright ? run.at(edges).y() : run.at(edges).z());
   CHECK(sag == Approx((upright ? 0.2 : 0.05) * std::pow(length, 3) / (3 * stiffness)).epsilon(0.02));
@@ -110,13 +110,13 @@ TEST_CASE("a cantilever under a large force is an elastica", "[rod]") {
   const int edges = GENERATE(20, 50);
   const double force = GENERATE(2.0, 8.0);
   CAPTURE(edges, force);
-  const double held = 1.0 / edges, length = 1 - held / 2, stiffness = 1e9 * pi * std::pow(0.005, 4) / 4;
+  const double fixed_edge = 1.0 / edges, length = 1 - fixed_edge / 2, stiffness = 1e9 * pi * std::pow(0.005, 4) / 4;
   TestRun run(cantilever(fmt::format("{{type: segment, length: 1, edges: {}}}", edges),
                          fmt::format("    loads: [{{type: force, value: [0, {}, 0], {}, ramp: [[0, 0], [1, 1]]}}]\n", force * stiffness / (length * length),
                                      vertices(std::to_string(edges))),
                          "step: 0.25 s, duration: 1 s, integrator: quasi_static", "radius: 5 mm"));
   for (int i = 0; i < 4; ++i) run.step();
-  const Vec2 tip = elastica(force), start(-0.5 + held / 2, 0);
+  const Vec2 tip = elastica(force), start(-0.5 + fixed_edge / 2, 0);
   const Vec2 off = (run.at(edges).head<2>() - start) / length - tip;
   CHECK(off.norm() < 0.02 * (tip - Vec2(1, 0)).norm());
   CHECK(run.at(edges).y() / length == Approx(tip.y()).epsilon(0.02));
@@ -172,16 +172,16 @@ TEST_CASE("a twisted ring leaves its plane at Michell's twist", "[rod]") {
   const double above = GENERATE(0.92, 1.08);
   const int edges = 48;
   const TemporaryFolder folder;
-  std::vector<Vec3> places;
+  std::vector<Vec3> points;
   for (int i = 0; i < edges; ++i) {
     const double a = 2 * pi * i / edges;
-    places.emplace_back(std::cos(a), std::sin(a), 1e-3 * std::cos(2 * a));
+    points.emplace_back(std::cos(a), std::sin(a), 1e-3 * std::cos(2 * a));
   }
   const double shear = 0.4e9, ratio = 1e9 / 4 * pi / (shear * pi / 2);  // E I / G J
   TestRun run(fmt::format("time: {{step: 20 ms, duration: 100 s}}\nsolver: {{type: projected_newton, tolerance: 1e-7, linear: cholmod}}\nobjects:\n"
                           "  - name: ring\n    shape: {}\n    rod: {{radius: 20 mm}}\n    damping: {{mass: 4}}\n"
                           "    energies: [{{type: elastic_rod, young: 1 GPa, shear: {}, density: 1000, rest: straight, twist: {}}}]\n",
-                          line_file(folder, places, true), shear, above * 2 * pi * std::sqrt(3.0) * ratio / (2 * pi)));
+                          line_file(folder, points, true), shear, above * 2 * pi * std::sqrt(3.0) * ratio / (2 * pi)));
   const auto height = [&] {
     double sum = 0;
     for (int i = 0; i < edges; ++i) sum += 2.0 / edges * run.at(i).z() * std::cos(4 * pi * i / edges);
@@ -258,8 +258,8 @@ TEST_CASE("a helix at rest stays, and a straight mesh with that curvature and tw
   TestRun curling(yaml);
   for (int i = 0; i < 400; ++i) curling.step();
   // One turn: the last edge is a pitch away from the first, and parallel to it.
-  const Vec3 way = curling.at(60) - curling.at(0);
-  CHECK(way.norm() == Approx(0.1).epsilon(0.03));
+  const Vec3 span = curling.at(60) - curling.at(0);
+  CHECK(span.norm() == Approx(0.1).epsilon(0.03));
   const auto& rod = *curling.world->bodies[0].rod;
   CHECK(rod.tangent(59, curling.state().x).dot(rod.tangent(0, curling.state().x)) > 0.98);
   CHECK(curling.world->elastic_terms[0]->value(curling.state().x) < 1e-6 * 1e7 * pi / 4 * std::pow(5e-3, 4) / s2 * a * a / s2 * length);
@@ -270,11 +270,11 @@ TEST_CASE("a frame of welded rods holds its corners", "[rod]") {
   // A mast with two arms at right angles, fixed at its foot. A force on an arm rotates the joint about the mast.
   std::string text;
   const int n = 10;
-  std::vector<Vec3> places = {{0, 0, 0}};
-  for (int i = 1; i <= n; ++i) places.emplace_back(0, 0.05 * i, 0);
-  for (int i = 1; i <= n; ++i) places.emplace_back(0.05 * i, 0.5, 0);
-  for (int i = 1; i <= n; ++i) places.emplace_back(0, 0.5, 0.05 * i);
-  for (const Vec3& p : places) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+  std::vector<Vec3> points = {{0, 0, 0}};
+  for (int i = 1; i <= n; ++i) points.emplace_back(0, 0.05 * i, 0);
+  for (int i = 1; i <= n; ++i) points.emplace_back(0.05 * i, 0.5, 0);
+  for (int i = 1; i <= n; ++i) points.emplace_back(0, 0.5, 0.05 * i);
+  for (const Vec3& p : points) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
   for (int i = 0; i < n; ++i) text += fmt::format("l {} {}\n", i + 1, i + 2);
   text += fmt::format("l {} {}\nl {} {}\n", n + 1, n + 2, 2 * n + 2, n + 1);
   for (int i = 1; i < n; ++i) text += fmt::format("l {} {}\nl {} {}\n", n + 1 + i, n + 2 + i, 2 * n + 1 + i, 2 * n + 2 + i);

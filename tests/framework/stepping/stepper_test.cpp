@@ -33,17 +33,17 @@ class FreeFlight : public Stepper {
         vertex(result.x, v) =
             vertex(step.state.x, v) + step.h * vertex(step.state.v, v) + step.h * step.h * (world_->gravity + Vec3(boost_, 0, 0));
     world_->participants.move_to(result.x);
-    tried_ = step.h;
+    size_ = step.h;
   }
   Validation validate(const SolveResult&) override {
-    if (tried_ <= longest_) return {};
+    if (size_ <= longest_) return {};
     return {"too far ahead", "take smaller steps"};
   }
 
  private:
   double longest_ = 1;  // s
   double boost_ = 0;
-  double tried_ = 0;    // likewise
+  double size_ = 0;     // of the last step [s]
   World* world_ = nullptr;
 };
 

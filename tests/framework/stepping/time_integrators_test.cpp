@@ -34,7 +34,7 @@ State run(const std::string& yaml, int n, const Prepare& prepare) {
 
 // A block fixed at one face, with an initial velocity of small amplitude.
 State oscillation(const std::string& integrator, int steps) {
-  constexpr double duration = 0.02;  // s; a good part of the lowest period
+  constexpr double duration = 0.02;  // s; a large fraction of the lowest period
   return run(scene_text(integrator, duration / steps,
                         "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]},\n"
                         "  energies: [{type: neo_hookean, young: 2e4}],\n"

@@ -49,7 +49,7 @@ TEST_CASE("time.wall_limit ends a run within a solve, and names the blocking pri
   CHECK(watch.seconds() < 2 * TACK_PATIENCE);
   CHECK(run.state().step == 0);
   CHECK((run.state().x == run.world->start.x));
-  CHECK(run.warnings == std::vector<Warning>{});  // not halved
+  CHECK(run.warnings == std::vector<Warning>{});  // no step cutback
   CHECK_THROWS_AS(run.step(), SimulationError);  // from the start, too
 }
 

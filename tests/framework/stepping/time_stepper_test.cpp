@@ -73,7 +73,7 @@ TEST_CASE("a failed solve is rolled back and cut back, with warnings", "[steppin
   CHECK(halvings > 0);
   CHECK(warnings.size() == static_cast<size_t>(halvings));
   CHECK_THAT(first_text(warnings, WarningKind::step_cutback), Catch::Contains("iteration limit"));
-  CHECK(ends == 3);  // every whole step's end is met
+  CHECK(ends == 3);  // the end of every whole step is met
   CHECK(stepper.state().time == Approx(0.06).epsilon(1e-12));
   CHECK(steps == stepper.state().step);
 }
@@ -111,14 +111,14 @@ TEST_CASE("fixed vertices stay; energies are reported", "[stepping]") {
   StepReport report;
   while (!stepper.finished()) report = stepper.advance();
   CHECK(report.step == 5);
-  int held = 0;
+  int fixed_count = 0;
   for (int v = 0; v < scene.world->rest.size() / 3; ++v) {
     if (scene.world->dofs.block(v) >= 0) continue;
-    ++held;
+    ++fixed_count;
     CHECK((vertex(stepper.state().x, v) == vertex(scene.world->rest, v)));
     CHECK(vertex(stepper.state().v, v).isZero());
   }
-  CHECK(held == 4);
+  CHECK(fixed_count == 4);
   std::map<std::string, double> energies;
   for (const NamedEnergy& energy : report.energies) energies[energy.name] = energy.value;
   CHECK(energies.at("kinetic") > 0);
