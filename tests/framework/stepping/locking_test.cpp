@@ -76,7 +76,7 @@ TEST_CASE("locking: patches prevent volumetric locking of linear tets", "[lockin
   CHECK(tip("patches", 2, 0.4999) == Approx(tip("patches", 2, 0.3)).epsilon(0.02));
   CHECK(tip("patches", 2, 0.4999) == Approx(0.607).epsilon(0.02));  // of an independent implementation
   CHECK(tip("linear", 2, 0.4999) < 0.02);
-  CHECK(cook("patches", 8, 0.4999) == Approx(5.77).epsilon(0.02));  // linear tets without locking
+  CHECK(cook("patches", 8, 0.4999) == Approx(5.77).epsilon(0.02));  // of an independent implementation
 }
 
 TEST_CASE("locking: patches of meshes without cells are free of volumetric locking", "[locking]") {
