@@ -40,12 +40,12 @@ void print_contents(const World& world) {
     fmt::print("object '{}': {}; {} vertices, {} tets{}, {} surface triangles{}{}\n", body.name, size_text(world, static_cast<int>(i)), body.vertex_count, body.tets.size(),
                body.elements == Elements::composite ? fmt::format(" ({} composite ones)", body.tets.size() / composite_parts) : "", body.triangles.size(),
                body.surface_triangles.empty() ? "" : fmt::format(" ({} in contact)", body.surface_triangles.size()),
-               body.movable ? "" : ", held");
+               body.movable ? "" : ", fixed");
     for (const std::string& line : body.notes) fmt::print("  {}\n", line);
   }
   fmt::print("unknowns: {}\n", world.dofs.size());
   if (const auto groups = meeting_names(world); groups.size() > 1)
-    for (const auto& names : groups) fmt::print("may meet in the run: '{}'{}\n", fmt::join(first_of(names), "', '"), names.size() > shown_names_max ? fmt::format(" and {} more", names.size() - shown_names_max) : "");
+    for (const auto& names : groups) fmt::print("may come into contact in the run: '{}'{}\n", fmt::join(first_of(names), "', '"), names.size() > shown_names_max ? fmt::format(" and {} more", names.size() - shown_names_max) : "");
   for (const AdhesionSummary& r : world.adhesion)
     fmt::print("adhesion {}: peak {:.6g} Pa, work {:.6g} J/m^2, effective work with the barrier "
                "{:.6g} J/m^2, equilibrium gap {:.4g} m\n",
@@ -65,8 +65,8 @@ std::string error_text(const DifferenceStudy& study) {
 bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
   bool right = true;
   for (const DerivativeCheck& c : checks) {
-    if (!c.in_play()) {
-      fmt::print("derivatives of {}: inactive at the start (zero there and nearby), not checked\n", c.term);
+    if (!c.active()) {
+      fmt::print("derivatives of {}: inactive at the start (zero there and nearby), skipped\n", c.term);
       continue;
     }
     fmt::print("derivatives of {}: gradient {}, Hessian {}{}\n", c.term, error_text(c.gradient),
@@ -131,7 +131,7 @@ int check_command(const CheckOptions& options) {
   print_warnings(equilibrium.warnings);
   if (!equilibrium.error.empty()) fmt::print("no equilibrium in the first step: {}\n", equilibrium.error);
   const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.errors.empty() && equilibrium.error.empty();
-  if (right) fmt::print("no intersection, no inverted tet: {} is OK\n", options.file);
+  if (right) fmt::print("no intersection, no inverted tetrahedron: {} is OK\n", options.file);
   return right ? exit_done : exit_expectation_failed;
 }
 

@@ -20,8 +20,25 @@
 namespace tack {
 namespace {
 
+// The placeholder of a required file. CLI11 may not require it: `--set` may have swallowed it.
+constexpr const char* file_word = "file";
+
+// Prints the required file as FILE, not [file].
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    return is_file(*option) ? "FILE" : CLI::Formatter::make_option_name(option, is_positional);
+  }
+  std::string make_option_usage(const CLI::Option* option) const override {
+    return is_file(*option) ? "FILE" : CLI::Formatter::make_option_usage(option);
+  }
+
+ private:
+  static bool is_file(const CLI::Option& option) { return option.get_positional() && option.get_name(true) == file_word; }
+};
+
 void add_scene_options(CLI::App& command, SceneOptions& options, const std::string& kind = "scene") {
-  command.add_option("file", options.file, kind + " file (YAML); required")->type_name("YAML");
+  command.add_option(file_word, options.file, kind + " file (YAML)")->type_name("YAML");
   command.add_option("--set", options.overrides, "override keys: a.b=c (one or more; repeatable)")
       ->take_all()->allow_extra_args(true);
 }
@@ -34,7 +51,7 @@ void settle(SceneOptions& options) {
   const auto file = std::find_if(values.begin(), values.end(), [](const std::string& value) {
     return value.find('=') == std::string::npos;
   });
-  if (file == values.end()) throw CLI::RequiredError("file");
+  if (file == values.end()) throw CLI::RequiredError("FILE");
   options.file = *file;
   values.erase(file);
 }
@@ -49,6 +66,8 @@ class CommandLine {
  public:
   CommandLine() {
     app_.name("tack");
+    app_.formatter(std::make_shared<HelpFormatter>());
+    app_.failure_message([](const CLI::App* app, const CLI::Error& error) { return "error: " + CLI::FailureMessage::simple(app, error); });
     app_.set_version_flag("--version", version_text());
     app_.require_subcommand(1);
     app_.footer("`./tack test` runs the tests.");
@@ -141,7 +160,7 @@ class CommandLine {
   void add_view() {
     CLI::App* view = app_.add_subcommand("view", "Show a scene, a live run or results in a browser on this machine");
     add_run_options(*view, view_);
-    view->get_option("file")->description("scene file (YAML) or results folder; required");
+    view->get_option(file_word)->description("scene file (YAML) or results folder");
     view->get_option("--output")
         ->description("file (.html) to write instead of serving a page; with --run: results folder (default: results/NAME)")->type_name("FILE");
     CLI::Option* run = view->add_flag("--run", view_.run, "run the scene and show frames and curves live, with buttons to pause and stop");
@@ -327,7 +346,7 @@ class CommandLine {
     o.word = option.get_positional() ? option.get_name(true) : "";
     o.about = option.get_description();
     if (option.get_items_expected_max() > 0) o.value = option.get_type_name().substr(0, option.get_type_name().find(':'));  // without its range
-    o.required = option.get_required();
+    o.required = option.get_required() || o.word == file_word;
     o.repeatable = option.get_items_expected_max() > 1;
     return o;
   }

@@ -19,7 +19,7 @@ struct DerivativeCheck {
 
   bool wrong() const { return gradient.wrong || hessian.wrong; }
   // Returns false where value and gradient are zero all around: nothing was checked.
-  bool in_play() const { return gradient.scale > 0 || hessian.scale > 0; }
+  bool active() const { return gradient.scale > 0 || hessian.scale > 0; }
 };
 
 // Checks along fixed pseudo-random directions from two states near the start, within 3% and 0.1% of

@@ -14,7 +14,7 @@ struct ForeignName {
 };
 constexpr ForeignName foreign_names[] = {
     {"dt", "step"}, {"h", "step"}, {"timestep", "step"}, {"time_step", "step"}, {"t_end", "duration"}, {"end_time", "duration"},
-    {"e", "young"}, {"youngs_modulus", "young"}, {"young_modulus", "young"}, {"elastic_modulus", "young"}, {"shear_modulus", "young"},
+    {"e", "young"}, {"youngs_modulus", "young"}, {"young_modulus", "young"}, {"elastic_modulus", "young"}, {"shear_modulus", "young"}, {"lambda", "young"}, {"mu", "young"},
     {"nu", "poisson"}, {"poissons_ratio", "poisson"}, {"poisson_ratio", "poisson"}, {"rho", "density"},
     {"dhat", "distance"}, {"d_hat", "distance"}, {"contact_distance", "distance"}, {"kappa", "stiffness"},
     {"friction_coefficient", "mu"}, {"coefficient", "mu"}, {"epsv", "eps_v"}, {"v0", "velocity"}, {"initial_velocity", "velocity"},

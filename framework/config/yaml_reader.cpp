@@ -175,8 +175,8 @@ std::string_view line_of(std::string_view text, int number) {
   return text.substr(0, text.find('\n'));
 }
 
-// Returns the key of a line "  - key:value" without a blank after the colon; empty if it has none.
-std::string_view key_without_blank(std::string_view line) {
+// Returns the key of a line "  - key:value" without a space after the colon; empty if it has none.
+std::string_view key_without_space(std::string_view line) {
   const size_t begin = line.find_first_not_of(" -"), colon = line.find(':');
   if (begin == line.npos || colon == line.npos || colon < begin || colon + 1 == line.size()) return {};
   const std::string_view key = line.substr(begin, colon - begin);
@@ -187,14 +187,14 @@ std::string_view key_without_blank(std::string_view line) {
 // Returns the message of a syntax error. The parser notices some mistakes a line late.
 std::string syntax_error(const std::string& text, const SourceMark& mark, const std::string& message) {
   for (int number = mark.line; number > 0 && number > mark.line - 3; --number) {
-    const std::string_view line = line_of(text, number), key = key_without_blank(line);
+    const std::string_view line = line_of(text, number), key = key_without_space(line);
     if (key.empty()) continue;
     const SourceMark there{mark.file, number, static_cast<int>(key.data() + key.size() - line.data()) + 1};
-    return fmt::format("{}: not valid YAML: a blank is missing behind the colon of '{}:'", there.text(), key);
+    return fmt::format("{}: not valid YAML: a space is missing after the colon of '{}:'", there.text(), key);
   }
   const std::string_view line = line_of(text, mark.line);
   const bool tab = line.substr(0, std::min(line.find_first_not_of(" \t"), line.size())).find('\t') != line.npos;
-  return fmt::format("{}: not valid YAML: {}{}", mark.text(), message, tab ? "; lines are indented by blanks, and this one has a tab" : "");
+  return fmt::format("{}: not valid YAML: {}{}", mark.text(), message, tab ? "; this line is indented by a tab; use spaces" : "");
 }
 
 }  // namespace

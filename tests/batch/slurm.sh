@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A batch through a real Slurm gives the table of the same batch without: slurm.sh PROGRAM SOURCE_DIR
+# Tests that a batch through a real Slurm gives the table of a batch without it: slurm.sh PROGRAM SOURCE_DIR
 # Starts munged, slurmctld and slurmd for this user, in a temporary folder and on free ports, and stops them again.
 # Exits with 77 (skipped) where Slurm is not installed.
 set -euo pipefail
@@ -12,7 +12,7 @@ for command in munged slurmctld slurmd sbatch squeue; do
 done
 PATH=$PATH:/usr/sbin
 
-# Sockets have short names: not below a deep folder of builds.
+# The paths of sockets are limited in length: use /tmp, not a folder of the build.
 work=$(mktemp -d /tmp/tack_slurm.XXXXXX)
 pids=()
 clean_up() {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The scripts of `tack completion`, in the shells that are there, and the manual page: test.sh PROGRAM FOLDER, in which it has one of its own
+# Tests the scripts of `tack completion`, in the installed shells, and the manual page: test.sh PROGRAM FOLDER. Makes a subfolder of FOLDER
 set -euo pipefail
 program=$1 scratch=$2/completion_test
 rm -rf "$scratch" && mkdir -p "$scratch/results/pull" && cd "$scratch"
@@ -10,19 +10,19 @@ fail() {
   exit 1
 }
 
-# completed WORD...: what bash offers in the place of the last word, sorted.
+# completed WORD...: prints the completions of the last word by bash, sorted.
 completed() {
   "$BASH" --norc -c 'set -u; source /dev/stdin; COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMP_LINE="$*" COMP_POINT=${#COMP_LINE}; _tack || true; ((${#COMPREPLY[@]} == 0)) || printf "%s\n" "${COMPREPLY[@]}"' \
     bash "$@" < <("$program" completion bash) | sort
 }
-# offers EXPECTED WORD...: exactly these lines.
+# offers EXPECTED WORD...: fails unless bash offers exactly these lines.
 offers() {
   local expected=$1 got
   shift
   got=$(completed "$@" | paste -sd '|')
   [[ $got == "$expected" ]] || fail "bash: '$*': offers '$got', expected '$expected'"
 }
-# offers_among WORD_THAT_MUST_BE_THERE WORD...
+# offers_among EXPECTED WORD...: fails unless bash offers the first word, among others.
 offers_among() {
   local one=$1
   shift

@@ -93,7 +93,7 @@ TEST_CASE("objects that start otherwise than joints let them go on as a blow wou
 
 TEST_CASE("derivatives of limits, friction, motors and lines are those of their values", "[joints]") {
   TestScene s(scene(bar(0) + bar(1) + bar(2),
-                    hinge + ", damping: 0.1, friction: {torque: 0.2 N m}, motor: {speed: 1, torque: 2}, servo: {angle: 0.3, torque: 1, within: 0.5}, limits: {low: -20 deg, high: 30 deg, margin: 25 deg}}, "
+                    hinge + ", damping: 0.1, friction: {torque: 0.2 N m}, motor: {speed: 1, torque: 2}, position_motor: {angle: 0.3, torque: 1, within: 0.5}, limits: {low: -20 deg, high: 30 deg, margin: 25 deg}}, "
                             "{type: slider, name: s, object: bar_1, to: bar_0, at: [0.2, 0, 0], axis: [1, 0.3, 0], damping: 3, friction: {force: 2 N}, limits: {low: -0.1, high: 0.2, margin: 0.15}}, "
                             "{type: slider, name: t, object: bar_2, at: [0.5, 0, 0], axis: [0, 1, 0], motor: {speed: 1, force: 2}}"));
   int seen = 0;
@@ -102,7 +102,7 @@ TEST_CASE("derivatives of limits, friction, motors and lines are those of their 
     CHECK_FALSE(check.wrong());
     if (!check.term.starts_with("joint_")) continue;
     ++seen;
-    CHECK(check.in_play());
+    CHECK(check.active());
   }
   CHECK(seen == 3);
 }

@@ -76,7 +76,7 @@ class Jack : public Interaction {
     f.flag("tied", tied_, "the second end follows the first");
     f.flag("joined", joined_, "no contact");
     f.flag("prescribed", prescribed_, "the number goes from 0 to the goal within 0.1 s");
-    f.flag("free", free_, "contact.push_out may move its objects");
+    f.flag("free", free_, "contact.overclosure_adjustment may move its objects");
   }
   std::vector<std::string> objects() const override { return between_; }
   bool keeps_placement() const override { return !free_; }
@@ -205,7 +205,7 @@ TEST_CASE("derivatives of all that interactions and energies with unknowns add a
     CHECK_FALSE(check.wrong());
     if (check.term != "jacks" && check.term != "held") continue;
     ++jacks;
-    CHECK(check.in_play());
+    CHECK(check.active());
   }
   CHECK(jacks == 2);
   TestRun rod("time: {step: 5 ms, duration: 1}\nsolver: {type: projected_newton, tolerance: 1e-8}\nobjects:\n"
@@ -245,7 +245,7 @@ TEST_CASE("objects that an interaction joins are in no contact; others are", "[i
 }
 
 TEST_CASE("who is pushed out is who no interaction places", "[interactions]") {
-  const std::string contact = "contact: {distance: 1 mm, push_out: 1 cm}\n";
+  const std::string contact = "contact: {distance: 1 mm, overclosure_adjustment: 1 cm}\n";
   CHECK_THROWS_WITH(TestScene(scene("{type: test_jack, between: [wall, cart], " + at + "}", contact)), Contains("the start"));
   const TestScene s(scene("{type: test_jack, between: [wall, cart], at: [0.0505, 0, 0], free: true}", contact));
   CHECK(s.world->rest(3 * s.world->bodies[1].first_vertex) > 0.05);

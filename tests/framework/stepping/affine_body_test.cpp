@@ -84,7 +84,7 @@ TEST_CASE("an affine body has twelve unknowns, and derivatives in them", "[affin
   REQUIRE(checks.size() == 5);
   for (const DerivativeCheck& c : checks) {
     INFO(c.term);
-    CHECK(c.in_play());
+    CHECK(c.active());
     CHECK_FALSE(c.wrong());
   }
 }

@@ -185,7 +185,7 @@ TEST_CASE("damping terms have the derivatives of their value", "[damping]") {
   for (const DerivativeCheck& check : check_derivatives(*scene.world, 0.01, scene.clock)) {
     INFO(check.term);
     CHECK_FALSE(check.wrong());
-    damping += check.term == "damping" && check.in_play();
+    damping += check.term == "damping" && check.active();
   }
   CHECK(damping == 1);
 }
