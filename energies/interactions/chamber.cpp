@@ -20,12 +20,12 @@ class ChamberBetween : public Interaction {
     f.list("parts", parts_, "walls of the cavity: the triangles of each object with all three vertices selected; slits between walls are closed by "
                             "virtual triangles that carry the same pressure")
         .required().nonempty();
-    f.component("filling", filling_, "content of the cavity").required();
+    f.component("content", content_, "content of the cavity").required();
     f.number("vent", vent_, units::velocity,
              "leak through slits between walls that open beyond twice their rest width: the pressure above ambient "
              "decays at the rate vent times the area beyond that width over the volume").nonnegative();
     f.check("vent", [this]() -> std::string {
-      return vent_ == 0 || dynamic_cast<const StoredContent*>(filling_.get()) ? "" : "a pressure that is given does not fall; fill the chamber with a gas or a liquid, or take it away";
+      return vent_ == 0 || dynamic_cast<const StoredContent*>(content_.get()) ? "" : "a pressure that is given does not fall; fill the chamber with a gas or a liquid, or take it away";
     });
   }
   std::vector<std::string> objects() const override {
@@ -39,7 +39,7 @@ class ChamberBetween : public Interaction {
     for (const ObjectVertices& part : parts_) parts.push_back(cavity_wall(*part.select, builder.world().selection_context(builder.body(part.object))));
     const std::string who = fmt::format("interaction '{}'", builder.name());
     CavitySurface around = cavity_surface(parts, builder.rest(), who);
-    std::unique_ptr<VolumeTerm> term = filling_->make_term(builder.name(), OrientedSurface(std::move(around.triangles)), builder.rest());
+    std::unique_ptr<VolumeTerm> term = content_->make_term(builder.name(), OrientedSurface(std::move(around.triangles)), builder.rest());
     if (vent_ > 0) {
       if (around.slits.empty()) throw InputError(who + ": has a vent, and no slits between its parts; take it away, or give the gas a leak");
       auto& chamber = dynamic_cast<FluidCavityTerm&>(*term);
@@ -57,7 +57,7 @@ class ChamberBetween : public Interaction {
 
  private:
   std::vector<ObjectVertices> parts_;
-  std::unique_ptr<CavityContent> filling_;
+  std::unique_ptr<CavityContent> content_;
   double vent_ = 0;  // m/s
 };
 

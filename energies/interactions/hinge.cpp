@@ -46,7 +46,7 @@ using MotorTorque = DriveProbe<HingeAngle, of_hinges>;
 TACK_REGISTER(Interaction, Hinge, "hinge", "Hinge joint: an affine body rotates only about an axis of another object or of space. Exact; optional "
                                            "limits, friction and motors.", "");
 TACK_REGISTER(Probe, JointAngle, "joint_angle", "Rotation angle of a hinge, whole turns included [rad].", "");
-TACK_REGISTER(Probe, MotorTorque, "motor_torque", "Moment of the motor and the servo of a hinge about its axis [N m].", "");
+TACK_REGISTER(Probe, MotorTorque, "motor_torque", "Moment of the velocity motor and the position motor of a hinge about its axis [N m].", "");
 
 }  // namespace
 }  // namespace tack

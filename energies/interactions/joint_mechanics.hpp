@@ -95,7 +95,7 @@ struct MechanicsKeys {
     f.optional_object("friction", friction, "dry friction of prescribed magnitude");
     f.number("damping", damping, U.damping, "viscous damping").nonnegative();
     f.optional_object("motor", motor, "velocity motor");
-    f.optional_object("servo", position_motor, "position motor");
+    f.optional_object("position_motor", position_motor, "position motor");
   }
 
   // effort: what limits exert at half of their margin unless told.

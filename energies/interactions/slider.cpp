@@ -85,7 +85,7 @@ using MotorForce = DriveProbe<SliderDisplacement, of_sliders>;
 TACK_REGISTER(Interaction, Slider, "slider", "Slider joint: an affine body translates along a line of another object or of space without rotating "
                                              "relative to it; optional limits, friction and motors.", "");
 TACK_REGISTER(Probe, SliderDisplacementProbe, "joint_way", "Displacement of a slider along its line [m].", "");
-TACK_REGISTER(Probe, MotorForce, "motor_force", "Force of the motor and the servo of a slider along its line [N].", "");
+TACK_REGISTER(Probe, MotorForce, "motor_force", "Force of the velocity motor and the position motor of a slider along its line [N].", "");
 
 }  // namespace
 }  // namespace tack

@@ -12,18 +12,18 @@ class ChamberLoad : public Load {
  public:
   void fields(Fields& f) override {
     f.text("name", name_, "name in messages and probes; the object's unless given").line();
-    f.component("filling", filling_, "content of the cavity").required();
+    f.component("content", content_, "content of the cavity").required();
     f.component("select", select_, "vertices; triangles with all three selected are its walls: a closed sheet, or the faces of a cavity");
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
     const std::string label = name_.empty() ? body.name : name_;
     CavitySurface around = cavity_surface({cavity_wall(*select_, {body, rest})}, rest, fmt::format("the chamber '{}'", label));
-    return filling_->make_term(label, OrientedSurface(std::move(around.triangles)), rest);
+    return content_->make_term(label, OrientedSurface(std::move(around.triangles)), rest);
   }
 
  private:
   std::string name_;
-  std::unique_ptr<CavityContent> filling_;
+  std::unique_ptr<CavityContent> content_;
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 

@@ -223,6 +223,8 @@ int batch_command(const BatchOptions& options) {
     Preparation preparation("planned", terminal_width(STDOUT_FILENO), options.quiet);
     d.plan = plan_of(config, program_digest(), [&](size_t done, size_t all) { preparation.report(done, all); });
   }
+  if (!options.quiet)
+    for (const std::string& line : d.plan.warnings) fmt::print("warning: {}\n", line);
   d.file = std::filesystem::absolute(options.file.file).lexically_normal().string();
   d.limits.threads = options.threads > 0 ? options.threads : config.threads;
   d.limits.jobs = jobs_that_fit(options.jobs > 0 ? options.jobs : config.jobs, d.limits.threads, config.memory);

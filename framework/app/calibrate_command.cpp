@@ -123,6 +123,8 @@ int calibrate_command(const CalibrateOptions& options) {
   let_signals_interrupt();
   const CalibrateConfig config = load_calibration(options.file.file, options.file.overrides);
   FittedScenes scenes(config, program_digest());
+  if (!options.quiet)
+    for (const std::string& line : scenes.warnings()) fmt::print("warning: {}\n", line);
   BatchDescription d = description_of(config, options, scenes);
   if (options.dry_run) {
     show_plan(config, scenes, std::move(d));

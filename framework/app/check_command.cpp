@@ -16,6 +16,7 @@
 #include "framework/checks/round_friction.hpp"
 #include "framework/checks/scale_warnings.hpp"
 #include "framework/experiment/built_experiment.hpp"
+#include "framework/experiment/retired_key_warnings.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/output/used_stiffness.hpp"
 #include "framework/run/equilibrium_check.hpp"
@@ -114,6 +115,7 @@ int check_command(const CheckOptions& options) {
   const Experiment& experiment = built.experiment();
   World& world = built.world();
   probes_of(built);
+  print_warnings(retired_key_warnings(built.root(), experiment));
   print_contents(world);
   for (const std::string& line : world.start_notes) fmt::print("{}\n", line);
   for (const std::string& line : BentSolids(experiment, world).notes()) fmt::print("{}\n", line);

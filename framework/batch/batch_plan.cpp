@@ -9,6 +9,7 @@
 #include "framework/batch/resolved_case.hpp"
 #include "framework/batch/results_table.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/config/retired_keys.hpp"
 #include "framework/config/units.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "geometry/errors.hpp"
@@ -151,7 +152,10 @@ class Planner {
       ResolvedCase made = resolver_.resolve(std::move(root), variant.set);
       const Experiment& experiment = made.loaded.experiment;
       one.duration = experiment.time.duration;
-      if (plan_.cases.empty() || plan_.cases.back().base != base.name) add_units(column_units(experiment, made.resolved, variant, config_.statistics));
+      if (plan_.cases.empty() || plan_.cases.back().base != base.name) {
+        add_units(column_units(experiment, made.resolved, variant, config_.statistics));
+        add_warnings(retired_key_texts(made.loaded.root, fields_of(experiment)));
+      }
       one.scene = std::move(made.scene);
       one.digest = std::move(made.digest);
     } catch (const InputError& error) {
@@ -168,6 +172,11 @@ class Planner {
       const auto found = units.find(one.first);
       return found == units.end() || found->second != one.second;
     });
+  }
+
+  void add_warnings(const std::vector<std::string>& warnings) {
+    for (const std::string& one : warnings)
+      if (std::find(plan_.warnings.begin(), plan_.warnings.end(), one) == plan_.warnings.end()) plan_.warnings.push_back(one);
   }
 
   // Notes an error; an error of many cases is noted once.

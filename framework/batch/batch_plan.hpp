@@ -30,6 +30,7 @@ struct BatchPlan {
   // Units of the columns, "Pa"; only of columns with one unit in all cases.
   std::map<std::string, std::string> units;
   std::vector<BatchCase> cases;
+  std::vector<std::string> warnings;
 };
 
 // Called after each planned case with the number of planned cases and the total.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "framework/calibrate/run_gradients.hpp"
+#include "framework/config/retired_keys.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/words.hpp"
 #include "framework/config/written_number.hpp"
@@ -64,7 +65,10 @@ FittedScenes::FittedScenes(const CalibrateConfig& config, const std::string& pro
       const Scene& scene = scenes_[static_cast<size_t>(run_of(e))];
       check_keys(e, resolver_.resolve(scene.root, {}).resolved, config);
       const ResolvedCase made = resolved(run_of(e), values, {without_frames()});
-      if (scene.experiment == e) check_case({}, {name, name, {}, made.scene, "", 0});
+      if (scene.experiment == e) {
+        check_case({}, {name, name, {}, made.scene, "", 0});
+        for (std::string& line : retired_key_texts(made.loaded.root, fields_of(made.loaded.experiment))) warnings_.push_back(std::move(line));
+      }
       measured_.push_back(measured_points(config.experiments[static_cast<size_t>(e)], made.loaded.experiment));
     } catch (const InputError& error) {
       const std::string what = error.what();

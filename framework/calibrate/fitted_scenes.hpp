@@ -24,6 +24,8 @@ class FittedScenes {
   const std::vector<FittedParameter>& parameters() const { return parameters_; }
   // One for each experiment.
   const std::vector<MeasuredPoints>& measured() const { return measured_; }
+  // Warnings of the scenes: retired keys.
+  const std::vector<std::string>& warnings() const { return warnings_; }
   bool noise_known() const { return measured_.front().noise_known; }
 
   // Number of runs per evaluation; experiments with equal scenes share a run.
@@ -71,6 +73,7 @@ class FittedScenes {
   std::vector<int> run_of_;
   CaseResolver resolver_;
   std::optional<std::vector<std::string>> without_;
+  std::vector<std::string> warnings_;
 };
 
 // Formats the values: "strength 3162.28, work 0.316".

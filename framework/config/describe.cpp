@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "framework/config/nearest.hpp"
+#include "framework/config/retired_keys.hpp"
 #include "framework/config/words.hpp"
 #include "framework/config/yaml_text.hpp"
 #include "geometry/errors.hpp"
@@ -44,6 +45,8 @@ void describe_fields(const Fields& fields, const std::string& prefix, std::strin
     for (const Shape::Option& o : f.shape.options) {
       out += fmt::format("      {}: {}\n", o.name, o.doc);
     }
+    for (const std::string& name : retired_names(f, fields))
+      out += fmt::format("      deprecated name: {}\n", name);
     if (const Shape* inner = nested_object(f.shape)) {
       const std::string many = f.shape.form == Shape::Form::object ? "." : "[].";
       describe_fields(inner->prototype(), prefix + f.key + many, out);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/config/describe.hpp"
+#include "framework/config/retired_keys.hpp"
 #include "framework/config/schema_numbers.hpp"
 #include "framework/config/schema_required.hpp"
 #include "framework/config/words.hpp"
@@ -40,7 +41,14 @@ class Schema {
   explicit Schema(const Fields& root) : expressions_(root.find("parameters") != nullptr) {}
   json object(const Fields& fields) {
     json properties = json::object();
-    for (const Field& f : fields.all()) properties[f.key] = property(f);
+    for (const Field& f : fields.all()) {
+      properties[f.key] = property(f);
+      for (const std::string& name : retired_names(f, fields)) {
+        json& deprecated = properties[name] = properties[f.key];
+        deprecated["deprecated"] = true;
+        deprecated["description"] = fmt::format("Deprecated: now called '{}'.", f.key);
+      }
+    }
     return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "framework/config/nearest.hpp"
+#include "framework/config/retired_keys.hpp"
 #include "framework/config/yaml_text.hpp"
 #include "geometry/errors.hpp"
 
@@ -94,6 +95,13 @@ void merge_named(Value& base, Value over) {
   base.mark = over.mark;
 }
 
+// Returns the entry of `base` that a key of `over` overrides: under the same name, or under another
+// name of a renamed key, unless `over` has that name as well.
+Value::Entry* entry_over(Value& base, const Value& over, const std::string& key) {
+  Value::Entry* present = entry_of_key(base, key);
+  return present && present->key != key && over.find(present->key) ? nullptr : present;
+}
+
 }  // namespace
 
 void merge(Value& base, Value over) {
@@ -104,10 +112,12 @@ void merge(Value& base, Value over) {
   }
   base.mark = over.mark;
   for (Value::Entry& e : over.entries) {
-    if (Value* present = base.find(e.key)) {
-      merge(*present, std::move(e.value));
+    if (Value::Entry* present = entry_over(base, over, e.key)) {
+      if (present->key != e.key) present->mark = e.mark;
+      present->key = e.key;
+      merge(present->value, std::move(e.value));
     } else {
-      base.entries.push_back(std::move(e));
+      base.entries.push_back({e.key, e.mark, std::move(e.value)});  // entry_over needs the keys
     }
   }
 }

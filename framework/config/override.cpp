@@ -9,6 +9,7 @@
 
 #include "framework/config/nearest.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/config/retired_keys.hpp"
 #include "framework/config/yaml_reader.hpp"
 #include "geometry/errors.hpp"
 
@@ -74,7 +75,11 @@ Value& in_map(Value& map, const std::string& key, const SourceMark& origin) {
     map.set("type", std::move(type));
   }
   map.kind = Value::Kind::map;  // a null becomes a map
-  if (Value* present = map.find(key)) return *present;
+  if (Value::Entry* present = entry_of_key(map, key)) {
+    if (present->key != key) present->mark = origin;  // a retired name of the key, or its present one
+    present->key = key;
+    return present->value;
+  }
   Value created;
   created.mark = origin;
   return map.set(key, std::move(created));
@@ -117,8 +122,10 @@ void set_at(Value& root, const std::string& path, Value value) {
 const Value* value_at(const Value& root, const std::string& path) {
   const Value* node = &root;
   std::istringstream stream(full_path(root, path));
-  for (std::string segment; node && std::getline(stream, segment, '.');)
-    node = node->is_sequence() ? entry_of(*node, segment) : node->find(segment);
+  for (std::string segment; node && std::getline(stream, segment, '.');) {
+    const Value::Entry* entry = entry_of_key(*node, segment);
+    node = node->is_sequence() ? entry_of(*node, segment) : entry ? &entry->value : nullptr;
+  }
   return node;
 }
 

@@ -10,7 +10,9 @@
 #include "framework/config/field.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/config/registry.hpp"
+#include "framework/config/retired_keys.hpp"
 #include "framework/config/units.hpp"
+#include "framework/config/words.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -20,11 +22,11 @@ namespace {
 bool begins_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])); }
 
 // Returns a hint for a scalar in place of a map: "; write {mu: 0.5}" for a number, or a missing
-// blank after a key's colon; "" if neither applies.
+// space after a key's colon; "" if neither applies.
 std::string map_hint(const Value& value, const Fields& fields) {
   if (!value.is_scalar()) return "";
   const size_t colon = value.text.find(':');
-  if (colon != std::string::npos && fields.find(value.text.substr(0, colon))) return fmt::format("; a blank is missing behind the colon of '{}:'", value.text.substr(0, colon));
+  if (colon != std::string::npos && fields.find(value.text.substr(0, colon))) return fmt::format("; a space is missing after the colon of '{}:'", value.text.substr(0, colon));
   for (const Field& f : fields.all()) {
     if (f.shape.form != Shape::Form::number || !f.mandatory) continue;
     try {
@@ -34,6 +36,12 @@ std::string map_hint(const Value& value, const Fields& fields) {
     }
   }
   return "";
+}
+
+// Returns the entry of a field, under its present or a retired name; nullptr if there is none.
+const Value::Entry* entry_of_field(const Value& map, const std::string& key, const Fields& fields) {
+  const Value::Entry* entry = entry_of_key(map, key);
+  return entry && field_of_key(fields, entry->key) == fields.find(key) ? entry : nullptr;
 }
 
 }  // namespace
@@ -49,18 +57,23 @@ void Reader::unknown_keys(const Value& map, const Fields& fields, std::string_vi
   std::sort(keys.begin(), keys.end());
   for (const Value::Entry& e : map.entries) {
     if (std::binary_search(keys.begin(), keys.end(), e.key)) continue;
+    if (const Field* field = field_of_key(fields, e.key)) {  // by its retired name
+      if (const Value::Entry* other = entry_of_key(map, field->key); other->key != e.key)
+        error(e.mark, fmt::format("'{}' is now called '{}', and {} has that key as well; keep one of them", e.key, field->key, other->mark.text()));
+      continue;
+    }
     if ((e.key == "true" || e.key == "True") && std::binary_search(keys.begin(), keys.end(), "on")) {
       error(e.mark, fmt::format("unknown key '{}' in {}; did you mean 'on'? Libraries for YAML 1.1, such as PyYAML, take a bare `on` for true: "
                                 "write it in quotes where they read it", e.key, context));
       continue;
     }
     if (e.value.is_null() && begins_number(e.key)) {  // {young: 0,1 MPa}
-      error(e.mark, fmt::format("unknown key '{}' in {}; a comma ends a value: write numbers with a point, as 0.1", e.key, context));
+      error(e.mark, fmt::format("unknown key '{}' in {}; a comma ends a value; write numbers with a decimal point: 0.1", e.key, context));
       continue;
     }
     const size_t colon = e.key.find(':');
     if (e.value.is_null() && colon != std::string::npos && std::binary_search(keys.begin(), keys.end(), e.key.substr(0, colon))) {  // {distance:1 mm}
-      error(e.mark, fmt::format("unknown key '{}' in {}; a blank is missing behind the colon of '{}:'", e.key, context, e.key.substr(0, colon)));
+      error(e.mark, fmt::format("unknown key '{}' in {}; a space is missing after the colon of '{}:'", e.key, context, e.key.substr(0, colon)));
       continue;
     }
     error(e.mark,
@@ -81,7 +94,8 @@ void Reader::bind_map(const Value& map, Fields& fields, std::string_view context
   const std::size_t errors_before = errors_.size();
   unknown_keys(map, fields, context, typed);
   for (const Field& f : fields.all()) {
-    const Value* v = map.find(f.key);
+    const Value::Entry* entry = entry_of_field(map, f.key, fields);
+    const Value* v = entry ? &entry->value : nullptr;
     const bool absent = !v || (v->is_null() && f.shape.nullable);
     if (f.mandatory && absent) {
       error(map.mark, fmt::format("missing key '{}' in {}: {}; expects {}", f.key, context, f.doc,
@@ -144,8 +158,8 @@ void Reader::run_checks(const Value& map, const Fields& fields) {
   for (const Fields::Check& check : fields.checks()) {
     const std::string wrong = check.condition();
     if (wrong.empty()) continue;
-    const Value* v = map.find(check.key);
-    error(v ? v->mark : map.mark, fmt::format("{}: {}", check.key, wrong));
+    const Value::Entry* entry = entry_of_field(map, check.key, fields);
+    error(entry ? entry->value.mark : map.mark, fmt::format("{}: {}", check.key, wrong));
   }
 }
 
@@ -159,7 +173,7 @@ std::unique_ptr<Component> Reader::component(const Value& value, const Kind& kin
   }
   if (!type || !type->is_scalar()) {
     error(type ? type->mark : value.mark,
-          fmt::format("{}: expects 'type', the name of a {} ({}), got {}", key, kind.name(),
+          fmt::format("{}: expects 'type', the name of {} ({}), got {}", key, with_article(kind.name()),
                       fmt::join(kind.names(), ", "), type ? type->description() : "no 'type'"));
     return nullptr;
   }

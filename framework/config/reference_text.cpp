@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/config/describe.hpp"
+#include "framework/config/retired_keys.hpp"
 
 namespace tack {
 namespace {
@@ -15,9 +16,11 @@ std::string kind_link(const Shape& shape, KindLinks links) {
   return fmt::format("[{}]({})", noun, links == KindLinks::anchors ? "#" + kind : kind + ".md");
 }
 
-std::string meaning(const Field& f) {
+std::string meaning(const Field& f, const Fields& fields) {
   std::string text = f.doc;
   for (const Shape::Option& o : f.shape.options) text += fmt::format("<br>`{}`: {}", o.name, o.doc);
+  for (const std::string& name : retired_names(f, fields))
+    text += fmt::format("<br>Deprecated name: `{}`", name);
   return text;
 }
 
@@ -30,7 +33,8 @@ const char* const reference_conventions =
     "- Maps are merged key by key.\n"
     "- Lists whose entries have a `name` (or `between`, of pairs) are merged entry by entry; `remove: true` removes the\n"
     "  entry of that name, `replace: true` replaces it instead of merging.\n"
-    "- Other lists are replaced.\n";
+    "- Other lists are replaced.\n\n"
+    "A deprecated name of a key is accepted with a warning; both names in one map are an error.\n";
 
 const char* const parameter_header =
     "| key | value | default | range | meaning |\n| --- | --- | --- | --- | --- |\n";
@@ -51,7 +55,7 @@ void append_rows(const Fields& fields, const std::string& prefix, KindLinks link
     out += fmt::format("| `{}{}` | {} | {} | {} | {} |\n", prefix, f.key,
                        table_cell(kind_link(f.shape, links)),
                        is_value ? "`" + table_cell(initial) + "`" : initial, f.constraint(),
-                       table_cell(meaning(f)));
+                       table_cell(meaning(f, fields)));
     const std::string many = f.shape.form == Shape::Form::object ? "." : "[].";
     if (inner && nested) append_rows(inner->prototype(), prefix + f.key + many, links, nested, out);
   }

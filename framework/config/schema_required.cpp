@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "framework/config/retired_keys.hpp"
+
 namespace tack {
 namespace {
 
@@ -17,8 +19,12 @@ class Required {
   json object(const Fields& fields) {
     json required = json::array(), properties = json::object(), schema = json::object();
     for (const Field& f : fields.all()) {
-      if (f.mandatory) required.push_back(f.key);
-      if (json inner = value(f.shape, f); !inner.empty()) properties[f.key] = std::move(inner);
+      std::vector<std::string> names = retired_names(f, fields);
+      names.insert(names.begin(), f.key);
+      if (f.mandatory && names.size() == 1) required.push_back(f.key);
+      if (f.mandatory && names.size() > 1) schema["allOf"].push_back(one_of(names));
+      if (const json inner = value(f.shape, f); !inner.empty())
+        for (const std::string& name : names) properties[name] = inner;
     }
     if (!required.empty()) schema["required"] = required;
     if (!properties.empty()) schema["properties"] = properties;
@@ -26,6 +32,13 @@ class Required {
   }
 
  private:
+  // Returns the schema of a key that has retired names.
+  static json one_of(const std::vector<std::string>& names) {
+    json any = json::array();
+    for (const std::string& name : names) any.push_back({{"required", json::array({name})}});
+    return {{"anyOf", any}};
+  }
+
   json value(const Shape& shape, const Field& f) {
     if (shape.form == Form::object) return object(shape.prototype());
     if (shape.form == Form::component) return component(*shape.kind, f);

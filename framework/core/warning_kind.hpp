@@ -8,6 +8,8 @@
 // Entries: key, whether the kind recurs from step to step, meaning. docs/results.md lists the same
 // keys and meanings.
 #define TACK_WARNING_KINDS(entry)                                                                  \
+  /* keys of the scene */                                                                          \
+  entry(retired_key, false, "a key of the scene has been renamed; its former name is still read")  \
   /* laws, before a run */                                                                         \
   entry(law_not_finite, false, "values or derivatives of a law are not finite within its range")   \
   entry(law_derivatives, false, "derivatives of a law are not those of its energy")                \

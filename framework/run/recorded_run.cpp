@@ -9,6 +9,7 @@
 #include "framework/config/describe.hpp"
 #include "framework/config/file_digest.hpp"
 #include "framework/config/words.hpp"
+#include "framework/experiment/retired_key_warnings.hpp"
 #include "framework/experiment/stored_experiment.hpp"
 #include "framework/output/laws_csv.hpp"
 #include "framework/output/measured_csv.hpp"
@@ -110,6 +111,7 @@ void RecordedRun::report_start() {
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
                                 world().bodies.size(), world().rest.size() / 3, summary_.dofs, summary_.provenance.threads));
   for (const std::string& line : world().start_notes) progress_.message(line);
+  for (const Warning& warning : retired_key_warnings(simulation_.built().root(), experiment_)) warn(warning);
   for (const Warning& warning : scene_warnings(experiment_, world())) warn(warning);
 }
 

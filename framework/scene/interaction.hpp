@@ -35,8 +35,8 @@ class Interaction : public Component {
 
   /// Names of the objects or groups that it acts on; "*": all.
   virtual std::vector<std::string> objects() const = 0;
-  /// Returns true if these objects keep their placement, so that contact.push_out does not move
-  /// them.
+  /// Returns true if these objects keep their placement, so that
+  /// contact.overclosure_adjustment does not move them.
   virtual bool keeps_placement() const { return true; }
   /// Requests all parts of the interaction from the builder. Throws InputError; the caller adds the
   /// source location.

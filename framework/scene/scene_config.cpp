@@ -118,7 +118,7 @@ void PairConfig::fields(Fields& f) {
 void ContactConfig::fields(Fields& f) {
   f.number("distance", contact_distance, units::length, "dhat_b: gap below which surfaces repel").positive();
   f.component("barrier", barrier, "repulsion of every pair");
-  f.optional_number("guard", guard, units::none,
+  f.optional_number("safety_barrier", safety_barrier, units::none,
                     "range, in contact distances, of safety-barrier pairs, which only prevent intersection "
                     "(edge-edge, and points of the side that is not integrated); by default 0.5, and 1 for soft "
                     "bodies that may fly or fall faster than their wave speed")
@@ -127,9 +127,9 @@ void ContactConfig::fields(Fields& f) {
            {{"area", Weights::area, "surface integrals that do not depend on the mesh"},
             {"pair", Weights::pair, "every close pair counts, as in plain IPC; strength depends on the mesh"}},
            "weighting of pairs");
-  f.flag("between_held", between_held,
+  f.flag("between_prescribed", between_prescribed,
          "contact between objects whose motion is prescribed throughout; false: they may overlap");
-  f.optional_number("push_out", push_out, units::length,
+  f.optional_number("overclosure_adjustment", overclosure_adjustment, units::length,
                     "overclosure adjustment: objects that overlap at the start, or are closer than their offsets, "
                     "are moved apart by at most this distance, to a gap of half the contact distance; objects that "
                     "are prescribed, attached or joined by an interaction stay. Unless given, such a start is refused").positive();
@@ -154,7 +154,7 @@ void SceneConfig::fields(Fields& f) {
   f.optional_object("contact", contact, "contact between all objects; without it there is none");
   f.optional_object("start", start, "initial state from a run: objects start at time 0 in the state of a checkpoint of that run");
   f.check("start", [this]() -> std::string {
-    return start && contact && contact->push_out ? "places objects, as contact.push_out does; take one of them out" : "";
+    return start && contact && contact->overclosure_adjustment ? "places objects, as contact.overclosure_adjustment does; take one of them out" : "";
   });
 }
 

@@ -98,11 +98,11 @@ struct PairConfig {
 struct ContactConfig {
   enum class Weights { area, pair };
   double contact_distance = 1e-3;  // m
-  std::optional<double> guard;     // range of safety barriers, in contact distances
+  std::optional<double> safety_barrier;  // range of safety barriers, in contact distances
   Weights weights = Weights::area;
-  bool between_held = true;
+  bool between_prescribed = true;
   std::unique_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");
-  std::optional<double> push_out;  // m
+  std::optional<double> overclosure_adjustment;  // m
   std::optional<FrictionConfig> friction;
   LaggingConfig lagging;
   std::vector<PairConfig> pairs;

@@ -40,7 +40,7 @@ struct OverlappingBoxes {
 class OverclosureAdjustment {
  public:
   OverclosureAdjustment(const SceneConfig& scene, const Value& root, const std::vector<Mesh>& meshes)
-      : scene_(scene), contact_(*scene.contact), limit_(*contact_.push_out), root_(root), classes_(named_classes(scene)),
+      : scene_(scene), contact_(*scene.contact), limit_(*contact_.overclosure_adjustment), root_(root), classes_(named_classes(scene)),
         configs_(scene, root, classes_), displacement_(meshes.size(), Vec3::Zero()), pushed_by_(meshes.size(), -1) {
     std::set<std::string> constrained;
     for (const ObjectConfig& object : scene.objects) {
@@ -153,7 +153,7 @@ class OverclosureAdjustment {
 
   [[noreturn]] void refuse(int a, int b, const OverlapDepth& found) const {
     const auto at_limit = [&](int i) { return free_[i] && displacement_[i].norm() >= limit_ * (1 - 1e-9); };
-    const std::string why = at_limit(a) || at_limit(b) ? fmt::format("'{}' would have to go farther than contact.push_out ({:.4g} m)", name(at_limit(a) ? a : b), limit_)
+    const std::string why = at_limit(a) || at_limit(b) ? fmt::format("'{}' would have to go farther than contact.overclosure_adjustment ({:.4g} m)", name(at_limit(a) ? a : b), limit_)
                                              : "what is around leaves no room";
     throw InputError(fmt::format("{}'{}' and '{}' {} at ({:.6g}, {:.6g}, {:.6g}) m, {:.4g} m {}, and could not be pushed apart: {}; move one of them "
                                  "(place.translate), or turn their contact off (contact.pairs, contact: false)",
@@ -176,7 +176,7 @@ class OverclosureAdjustment {
 }  // namespace
 
 std::vector<std::string> adjust_overclosures(const SceneConfig& scene, const Value& root, std::vector<Mesh>& meshes) {
-  if (!scene.contact || !scene.contact->push_out) return {};
+  if (!scene.contact || !scene.contact->overclosure_adjustment) return {};
   OverclosureAdjustment adjustment(scene, root, meshes);
   adjustment.run();
   adjustment.refuse_remaining();

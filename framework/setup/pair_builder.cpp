@@ -96,7 +96,7 @@ void PairBuilder::build() {
                                        "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
     const bool prescribed = !world_.bodies[a].movable && !world_.bodies[b].movable, through = index >= 0 && !contact_.pairs[index].contact;
     if (!regions.empty()) check_regions(a, b, regions, attached || through);
-    if (attached || (prescribed && !contact_.between_held) || through) {
+    if (attached || (prescribed && !contact_.between_prescribed) || through) {
       colliding_.set(a, b, false);
       continue;
     }
@@ -161,7 +161,7 @@ PairMaterials PairBuilder::materials_of(int a, int b) const {
 
 double PairBuilder::safety_barrier_range_of(int a, int b) const {
   if (table_.plain_sums) return 1;
-  return contact_.guard.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? safety_barrier_range_of_fast : safety_barrier_range);
+  return contact_.safety_barrier.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? safety_barrier_range_of_fast : safety_barrier_range);
 }
 
 PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {

@@ -14,12 +14,12 @@
 namespace tack {
 namespace {
 
-// Returns true if contact.push_out could help. It is unset, and `start`, which excludes it, too.
-bool may_push_out(const SceneConfig& scene) { return !scene.contact->push_out && !scene.start; }
+// Returns true if contact.overclosure_adjustment could help. It is unset, and `start`, which excludes it, too.
+bool may_push_out(const SceneConfig& scene) { return !scene.contact->overclosure_adjustment && !scene.start; }
 
 // Returns the remedy for objects that intersect each other.
 std::string apart(const SceneConfig& scene) {
-  const char* pushed = may_push_out(scene) ? ", have them pushed apart if they overlap a little (contact.push_out: 1 mm)" : "";
+  const char* pushed = may_push_out(scene) ? ", have them pushed apart if they overlap a little (contact.overclosure_adjustment: 1 mm)" : "";
   return fmt::format("move the objects apart (place.translate){} or turn their contact off (contact.pairs, contact: false)", pushed);
 }
 
@@ -77,7 +77,7 @@ void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
                                  : " itself; take one of the parts out of the mesh, part them, or turn the object's contact with itself off "
                                    "(contact.pairs, contact: false)", list));
   throw InputError(fmt::format("{}the start violates the contact offsets; move the objects apart (place.translate){} or lower their "
-                               "contact_offset:{}", where, several && may_push_out(scene) ? ", have them pushed apart (contact.push_out: 1 mm)" : "",
+                               "contact_offset:{}", where, several && may_push_out(scene) ? ", have them pushed apart (contact.overclosure_adjustment: 1 mm)" : "",
                                list));
 }
 

@@ -217,7 +217,7 @@ void Minimization::check_tunnelling(const VecX& x, Validation& validation) {
   validation.fault = fmt::format(
       "'{}' went around '{}', which is in its way: {:.3g} m or more, at {:.3g} m/s, and the smaller one of them is {:.3g} m long",
       world_.bodies[tunnelling->body].name, world_.bodies[tunnelling->obstacle].name, tunnelling->displacement, tunnelling->displacement / h_, tunnelling->size);
-  validation.remedy = "take a smaller time.step or a larger time.max_halvings";
+  validation.remedy = "take a smaller time.step or a larger time.max_cutbacks";
   validation.substeps = tunnelling->substeps;
   validation.tolerable = true;
 }

@@ -26,7 +26,7 @@ void TimeConfig::fields(Fields& f) {
                     "wall time after which the run ends with the results so far and exit code 3; a resumed run has "
                     "the whole limit again; none unless given")
       .positive();
-  f.integer("max_halvings", max_cutbacks,
+  f.integer("max_cutbacks", max_cutbacks,
             "largest number of cutbacks (halvings into substeps) of a failed step before the run ends with an error; "
             "also of a step with tunnelling, after which the step is accepted with a warning")
       .range(0, 30);

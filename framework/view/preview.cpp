@@ -10,6 +10,7 @@
 #include "framework/config/read_file.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/experiment/built_experiment.hpp"
+#include "framework/experiment/retired_key_warnings.hpp"
 #include "framework/output/frame_geometry.hpp"
 #include "framework/report/run_data.hpp"
 #include "framework/report/scene_data.hpp"
@@ -143,11 +144,13 @@ PageData preview_data(const PreviewSettings& s) {
   }
   follower.series().written = static_cast<int>(motion.times.size());
 
+  std::vector<Warning> warnings = retired_key_warnings(loaded.built->root(), e);
+  for (Warning& warning : scene_warnings(e, world)) warnings.push_back(std::move(warning));
   std::vector<std::string> notes = notes_on(e, world);
   if (!motion.problem.empty()) notes.push_back(fmt::format("the motions are shown until t = {:g} s: {}", motion.times.back(), motion.problem));
   const Json selections = selections_data(shown_selections(loaded.built->root(), world), follower.kept(), frame.mesh.vertices.size(), page);
   page.document = {{"format", 1}, {"kind", "preview"}, {"title", e.name}, {"made", {{"version", s.version}, {"commit", s.commit}}}};
-  page.document["preview"] = {{"error", loaded.error.empty() ? Json() : Json(loaded.error)}, {"warnings", texts_of(scene_warnings(e, world))}, {"notes", notes},
+  page.document["preview"] = {{"error", loaded.error.empty() ? Json() : Json(loaded.error)}, {"warnings", texts_of(warnings)}, {"notes", notes},
                               {"duration", e.time.duration}, {"bodies", bodies_of(e, world)}};
   page.document["runs"] = Json::array();
   page.document["runs"].push_back({{"label", e.name.empty() ? fs::path(s.file).stem().string() : e.name}, {"status", "preview"}, {"notes", Json::array()}, {"summary", nullptr},

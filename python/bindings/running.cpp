@@ -8,6 +8,7 @@
 #include "framework/config/describe.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/term_gradient.hpp"
+#include "framework/experiment/retired_key_warnings.hpp"
 #include "framework/output/element_fields.hpp"
 #include "framework/output/frame_fields.hpp"
 #include "framework/output/frame_geometry.hpp"
@@ -60,6 +61,7 @@ Running::Running(LoadedExperiment loaded, int threads) : arena_(threads > 0 ? th
       throw InputError("objects that are meshed anew as they flow (remesh) have vertices that come and go, and arrays in Python are of lasting ones; take `remesh` away "
                        "(set={\"objects.NAME.remesh\": None}), or use `tack run`");
     simulation_ = std::make_unique<Simulation>(std::move(loaded), [this](const Warning& w) { warnings_.push_back(w); });
+    warnings_ = retired_key_warnings(simulation_->built().root(), simulation_->experiment());
     probes_.emplace(probes_of(simulation_->built()));
     simulation_->start();
     settle();

@@ -22,7 +22,7 @@ std::string sheets(double unit, int cells, const std::string& below, const std::
   };
   return "objects:\n" + sheet("low", below, ", motion: [fixed]") + sheet("high", above, more) +
          fmt::format("  - {{name: far, shape: {{type: box, size: [{0}, {0}, {0}]}}, place: {{translate: [{1}, 0, 0]}}, body: affine}}\n", 0.1 * unit, 9 * unit) +
-         "interactions:\n  - {type: chamber, name: air, parts: [{object: low}, {object: high}], filling: " + filling + "}\n";
+         "interactions:\n  - {type: chamber, name: air, parts: [{object: low}, {object: high}], content: " + filling + "}\n";
 }
 
 const VolumeTerm& chamber_of(const World& world) {
@@ -109,6 +109,6 @@ TEST_CASE("chambers: a vent without slits, or of a pressure that is given, is re
            "energies: [{type: neo_hookean_membrane, young: 1 MPa, density: 1000}]}\ninteractions:\n  - {type: chamber, name: air, parts: [" +
            parts + "], " + more + "}\n";
   };
-  CHECK_THROWS_WITH(TestRun(chamber("{object: ball}", "filling: {type: gas}, vent: 1")), Catch::Contains("no slits between its parts"));
-  CHECK_THROWS_WITH(TestRun(chamber("{object: ball}", "filling: {type: pressure, value: 1 kPa}, vent: 1")), Catch::Contains("does not fall"));
+  CHECK_THROWS_WITH(TestRun(chamber("{object: ball}", "content: {type: gas}, vent: 1")), Catch::Contains("no slits between its parts"));
+  CHECK_THROWS_WITH(TestRun(chamber("{object: ball}", "content: {type: pressure, value: 1 kPa}, vent: 1")), Catch::Contains("does not fall"));
 }

@@ -41,10 +41,10 @@ const Case cases[] = {
     {"pressure on a block", block, "{type: pressure, value: 5 kPa}"},
     {"pressure on a held block", held, "{type: pressure, value: 5 kPa, select: {type: face, direction: [0, 1, 0]}}"},
     {"pressure on an affine body", stone, "{type: pressure, value: 5 kPa, select: {type: face, direction: [1, 0, 0]}}"},
-    {"gas", balloon, "{type: chamber, filling: {type: gas, pressure: 110 kPa}}"},
-    {"adiabatic gas in a vacuum", balloon, "{type: chamber, filling: {type: gas, pressure: 4 kPa, ambient: 0, gamma: 1.4, leak: 2}}"},
-    {"liquid", balloon, "{type: chamber, filling: {type: liquid, bulk_modulus: 1 MPa, volume: [[0, 1], [1, 2]]}}"},
-    {"pressure in a chamber", balloon, "{type: chamber, filling: {type: pressure, value: 3 kPa}}"},
+    {"gas", balloon, "{type: chamber, content: {type: gas, pressure: 110 kPa}}"},
+    {"adiabatic gas in a vacuum", balloon, "{type: chamber, content: {type: gas, pressure: 4 kPa, ambient: 0, gamma: 1.4, leak: 2}}"},
+    {"liquid", balloon, "{type: chamber, content: {type: liquid, bulk_modulus: 1 MPa, volume: [[0, 1], [1, 2]]}}"},
+    {"pressure in a chamber", balloon, "{type: chamber, content: {type: pressure, value: 3 kPa}}"},
     {"torque", block, "{type: torque, value: 0.5, axis: [1, 2, 0.5]}"},
     {"torque about a point", held, "{type: torque, value: -0.5, axis: [0, 1, 0], point: [0.1, 0, 0.05], select: {type: face, direction: [0, 1, 0]}}"},
     {"torque on an affine body", stone, "{type: torque, value: 0.5, axis: [0, 1, 1]}"},
@@ -306,11 +306,11 @@ TEST_CASE("following loads say what is wrong with them", "[loads]") {
     }
   };
   const auto has = [](const std::string& text) { return Catch::Matchers::Contains(text); };
-  CHECK_THAT(refused(sheet, "{type: chamber, filling: {type: gas}}"), has("boundary that nothing closes"));
-  CHECK_THAT(refused(block, "{type: chamber, filling: {type: gas}}"), has("wrong side of the faces of solids"));
-  CHECK_THAT(refused(balloon, "{type: chamber, filling: {type: gas, ambient: 0}}"), has("pressure at rest"));
+  CHECK_THAT(refused(sheet, "{type: chamber, content: {type: gas}}"), has("boundary that nothing closes"));
+  CHECK_THAT(refused(block, "{type: chamber, content: {type: gas}}"), has("wrong side of the faces of solids"));
+  CHECK_THAT(refused(balloon, "{type: chamber, content: {type: gas, ambient: 0}}"), has("pressure at rest"));
   CHECK_THAT(refused(balloon, "{type: pressure, value: 1, select: {type: indices, vertices: [0]}}"), has("whole triangle"));
-  CHECK_THAT(refused(balloon, "{type: pressure, value: 1}, {type: chamber, filling: {type: gas}}"), has("another name"));
+  CHECK_THAT(refused(balloon, "{type: pressure, value: 1}, {type: chamber, content: {type: gas}}"), has("another name"));
   CHECK_THAT(refused(balloon, "{type: pressure, value: 1 m}"), has("pressure"));
   CHECK_THAT(refused(block, "{type: torque, value: 1, select: {type: indices, vertices: [0]}}"), has("lies on its axis"));
   CHECK_THAT(refused(block, "{type: field, x: q * 2}"), has("q"));

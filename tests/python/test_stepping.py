@@ -57,7 +57,7 @@ class Stepping(unittest.TestCase):
         np.testing.assert_array_equal(*ends)
 
     def test_a_warning_has_a_kind(self):
-        sim = tack.Simulation(blocks, set={**small, "solver.max_iterations": 1, "time.max_halvings": 2})
+        sim = tack.Simulation(blocks, set={**small, "solver.max_iterations": 1, "time.max_cutbacks": 2})
         with warnings.catch_warnings(record=True) as given:
             warnings.simplefilter("always", tack.Warned)
             with contextlib.suppress(tack.SimulationError):

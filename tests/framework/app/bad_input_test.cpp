@@ -121,11 +121,11 @@ const std::vector<Mistake> mistakes = {
      {"scene.yaml:20:45: unknown key 'true' in probe 'contact_force'; did you mean 'on'?", "write it in quotes"}},
     {"name of another program", "young: 1 MPa", "E: 1 MPa", {"scene.yaml:12:36: unknown key 'E' in energy 'neo_hookean'", "did you mean 'young'?"}},
     {"other capitals", "young: 1 MPa", "young: 1 MPA", {"'MPA' is no known unit; did you mean 'MPa'?"}},
-    {"decimal comma in braces", "young: 1 MPa", "young: 0,1 MPa", {"unknown key '1 MPa' in energy 'neo_hookean'; a comma ends a value: write numbers with a point"}},
+    {"decimal comma in braces", "young: 1 MPa", "young: 0,1 MPa", {"unknown key '1 MPa' in energy 'neo_hookean'; a comma ends a value; write numbers with a decimal point"}},
     {"decimal comma", "distance: 1 mm", "distance: 0,5 mm", {"scene.yaml:14:13: distance: ", "write numbers with a point, as 0.1"}},
-    {"blank missing", "distance: 1 mm", "distance:1 mm", {"scene.yaml:14:11: not valid YAML: a blank is missing behind the colon of 'distance:'"}},
-    {"blank missing in braces", "young: 1 MPa", "young:1 MPa", {"a blank is missing behind the colon of 'young:'"}},
-    {"tab", "  distance: 1 mm", "\tdistance: 1 mm", {"lines are indented by blanks, and this one has a tab"}},
+    {"space missing", "distance: 1 mm", "distance:1 mm", {"scene.yaml:14:11: not valid YAML: a space is missing after the colon of 'distance:'"}},
+    {"space missing in braces", "young: 1 MPa", "young:1 MPa", {"a space is missing after the colon of 'young:'"}},
+    {"tab", "  distance: 1 mm", "\tdistance: 1 mm", {"this line is indented by a tab; use spaces"}},
     {"number for a map", "distance: 1 mm", "friction: 0.5", {"friction expects a map, got '0.5'; write {mu: 0.5}"}},
     {"no tets", cube, "shape: {type: box, size: [0.2, 0.2, 0.2], surface: true}", {"needs tetrahedra", "steps: [tetrahedralize]"}},
     {"bad syntax", "distance: 1 mm", "distance: [1 mm", {"scene.yaml:15:8: not valid YAML"}},
@@ -206,7 +206,7 @@ TEST_CASE("contact at the start is refused with its location") {
   const std::string bare = "rod: {radius: 5 mm}, energies: [{type: elastic_rod, young: 1 MPa, density: 1000}]";
   const std::string crossed = error_of("v -1 0 0\nv 1 0 0\nl 1 2\n", bare,
                                        "  - {name: other, shape: {type: segment, length: 2}, place: {axis: [0, 1, 0], angle: 90 deg}, " + bare + "}\n");
-  CHECK(contains(crossed, "the start touches; move the objects apart (place.translate), have them pushed apart if they overlap a little (contact.push_out: 1 mm)"));
+  CHECK(contains(crossed, "the start touches; move the objects apart (place.translate), have them pushed apart if they overlap a little (contact.overclosure_adjustment: 1 mm)"));
 }
 
 TEST_CASE("a wrong command line ends with 2 and names the expected arguments") {
@@ -217,7 +217,7 @@ TEST_CASE("a wrong command line ends with 2 and names the expected arguments") {
     CHECK(result.exit_code == 2);
     return result.err;
   };
-  CHECK(contains(error_of({"run"}), "file is required"));
+  CHECK(contains(error_of({"run"}), "error: FILE is required"));
   CHECK(contains(error_of({"run", "nowhere.yaml"}), "nowhere.yaml"));
   CHECK(contains(error_of({"run", "scene.yaml", "--stepz", "2"}), "--stepz"));
   CHECK(contains(error_of({"run", "scene.yaml", "--steps", "0"}), "--steps: expects a whole number above zero, got '0'"));

@@ -207,7 +207,7 @@ vary:
       - {name: crashes, set: {time.duration: 1000 s}}
       - {name: takes_too_long, set: {time.duration: 1000 s}}
       - {name: wrong, set: {expect.0.at_least: 5 m}}
-      - {name: cannot, set: {solver.max_iterations: 1, time.max_halvings: 0}}
+      - {name: cannot, set: {solver.max_iterations: 1, time.max_cutbacks: 0}}
       - {name: right}
 )");
   Program batch(files.path, {"batch", "batch.yaml", "-o", "b"});

@@ -21,7 +21,7 @@ objects:
     shell: {thickness: 1 mm}
     energies: [{type: neo_hookean_membrane, young: 1 MPa, density: 1000}]
     loads:
-      - {type: chamber, filling: {type: gas, pressure: 104 kPa, leak: 5, amount: [[0, 1], [0.1, 1.05]]}}
+      - {type: chamber, content: {type: gas, pressure: 104 kPa, leak: 5, amount: [[0, 1], [0.1, 1.05]]}}
       - {type: torque, value: 5 mN m, axis: [0, 1, 0]}
       - {type: wind, velocity: [3, 0, 1]}
       - {type: field, x: -50 * x - vx}
@@ -92,7 +92,7 @@ TEST_CASE("methods that want sums of squares refuse a chamber by name, and take 
                                            "body: {type: affine, density: 1000}, loads: [" + loads + "]}\nsolver: {type: ceres_trust_region}\n");
     return run(folder.path(), "can.yaml", {"-o", "out"});
   };
-  const ProgramResult refused = with("{type: chamber, filling: {type: gas}}");
+  const ProgramResult refused = with("{type: chamber, content: {type: gas}}");
   CHECK(refused.exit_code != 0);
   CHECK_THAT(refused.err, Catch::Matchers::Contains("'chamber'"));
   CHECK(with("{type: torque, value: 1}, {type: wind, velocity: [1, 0, 0]}, {type: pressure, value: 100}, {type: field, y: -y}").exit_code == 0);

@@ -34,7 +34,7 @@ struct Place {
 const std::string fall =
     tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:");
 const Arguments hard = {"--set", "objects.block.place.translate=[0, 0.125, 0]", "--set",
-                        "solver.max_iterations=1", "--set", "time.max_halvings=0"};
+                        "solver.max_iterations=1", "--set", "time.max_cutbacks=0"};
 
 // A run that would be long, after three steps or more.
 ProgramResult interrupted(const Place& place) {

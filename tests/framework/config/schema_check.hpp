@@ -35,7 +35,7 @@ class SchemaCheck {
 
   bool obeys(const std::string& word, const json& rule, const json& schema, const json& v) const {
     for (const char* note : {"$schema", "title", "description", "default", "definitions",
-                             "$comment", "if", "then", "else"}) {
+                             "$comment", "deprecated", "if", "then", "else"}) {
       if (word == note) return true;
     }
     if (word == "type") return rule.is_array() ? any_type(rule, v) : is_type(rule, v);

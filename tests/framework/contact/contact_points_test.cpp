@@ -252,7 +252,7 @@ TEST_CASE("contact points: features whose normals agree are one", "[contact][fri
         "  - {{name: groove, shape: {{type: file, path: {}}}, motion: [fixed]}}\n"
         "  - {{name: blade, shape: {{type: box, size: [1e-4, 0.01, 0.01]}},\n"
         "     place: {{translate: [0, {}, 0.003]}}, energies: [{{type: neo_hookean, young: 1e5}}]}}\n"
-        "contact: {{distance: 1e-3, guard: 0.01, friction: {{mu: 0.5}},\n"
+        "contact: {{distance: 1e-3, safety_barrier: 0.01, friction: {{mu: 0.5}},\n"
         "  pairs: [{{between: [blade, groove], integrate: blade}},\n"
         "          {{between: [blade, blade], contact: false}}]}}\n", file.string(), 0.005 + gap));
     World& world = *scene.world;

@@ -14,7 +14,7 @@ namespace {
 // Three small boxes around each other, askew; between two of them all edges are nearly parallel.
 std::string cluster(const std::string& contact) {
   return three_boxes() +
-         "contact: {distance: 0.025, guard: 1, " + contact +
+         "contact: {distance: 0.025, safety_barrier: 1, " + contact +
          "barrier: {type: clamped_log, stiffness: 1e3},\n"
          "  pairs: [{between: [a, b], adhesion: {type: fang, young: 1e3, critical_strain: 0.5}},\n"
          "          {between: [b, c], integrate: both, adhesion: {type: fang, form: squared, young: 1e3, critical_strain: 0.5}}]}\n";
@@ -136,7 +136,7 @@ TEST_CASE("contact: exactly parallel edges have finite derivatives", "[contact]"
       "  - {name: a, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1e5}]}\n"
       "  - {name: b, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0.102, 0.102, 0]},\n"
       "     energies: [{type: neo_hookean, young: 1e5}]}\n"
-      "contact: {distance: 0.01, guard: 1}\n");
+      "contact: {distance: 0.01, safety_barrier: 1}\n");
   const VecX& x = scene.world->rest;
   scene.world->contact->move_to(x);
   CHECK(nearly_parallel(scene.world->contact->contacts(), x) > 0);

@@ -16,7 +16,7 @@ const std::string cluster = [] {
   const std::string laws = "adhesion: {type: fang, young: 1e3, critical_strain: 0.5},\n"
                            "     friction: {mu: 0.4, eps_v: 2e-3}, tangential_adhesion: {mu: 0.8, eps_a: 1e-3}}";
   return three_boxes() +
-         "contact:\n  distance: 0.025\n  guard: 1\n  friction: {mu: 0.7}\n"
+         "contact:\n  distance: 0.025\n  safety_barrier: 1\n  friction: {mu: 0.7}\n"
          "  barrier: {type: clamped_log, stiffness: 1e3}\n"
          "  pairs:\n   - {between: [a, b], " + laws + "\n   - {between: [b, c], integrate: both, " + laws + "\n";
 }();

@@ -40,7 +40,7 @@ std::string crowd(const std::string& contact) {
 }  // namespace
 
 TEST_CASE("contacts are the same whether or not anything is known of the distances of candidates", "[contact]") {
-  for (const char* contact : {"weights: area, guard: 1, ", "weights: area, ", "weights: pair, "}) {
+  for (const char* contact : {"weights: area, safety_barrier: 1, ", "weights: area, ", "weights: pair, "}) {
     TestScene scene(crowd(contact));
     const ContactSystem& system = *scene.world->contact;
     RandomMotions random(23);
@@ -113,7 +113,7 @@ TEST_CASE("pairs of edges that do not adhere guard as what the smaller side carr
   TestScene scene("objects:\n  - {name: floor, shape: {type: box, size: [4, 0.5, 4]}, place: {translate: [0, -0.2505, 0]}, motion: [fixed]}\n"
                   "  - {name: mat, shape: {type: box, size: [0.3, 0.02, 0.3], cells: [8, 1, 8]}, place: {translate: [0, 0.01, 0]},\n"
                   "    energies: [{type: neo_hookean, young: 10 kPa}]}\n"
-                  "contact: {distance: 2 mm, guard: 1" + contact_keys + "}\n");
+                  "contact: {distance: 2 mm, safety_barrier: 1" + contact_keys + "}\n");
   ContactSystem& contact = *scene.world->contact;
   contact.move_to(scene.world->rest);
   const ContactSurface& surface = contact.surface();

@@ -81,7 +81,7 @@ void check_squares(const Term& term, const VecX& x, const VecX& y) {
 std::string cluster(const std::string& weights, int cells) {
   const std::string sliding = ", friction: {mu: 0.4, eps_v: 2e-3}, tangential_adhesion: {mu: 0.8, eps_a: 1e-3}}";
   return three_boxes(cells) +
-         "contact:\n  distance: 0.025\n  guard: 1\n  weights: " + weights + "\n" +
+         "contact:\n  distance: 0.025\n  safety_barrier: 1\n  weights: " + weights + "\n" +
          "  barrier: {type: clamped_log, stiffness: 1e3}\n"
          "  pairs:\n"
          "   - {between: [a, b], adhesion: {type: fang, young: 1e3, critical_strain: 0.5}" + sliding + "\n" +

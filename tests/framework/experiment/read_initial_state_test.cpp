@@ -187,8 +187,8 @@ TEST_CASE("a state that does not fit is refused with the object and the remedy",
   refused(all, from(settled.folder.path()), "there is no checkpoint in");
   refused(all, from(settled.run / "probes.csv"), "probes.csv");
   std::string pushed = scene_of(all, 0.1, from(settled.run));
-  pushed.replace(pushed.find("distance: 2 mm"), 14, "distance: 2 mm, push_out: 1 mm");
-  CHECK_THROWS_WITH(TestScene(pushed), Contains("contact.push_out"));
+  pushed.replace(pushed.find("distance: 2 mm"), 14, "distance: 2 mm, overclosure_adjustment: 1 mm");
+  CHECK_THROWS_WITH(TestScene(pushed), Contains("contact.overclosure_adjustment"));
 
   StateFile former = read_state_file(settled.run / "checkpoints/step_00000020.checkpoint", StateFile::Kind::checkpoint);
   former.objects.clear();

@@ -16,7 +16,7 @@ namespace {
 
 // A small block with a motion of one face.
 std::string block(const std::string& motion, const std::string& more = "") {
-  return fmt::format("time: {{step: 0.02, duration: 1, max_halvings: 20}}\n"
+  return fmt::format("time: {{step: 0.02, duration: 1, max_cutbacks: 20}}\n"
                      "objects: [{{name: block, shape: {{type: box, size: [0.1, 0.1, 0.1]}},\n"
                      "  energies: [{{type: neo_hookean, young: 1e5}}],\n"
                      "  motion: [{{{}, select: {{type: face, direction: [1, 0, 0]}}}}]}}]\n{}", motion, more);
@@ -133,7 +133,7 @@ namespace {
 
 // Two arms in line, with hinges at x = 0 and x = 0.1, and a block at the end of the second one.
 std::string chain(const std::string& upper, const std::string& lower, const std::string& hand) {
-  return "time: {step: 0.02, duration: 1}\ncontact: {between_held: false, distance: 1e-4}\n"
+  return "time: {step: 0.02, duration: 1}\ncontact: {between_prescribed: false, distance: 1e-4}\n"
          "objects:\n"
          "  - {name: lower, shape: {type: box, size: [0.08, 0.01, 0.01]}, place: {translate: [0.15, 0, 0]}, motion: [{" + lower + "}]}\n"
          "  - {name: upper, shape: {type: box, size: [0.08, 0.01, 0.01]}, place: {translate: [0.05, 0, 0]}, motion: [{" + upper + "}]}\n"
@@ -223,7 +223,7 @@ TEST_CASE("an object that motions fix in turn at all times needs no material") {
 // The free end is thrown, so that steps fail and are cut back around the time at which one motion ends
 // and the next begins. Vertices that a failed step fixed must not count.
 TEST_CASE("a rejected step fixes no vertices") {
-  TestRun run("time: {step: 0.02, duration: 1, max_halvings: 20}\n"
+  TestRun run("time: {step: 0.02, duration: 1, max_cutbacks: 20}\n"
                  "solver: {type: projected_newton, tolerance: 1e-2, max_iterations: 1}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.4, 0.1, 0.1], cells: [4, 1, 1]},\n"
                  "  velocity: [2, 3, 0], energies: [{type: neo_hookean, young: 1e5}],\n"

@@ -44,7 +44,7 @@ objects:
     place: {translate: [0.5, 0.5, 0]}
     shell: {thickness: 1 mm}
     energies: [{type: neo_hookean_membrane, young: 1 MPa, density: 1000}]
-    loads: [{type: chamber, name: air, filling: {type: gas, pressure: 1 kPa, ambient: 0}}]
+    loads: [{type: chamber, name: air, content: {type: gas, pressure: 1 kPa, ambient: 0}}]
   - name: ball
     shape: {type: sphere, radius: 0.1, cells: 2, surface: true}
     place: {translate: [-0.5, 0.5, 0]}
@@ -56,12 +56,12 @@ objects:
   - {name: cap, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 1.4, 0]}, body: {type: affine, density: 1000}}
 interactions:
   - {type: hinge, name: pin, object: door, at: [0, 0.5, 0], axis: [0, 1, 0], friction: {torque: 0.01}, damping: 0.1, motor: {speed: 1 rad/s, torque: 0.1}}
-  - {type: slider, name: rail, object: cart, at: [0, 0.8, 0], axis: [1, 0, 0], friction: {force: 0.1}, damping: 0.1, servo: {way: 0.1, force: 1}}
+  - {type: slider, name: rail, object: cart, at: [0, 0.8, 0], axis: [1, 0, 0], friction: {force: 0.1}, damping: 0.1, position_motor: {way: 0.1, force: 1}}
   - {type: ball, name: socket, object: bob, at: [0, 1.2, 0]}
   - {type: weld, name: glue, object: cap, at: [0, 1.4, 0]}
   - {type: rope, name: line, from: {object: bob, at: [0, 1.1, 0]}, to: {at: [0.3, 1.1, 0]}, stiffness: 100, length: 0.2}
   - {type: spring, name: coil, from: {object: bob}, to: {object: cap}, stiffness: 10, length: 0.1}
-  - {type: chamber, name: gas, parts: [{object: ball}], filling: {type: gas, pressure: 2 kPa, ambient: 0}}
+  - {type: chamber, name: gas, parts: [{object: ball}], content: {type: gas, pressure: 2 kPa, ambient: 0}}
 )";
 
 const std::string probes = R"(

@@ -28,7 +28,7 @@ double friction(const TestScene& scene, const char* a, const char* b) {
   return world.contact->pairs().tangential(world.contact->pairs().point(i, j).law).mu;
 }
 
-constexpr const char* apart = "between_held: false, ";
+constexpr const char* apart = "between_prescribed: false, ";
 
 }  // namespace
 
@@ -50,8 +50,8 @@ TEST_CASE("an entry that says more of who is meant holds", "[scene]") {
 }
 
 TEST_CASE("objects that are held may overlap where the scene says so", "[scene]") {
-  CHECK_THROWS_WITH(TestScene(boxes("guard: 0.5")), Contains("the start intersects"));
-  CHECK_NOTHROW(TestScene(boxes("between_held: false")));
+  CHECK_THROWS_WITH(TestScene(boxes("safety_barrier: 0.5")), Contains("the start intersects"));
+  CHECK_NOTHROW(TestScene(boxes("between_prescribed: false")));
 }
 
 TEST_CASE("a group that is named integrates, with whatever is in it", "[scene]") {
@@ -71,7 +71,7 @@ TEST_CASE("pairs that are no use are told", "[scene]") {
   CHECK_THROWS_WITH(TestScene(with("{between: [red, wall], friction: {mu: 0.1}}, {between: [small, wall]}")),
                     Contains("are also a pair of 'red' and 'wall'") && Contains("names the two objects"));
   CHECK_THROWS_WITH(TestScene(with("{between: [red, wall], integrate: small}")), Contains("integrate: 'small'"));
-  std::string named = boxes(apart + std::string("guard: 0.5"));
+  std::string named = boxes(apart + std::string("safety_barrier: 0.5"));
   named.replace(named.find("groups: [small]"), 15, "groups: [wall]");
   CHECK_THROWS_WITH(TestScene(named), Contains("a group 'wall', which is the name of an object"));
 }

@@ -23,7 +23,7 @@ std::string box(const std::string& name, const Vec3& at, const std::string& more
 
 const std::string fixed = "motion: [fixed]", loose = "body: affine";
 
-std::string scene_of(const std::string& objects, const std::string& contact = "push_out: 5 mm") {
+std::string scene_of(const std::string& objects, const std::string& contact = "overclosure_adjustment: 5 mm") {
   return "objects:\n" + objects + "contact: {distance: 1 mm, " + contact + "}\n";
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("blocks that overlap by 1 mm come apart by that and half the contact d
   const Vec3 at(far, -far, far / 3);
   CAPTURE(angle, far);
   const std::string objects = box("floor", at, fixed) + box("block", at + Vec3(0, 0.099, 0), loose, Vec3::Constant(0.1), angle);
-  CHECK_THROWS_WITH(TestScene(scene_of(objects, "guard: 0.5")), Contains("the start intersects"));
+  CHECK_THROWS_WITH(TestScene(scene_of(objects, "safety_barrier: 0.5")), Contains("the start intersects"));
   const TestScene scene(scene_of(objects));
   CHECK((moved(scene, objects, "block") - Vec3(0, 1.5e-3, 0)).norm() < 1e-9);
   CHECK(moved(scene, objects, "floor").norm() == 0);
@@ -64,7 +64,7 @@ TEST_CASE("who keeps clear is left alone, and so is who may pass through", "[pus
   const std::string near = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.1001, 0), loose);
   CHECK(TestScene(scene_of(near)).world->start_notes.empty());
   const std::string through = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.05, 0), loose);
-  CHECK(TestScene(scene_of(through, "push_out: 5 mm, pairs: [{between: [block, floor], contact: false}]")).world->start_notes.empty());
+  CHECK(TestScene(scene_of(through, "overclosure_adjustment: 5 mm, pairs: [{between: [block, floor], contact: false}]")).world->start_notes.empty());
 }
 
 TEST_CASE("a heap of balls that overlap finds room, and the same one twice", "[push_out]") {
@@ -75,8 +75,8 @@ TEST_CASE("a heap of balls that overlap finds room, and the same one twice", "[p
     balls += fmt::format("  - {{name: ball_{}, shape: {{type: sphere, radius: 0.02, cells: 4, surface: true}}, place: {{translate: [{}, {}, {}]}}, {}}}\n", i,
                          at(random), at(random), at(random), loose);
   balls += box("wall", Vec3(0.13, 0, 0), fixed, Vec3(0.08, 0.4, 0.4));
-  CHECK_THROWS_WITH(TestScene(scene_of(balls, "guard: 0.5")), Contains("the start intersects"));
-  const TestScene scene(scene_of(balls, "push_out: 40 mm")), again(scene_of(balls, "push_out: 40 mm"));
+  CHECK_THROWS_WITH(TestScene(scene_of(balls, "safety_barrier: 0.5")), Contains("the start intersects"));
+  const TestScene scene(scene_of(balls, "overclosure_adjustment: 40 mm")), again(scene_of(balls, "overclosure_adjustment: 40 mm"));
   CHECK(scene.world->start_notes.size() == 11);
   CHECK_THAT(scene.world->start_notes.back(), Contains("more objects"));
   CHECK(scene.world->rest == again.world->rest);
@@ -95,7 +95,7 @@ TEST_CASE("what cannot come apart is refused by name", "[push_out]") {
   CHECK_THROWS_WITH(TestScene(scene_of(walls(0.099) + box("wedge", Vec3::Zero(), loose))),
                     Contains("'wedge' overlap at") && Contains("m deep") && Contains("place.translate"));
   CHECK_THROWS_WITH(TestScene(scene_of(box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.092, 0), loose))),
-                    Contains("'floor' and 'block' overlap") && Contains("'block' would have to go farther than contact.push_out (0.005 m)"));
+                    Contains("'floor' and 'block' overlap") && Contains("'block' would have to go farther than contact.overclosure_adjustment (0.005 m)"));
 }
 
 TEST_CASE("what motions hold stays where it is, and so do those at springs", "[push_out]") {

@@ -78,7 +78,7 @@ TEST_CASE("what is faster than its waves is guarded against over the whole range
   CHECK(guards(1e4, 4) == Ranges{0.5, 0.5});
   CHECK(guards(1e4, 6) == Ranges{1, 1});
   CHECK(guards(1e4, 0, 0, "gravity: [0, -200, 0]\n") == Ranges{1, 1});
-  CHECK(guards(1e4, 6, 0, "", ", guard: 0.25") == Ranges{0.25, 0.25});
+  CHECK(guards(1e4, 6, 0, "", ", safety_barrier: 0.25") == Ranges{0.25, 0.25});
   CHECK(guards(1e4, 6, 0, "", ", barrier: {stiffness: 3 kPa}") == Ranges{1, 1});
 }
 

@@ -27,7 +27,7 @@ std::string box(const char* name, double height) {
 
 TEST_CASE("objects that overlap may be moved or pushed apart, once", "[setup]") {
   CHECK(contains(advice(box("a", 0) + box("b", 0.09)), "move the objects apart (place.translate), have them pushed apart"));
-  CHECK_FALSE(contains(advice(box("a", 0) + box("b", 0.05), "distance: 1 mm, push_out: 1 um"), "have them pushed apart"));
+  CHECK_FALSE(contains(advice(box("a", 0) + box("b", 0.05), "distance: 1 mm, overclosure_adjustment: 1 um"), "have them pushed apart"));
 }
 
 TEST_CASE("an object that meets itself is not to be moved: its mesh is to be mended", "[setup]") {

@@ -96,7 +96,7 @@ TEST_CASE("no minimiser passes through an obstacle", "[iterates]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     for (const std::string& objects : {shot, driven}) {
       INFO(type);
-      TestRun run("time: {step: 0.01, duration: 0.01, max_halvings: 0}\n"
+      TestRun run("time: {step: 0.01, duration: 0.01, max_cutbacks: 0}\n"
                      "solver: {type: " + type + ", max_iterations: 150, check_iterates: true}\n" + objects +
                      "contact: {distance: 1 mm}\n");
       std::string error;

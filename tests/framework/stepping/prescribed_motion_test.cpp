@@ -119,7 +119,7 @@ TEST_CASE("a blocked prescribed motion is reported by name") {
     CHECK_FALSE(run.intersects());
   };
   // onto the fixed wall
-  check_error("time: {step: 0.01, duration: 0.1, max_halvings: 3}\n"
+  check_error("time: {step: 0.01, duration: 0.1, max_cutbacks: 3}\n"
        "objects:\n"
        "  - {name: wall, shape: {type: box, size: [0.02, 0.2, 0.2]}, motion: [fixed]}\n"
        "  - {name: plate, shape: {type: box, size: [0.02, 0.1, 0.1]}, place: {translate: [-0.04, 0, 0]},\n"
@@ -129,12 +129,12 @@ TEST_CASE("a blocked prescribed motion is reported by name") {
        "contact: {distance: 1 mm}\n",
        "the prescribed motion drives 'plate' into 'wall': vertex ");
   // through a block that cannot move away
-  check_error(plate_and_block("time: {step: 0.5, duration: 1, integrator: quasi_static, max_halvings: 0}\n",
+  check_error(plate_and_block("time: {step: 0.5, duration: 1, integrator: quasi_static, max_cutbacks: 0}\n",
                        "{type: translate, velocity: [0.25, 0, 0]}",
                        "{type: fixed, select: {type: face, direction: [1, 0, 0]}}"),
        "the prescribed motion drives 'plate' into 'block': vertex ");
   // deforming its own elements
-  check_error("time: {step: 0.1, duration: 1, max_halvings: 2}\n"
+  check_error("time: {step: 0.1, duration: 1, max_cutbacks: 2}\n"
        "objects: [{name: bar, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 1, 1]},\n"
        "  energies: [{type: neo_hookean, young: 1e5}],\n"
        "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}},\n"

@@ -255,7 +255,7 @@ TEST_CASE("the smallest step is accepted with any error, with a warning", "[step
 }
 
 TEST_CASE("a failed solve of an adaptive step is repeated with substeps", "[stepping]") {
-  const Taken taken = run("time: {step: 0.02, duration: 0.06, max_halvings: 12, adaptive: {error: 0.1}}\n"
+  const Taken taken = run("time: {step: 0.02, duration: 0.06, max_cutbacks: 12, adaptive: {error: 0.1}}\n"
                           "solver: {type: projected_newton, tolerance: 0.5, max_iterations: 1}\n"
                           "objects: [{name: bar, shape: {type: box, size: [0.4, 0.1, 0.1], cells: [4, 1, 1]},\n"
                           "  velocity: [6, 8, 0], energies: [{type: neo_hookean, young: 1e5}],\n"

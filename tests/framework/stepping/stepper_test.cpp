@@ -112,7 +112,7 @@ TEST_CASE("the loop cuts back rejected steps, and fails with the remedy of the s
   CHECK(report.step_size == h / 4);
   REQUIRE(run.warnings.size() == 2);
   CHECK_THAT(first_text(run.warnings, WarningKind::step_cutback), Catch::Contains("step 1 at t = 0 s: too far ahead") && Catch::Contains("0.015625 s"));
-  TestRun stubborn(scene_with("{type: free_flight, longest: 0.01}", ", max_halvings: 1"));
+  TestRun stubborn(scene_with("{type: free_flight, longest: 0.01}", ", max_cutbacks: 1"));
   CHECK_THROWS_WITH(stubborn.step(), Catch::Contains("failed with h = 0.015625 s (too far ahead); take smaller steps"));
   CHECK((stubborn.state().x == stubborn.world->start.x));
 }

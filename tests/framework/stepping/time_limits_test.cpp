@@ -54,13 +54,13 @@ TEST_CASE("time.wall_limit ends a run within a solve, and names the blocking pri
 }
 
 TEST_CASE("a failed solve names the blocking primitives", "[limits]") {
-  TestRun run(shot(", max_halvings: 0", ", max_iterations: 1"));  // the flight, which the plate ends
+  TestRun run(shot(", max_cutbacks: 0", ", max_iterations: 1"));  // the flight, which the plate ends
   CHECK_THROWS_WITH(run.step(), Catch::Contains("the last step was cut to ") && Catch::Contains("of 'ball'") &&
                                     Catch::Contains("of 'plate'") && Catch::Contains(" m apart"));
 }
 
 TEST_CASE("a solve that exceeds solver.time_limit fails", "[limits]") {
-  TestRun run(endless(", max_halvings: 2", ", time_limit: 100 ms"));
+  TestRun run(endless(", max_cutbacks: 2", ", time_limit: 100 ms"));
   const Stopwatch watch;
   CHECK_THROWS_WITH(run.step(), Catch::Contains("failed with h = 0.0025 s (out of wall time (solver.time_limit: 0.1 s)"));
   CHECK(watch.seconds() < 3 * TACK_PATIENCE);

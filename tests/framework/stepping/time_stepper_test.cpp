@@ -14,7 +14,7 @@ namespace {
 
 // A soft bar fixed at one end while the other flies off: hard for one Newton iteration.
 std::string hard_scene(double tolerance, int max_halvings) {
-  return fmt::format("time: {{step: 0.02, duration: 0.06, max_halvings: {}}}\n"
+  return fmt::format("time: {{step: 0.02, duration: 0.06, max_cutbacks: {}}}\n"
                      "solver: {{type: projected_newton, tolerance: {}, max_iterations: 1}}\n"
                      "objects: [{{name: bar, shape: {{type: box, size: [0.4, 0.1, 0.1], cells: [4, 1, 1]}},\n"
                      "  velocity: [6, 8, 0], energies: [{{type: neo_hookean, young: 1e5}}],\n"

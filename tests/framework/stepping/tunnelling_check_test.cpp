@@ -189,10 +189,10 @@ TEST_CASE("sheets, rods and particles hit obstacles in their path", "[stepping]"
 }
 
 TEST_CASE("tunnelling at the smallest step size is accepted with a warning", "[stepping]") {
-  TestRun run(scene(0.01, block("a", origin, 60) + block("b", beside), ", max_halvings: 1"));
+  TestRun run(scene(0.01, block("a", origin, 60) + block("b", beside), ", max_cutbacks: 1"));
   const StepReport report = run.step();
   CHECK(report.step_size == 0.005);
   REQUIRE(run.warnings.size() >= 2);
   CHECK_THAT(first_text(run.warnings, WarningKind::step_cutback), Catch::Contains("'a' went around 'b', which is in its way: 0.6") && Catch::Contains("0.005 s (1/2 of the step)"));
-  CHECK_THAT(first_text(run.warnings, WarningKind::tolerated_step), Catch::Contains("0.1 m long; take a smaller time.step or a larger time.max_halvings"));
+  CHECK_THAT(first_text(run.warnings, WarningKind::tolerated_step), Catch::Contains("0.1 m long; take a smaller time.step or a larger time.max_cutbacks"));
 }

@@ -23,7 +23,7 @@ double vertical_velocity(const TestRun& s, const std::string& object) {
 
 // One box hits the floor hard while another falls freely, far above it.
 std::string two_boxes(const std::string& solver) {
-  return "time: {step: 10 ms, duration: 10 ms, max_halvings: 0}\ngravity: [0, -9.81, 0]\nsolver: " + solver + R"(
+  return "time: {step: 10 ms, duration: 10 ms, max_cutbacks: 0}\ngravity: [0, -9.81, 0]\nsolver: " + solver + R"(
 objects:
   - {name: floor, shape: {type: box, size: [2, 0.1, 2]}, place: {translate: [0, -0.05, 0]}, motion: [fixed]}
   - name: hits
@@ -59,7 +59,7 @@ contact: {distance: 1 mm}
 
 // 157 N of weight, a picometre above the floor: the barrier starts with 7e12 N.
 const std::string picometre = R"(
-time: {step: 1 ms, duration: 10 ms, max_halvings: 0}
+time: {step: 1 ms, duration: 10 ms, max_cutbacks: 0}
 gravity: [0, -9.81, 0]
 objects:
   - {name: floor, shape: {type: box, size: [1, 0.05, 1]}, place: {translate: [0, -0.025, 0]}, motion: [fixed]}
@@ -147,7 +147,7 @@ TEST_CASE("a scene of a micrometre is solved as well as one of a metre", "[minim
 TEST_CASE("a quasi-static body without stress is at rest, whatever minimises", "[minimizer]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
-    TestRun s("time: {step: 10 ms, duration: 20 ms, integrator: quasi_static, max_halvings: 0}\n"
+    TestRun s("time: {step: 10 ms, duration: 20 ms, integrator: quasi_static, max_cutbacks: 0}\n"
                  "solver: {type: " + type + "}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.2, 0.1, 0.1], cells: [4, 3, 3]},\n"
                  "  place: {axis: [1, 2, 3], angle: 0.5, translate: [0.3, 0.1, 0.77]},\n"
