@@ -17,8 +17,8 @@ namespace tack {
 class FittedScenes {
  public:
   // Reads, binds and builds every experiment at the start values, and fills in the units of the
-  // parameters. Throws InputError for unreadable scenes and data, keys that are no parameters of a scene,
-  // and units that differ from the key's.
+  // parameters. Throws InputError for unreadable scenes and data, keys that are no parameters of a
+  // scene, and units that differ from the key's.
   FittedScenes(const CalibrateConfig& config, const std::string& program);
 
   const std::vector<FittedParameter>& parameters() const { return parameters_; }
@@ -33,8 +33,8 @@ class FittedScenes {
   int run_of(int experiment) const { return run_of_[static_cast<size_t>(experiment)]; }
   const std::string& run_name(int run) const { return scenes_[static_cast<size_t>(run)].name; }
 
-  // Returns, per parameter, the reason why runs give no sensitivities to it (output.gradients); "" if
-  // they do. The first call builds scenes.
+  // Returns, per parameter, the reason why runs give no sensitivities to it (output.gradients); ""
+  // if they do. The first call builds scenes.
   const std::vector<std::string>& without_derivatives();
 
   // Returns the case of a run for an evaluation: without frames; with `derivatives`, with
@@ -60,7 +60,8 @@ class FittedScenes {
   int scene_of(const CalibrateConfig& config, int experiment);
   std::vector<Variant::Setting> settings(int run, const DesignPoint& values) const;
   void check_keys(int experiment, const Value& resolved, const CalibrateConfig& config);
-  ResolvedCase resolved(int run, const DesignPoint& values, const std::vector<Variant::Setting>& more);
+  ResolvedCase resolved(int run, const DesignPoint& values,
+                        const std::vector<Variant::Setting>& more);
   const std::vector<std::string>& keys_of(const FittedParameter& parameter, int run) const;
   GradientConfig gradient_of(const FittedParameter& parameter, const std::string& key) const;
   std::vector<double> derivatives(size_t parameter, double value,

@@ -24,7 +24,8 @@ struct PointEvaluation {
   std::vector<int> beyond;
 
   bool asked_derivatives = false;  // output.gradients was requested
-  // d residuals / d u (fitted_parameter.hpp) for each parameter; empty for parameters without derivatives.
+  // d residuals / d u (fitted_parameter.hpp) for each parameter; empty for parameters without
+  // derivatives.
   std::vector<std::vector<double>> derivatives;
 };
 

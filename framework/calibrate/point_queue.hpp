@@ -56,8 +56,8 @@ class Evaluator {
  public:
   virtual ~Evaluator() = default;
   virtual void serve(PointQueue& queue) = 0;
-  // Returns, per parameter, the reason why runs give no sensitivities to it, "" if they do; empty if
-  // runs give none at all.
+  // Returns, per parameter, the reason why runs give no sensitivities to it, "" if they do; empty
+  // if runs give none at all.
   virtual std::vector<std::string> without_derivatives() { return {}; }
 
   // Evaluates points and returns the results in their order. With `derivatives`, for all parameters

@@ -42,6 +42,7 @@ using SearchProgress =
 // Searches for the best point. `noise_known`: residuals are in units of the noise. Throws
 // SimulationError if no point of the design could be evaluated, and Interrupted.
 SearchResult search_for(const std::vector<FittedParameter>& parameters, const SearchConfig& config,
-                        Evaluator& evaluator, const SearchProgress& progress, bool noise_known = true);
+                        Evaluator& evaluator, const SearchProgress& progress,
+                        bool noise_known = true);
 
 }  // namespace tack

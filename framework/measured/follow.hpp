@@ -20,7 +20,8 @@ struct Passage {
   double fraction = 0;  // of the segment
   // Interpolates a column of the run.
   double value_of(std::span<const double> numbers) const {
-    return fraction == 0 ? numbers[sample] : (1 - fraction) * numbers[sample] + fraction * numbers[sample + 1];
+    return fraction == 0 ? numbers[sample]
+                         : (1 - fraction) * numbers[sample] + fraction * numbers[sample + 1];
   }
 };
 

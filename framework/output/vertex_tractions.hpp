@@ -20,7 +20,8 @@ struct World;
 //    no force            0
 //    inside of solids    NaN
 // Contact must be at x.
-VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, std::string_view summand);
+VecX normal_pressures(const World& world, const VecX& x, const VecX& forces,
+                      std::string_view summand);
 
 // Returns the magnitude of the force per contact area.
 VecX tangential_tractions(const World& world, const VecX& x, const VecX& forces);

@@ -13,8 +13,8 @@ namespace tack {
 const ActingInteraction& interaction_named(const World& world, const std::string& name,
                                            const std::string& probe);
 // Throws InputError for an interaction of another type than that of the probe.
-[[noreturn]] void refuse_interaction_type(const ActingInteraction& interaction, const std::string& probe,
-                                     std::string_view type);
+[[noreturn]] void refuse_interaction_type(const ActingInteraction& interaction,
+                                          const std::string& probe, std::string_view type);
 
 // Base: Probe or VectorProbe.
 template <class TermOf, class Base>

@@ -1,8 +1,8 @@
 // The exact Hessian at the end of steps, to solve for the change of these ends:
 //     H dx = gradient - gradient of the perturbed scene
 // The Hessian of an earlier step is reused until the caller's corrections converge too slowly. It
-// is evaluated with the potential of the perturbed scene, which differs negligibly, so that no state
-// of the run changes.
+// is evaluated with the potential of the perturbed scene, which differs negligibly, so that no
+// state of the run changes.
 #pragma once
 
 #include <Eigen/SparseCholesky>

@@ -15,8 +15,8 @@ struct PulledPatch {
   int points = 120;
   double displacement_max = 4e-4;  // of the machine [m]
 
-  // Returns the force per area [Pa] of a bilinear law. Its onset is a quarter of 1e-4 m for strength
-  // 10 kPa and work 1 J/m^2.
+  // Returns the force per area [Pa] of a bilinear law. Its onset is a quarter of 1e-4 m for
+  // strength 10 kPa and work 1 J/m^2.
   std::vector<double> curve(double strength, double work, double stiffness) const {
     const double end = 2 * work / strength, onset = 0.25 * work / strength,
                  softening = strength / (end - onset);
@@ -79,8 +79,8 @@ class ModelEvaluator : public Evaluator {
   ModelEvaluator(Model model, std::vector<double> data, double scale)
       : model_(std::move(model)), data_(std::move(data)), scale_(scale) {}
 
-  // Also gives derivatives of `smooth` by each parameter whose entry of `without` is empty; the model
-  // itself may be noisy.
+  // Also gives derivatives of `smooth` by each parameter whose entry of `without` is empty; the
+  // model itself may be noisy.
   ModelEvaluator(Model model, std::vector<double> data, double scale, Model smooth,
                  std::vector<std::string> without)
       : model_(std::move(model)),
