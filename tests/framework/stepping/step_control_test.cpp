@@ -135,7 +135,7 @@ TEST_CASE("the number of adaptive steps follows the order of the method, as does
   const VecX exact = swing("newmark", 1e-5, "").end.x;
   struct Method {
     std::string name;
-    double error, finer, steps;  // tolerance of the error, finer tolerance, expected ratio of step counts
+    double error, finer, steps;  // tolerance of the error, factor of a finer one, expected ratio of step counts
   };
   for (const Method& m : {Method{"implicit_euler", 1e-6, 1e-2, 10}, Method{"bdf2", 1e-7, 1e-3, 10}, Method{"newmark", 1e-7, 1e-3, 10}}) {
     INFO(m.name);
