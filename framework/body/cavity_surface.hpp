@@ -9,8 +9,8 @@
 
 namespace tack {
 
-// Returns the triangles of an object all of whose vertices are chosen. Their normals point away from
-// the medium that exerts the pressure:
+// Returns the triangles of an object all of whose vertices are chosen. Their normals point away
+// from the medium that exerts the pressure:
 //   solid         into the material
 //   closed sheet  outwards
 //   open sheet    along its normals
@@ -18,8 +18,8 @@ namespace tack {
 std::vector<Triangle> pressed_triangles(const Selection& selection,
                                         const SelectionContext& context);
 
-// Triangles of an object all of whose vertices are chosen, by the sides that are exposed to a medium
-// around the object.
+// Triangles of an object all of whose vertices are chosen, by the sides that are exposed to a
+// medium around the object.
 struct ExposedTriangles {
   std::vector<Triangle> open;    // of sheets with a boundary: both sides are exposed
   std::vector<Triangle> closed;  // of solids and closed sheets: the side of the normals is exposed
@@ -41,9 +41,9 @@ struct CavitySurface {
   std::vector<Triangle> slits;  // those that close the slits between walls
 };
 
-// Returns the closed boundary of a cavity. Slits between edge loops are closed, nearest loops first.
-// who: name for messages. Throws InputError with the remedy if an edge stays open or no volume is
-// enclosed.
+// Returns the closed boundary of a cavity. Slits between edge loops are closed, nearest loops
+// first. who: name for messages. Throws InputError with the remedy if an edge stays open or no
+// volume is enclosed.
 CavitySurface cavity_surface(const std::vector<CavityWall>& walls, const VecX& rest,
                              const std::string& who);
 // Returns the selected triangles of one object as a wall of a cavity.

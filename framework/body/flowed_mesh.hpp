@@ -1,5 +1,6 @@
-// Mesh of an object that was remeshed while it flowed: new vertices and tets inside the old surface.
-// Each tet stores its stress-free shape, which after flow differs from its shape at the start.
+// Mesh of an object that was remeshed while it flowed: new vertices and tets inside the old
+// surface. Each tet stores its stress-free shape, which after flow differs from its shape at the
+// start.
 #pragma once
 
 #include <map>

@@ -30,8 +30,8 @@ class StoredContent : public CavityContent {
                           double time) const = 0;
   // Returns the target volume [m^3]; NaN without one.
   virtual double target(double volume_at_rest, double time) const = 0;
-  // Returns the amount after a step of size h [s] that ends at `volume`. leak: leak rate in addition
-  // to that of the content [1/s].
+  // Returns the amount after a step of size h [s] that ends at `volume`. leak: leak rate in
+  // addition to that of the content [1/s].
   virtual double after(double volume, double volume_at_rest, double amount, double time, double h,
                        double leak) const = 0;
   virtual bool is_gas() const = 0;

@@ -31,8 +31,8 @@ class PrescribedMotion {
   // Throws InputError if another motion fixes one of the vertices at the same time, unless both fix
   // directions that are orthogonal to each other.
   void add(Assignment assignment);
-  // Makes a vertex dependent: it is free, or moved, if one of the vertices that it depends on is. To
-  // be called after all motions are added.
+  // Makes a vertex dependent: it is free, or moved, if one of the vertices that it depends on is.
+  // To be called after all motions are added.
   void add_dependence(const Dependence& dependence);
   // Fixes directions of a vertex for the whole run, e.g. those of a scalar dof (unknowns.hpp).
   void fix_always(const FixedDirections& fixed) { always_fixed_.push_back(fixed); }
@@ -47,8 +47,8 @@ class PrescribedMotion {
   // Returns the vertices with fixed directions under the active motions.
   std::vector<FixedDirections> fixed_directions(const std::vector<char>& active) const;
   // Writes the positions prescribed by active motions at time t into x; reference, rest: 3n [m].
-  void set_positions(const std::vector<char>& active, const VecX& rest, const VecX& reference, double t,
-             VecX& x) const;
+  void set_positions(const std::vector<char>& active, const VecX& rest, const VecX& reference,
+                     double t, VecX& x) const;
 
   // Returns whether a motion ever fixes the vertex, in some direction at least.
   bool ever_fixed(int v) const { return ever_fixed_[v]; }
@@ -63,7 +63,8 @@ class PrescribedMotion {
   int rigid_group(int v) const { return rigid_group_[v]; }
 
  private:
-  static void set_positions(const Assignment& assignment, const VecX& rest, const VecX& reference, double t, VecX& x);
+  static void set_positions(const Assignment& assignment, const VecX& rest, const VecX& reference,
+                            double t, VecX& x);
 
   std::vector<Assignment> assignments_;
   std::vector<FixedDirections> always_fixed_;

@@ -19,7 +19,7 @@
 
 namespace tack {
 
-// Rotation of a frame: the images of x, y, z are t and the two directors
+// Rotation of a frame: the images of x, y, z are t and the two directors.
 using Quaternion = Eigen::Quaterniond;
 
 class RodFrames : public StepParticipant {
@@ -30,7 +30,8 @@ class RodFrames : public StepParticipant {
             const std::vector<Vec3>& directors, double radius, const VecX& rest);
 
   int count() const { return static_cast<int>(edges_.size()); }
-  int find(const Edge& edge) const;  // its number; -1 if it is none of these
+  // Returns the index of an edge; -1: none.
+  int find(const Edge& edge) const;
   const Edge& edge(int e) const { return edges_[e]; }
   std::span<const int> twists() const { return twists_; }  // consecutive
   bool is_twist(int v) const {
@@ -43,11 +44,12 @@ class RodFrames : public StepParticipant {
   Vec3 tangent(int e, const VecX& x) const {
     return (vertex(x, edges_[e][1]) - vertex(x, edges_[e][0])).normalized();
   }
-  Vec3 director(int e, const VecX& x) const;  // the first one
+  // Returns the first director.
+  Vec3 director(int e, const VecX& x) const;
   // Returns the angle at which the first director at x is closest to a vector, in (-pi, pi].
   double angle_to(int e, const VecX& x, const Vec3& vector) const;
 
-  // The state from which the present step starts.
+  // Returns the positions at the start of the present step.
   const VecX& start() const { return start_; }
   double start_time() const { return start_time_; }  // s
 

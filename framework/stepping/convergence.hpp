@@ -5,11 +5,11 @@
 //   leaves the error e = H^-1 r; with stencils made positive semi-definite H >= M, and for every
 //   unknown i
 //       |e_i| <= sqrt(r . M^-1 r / m_i).
-// - The force residual is below its limit. At a very stiff contact or element a large force causes a
-//   small displacement, which a norm of velocities does not notice. The force residual at a block
-//   must be a small fraction of the reference force: the largest force of inertia, loads or elements
-//   in its contact group (force_groups.hpp). Contact forces are no reference, because they may be
-//   wrong themselves. A floor excludes the round-off of bodies without stress.
+// - The force residual is below its limit. At a very stiff contact or element a large force causes
+//   a small displacement, which a norm of velocities does not notice. The force residual at a block
+//   must be a small fraction of the reference force: the largest force of inertia, loads or
+//   elements in its contact group (force_groups.hpp). Contact forces are no reference, because they
+//   may be wrong themselves. A floor excludes the round-off of bodies without stress.
 //
 // Bodies outside of a contact group do not change its reference force. All bodies of a scene have
 // one velocity tolerance: a tiny body costs the others at most a fifth of their iterations

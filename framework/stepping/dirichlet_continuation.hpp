@@ -36,8 +36,8 @@ class DirichletContinuation {
     VecX x;                 // 3n; feasible
     std::string failure;    // "" if all prescribed vertices are exactly at their targets in x
   };
-  // Moves from x, which is feasible, to a feasible configuration in which all prescribed vertices are
-  // at their positions in `targets` (3n). Every iteration notifies `observer`.
+  // Moves from x, which is feasible, to a feasible configuration in which all prescribed vertices
+  // are at their positions in `targets` (3n). Every iteration notifies `observer`.
   Result run(const VecX& x, const VecX& targets, const TimeIntegrator::Prediction& prediction,
              const MinimizerProblem::Observer& observer = {});
 

@@ -48,9 +48,9 @@ class EnergyBalance {
 
   EnergyBalance(const World& world, const Minimizer& solver);
 
-  // Begins a step from `state`: areas of contact are evaluated, fixed vertices are known, and nothing
-  // has moved. has_prescribed_motion: a prescribed motion moves vertices in this step, so that the
-  // potential is not first evaluated at `state`.
+  // Begins a step from `state`: areas of contact are evaluated, fixed vertices are known, and
+  // nothing has moved. has_prescribed_motion: a prescribed motion moves vertices in this step, so
+  // that the potential is not first evaluated at `state`.
   void begin(const State& state, bool has_prescribed_motion);
   // Ends the step at x, before it is accepted; the terms must still be in the state of the step.
   void end(const VecX& x);
@@ -62,8 +62,8 @@ class EnergyBalance {
   // above a tenth of the reference energy in consecutive steps. Smaller or temporary gains are
   // reported at the end of the run (output/energy_losses.hpp).
   const std::string& warning() const { return warning_; }
-  // Returns whether time integration lost more than 0.5% of the reference energy in the step, beyond
-  // earlier gains.
+  // Returns whether time integration lost more than 0.5% of the reference energy in the step,
+  // beyond earlier gains.
   bool lost() const { return lost_; }
   // Returns the names of the groups in EnergyFlows::groups; known once a step has begun.
   const std::vector<std::string>& group_names() const { return groups_.names(); }

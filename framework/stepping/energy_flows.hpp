@@ -9,8 +9,8 @@
 
 namespace tack {
 
-// Energy flows of a group of bodies in one step [J] (group_balance.hpp), as far as they are known for
-// a group; members as in EnergyFlows.
+// Energy flows of a group of bodies in one step [J] (group_balance.hpp), as far as they are known
+// for a group; members as in EnergyFlows.
 struct GroupFlow {
   double numerics = 0;  // lost by contact areas and integrator; below zero: gained
   double jerk = 0, noise = 0, reference_energy = 0, moving = 0;
@@ -48,7 +48,8 @@ struct EnergyFlows {
   std::vector<GroupFlow> groups;  // of the step alone; empty: all bodies are one group
   bool gained = false;      // noticeable numerical gain
 
-  // Returns whether the numerical gain by re-evaluated contact areas exceeds that by time integration.
+  // Returns whether the numerical gain by re-evaluated contact areas exceeds that by time
+  // integration.
   bool gained_by_areas() const { return areas < numerics; }
 
   // Returns the amount of a published flow; 0 if there is none.

@@ -19,11 +19,12 @@ class FeasibleSteps {
   // requested; may be null.
   FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* check = nullptr);
 
-  // Returns the largest t in (0, 1] such that x + s p (3n) is feasible for s in [0, t]. Throws OutOfTime.
+  // Returns the largest t in (0, 1] such that x + s p (3n) is feasible for s in [0, t]. Throws
+  // OutOfTime.
   double largest(const VecX& x, const VecX& p);
   // Returns largest() for a step that a minimiser requests, and notifies the observer.
   double largest_requested(const VecX& x, const VecX& p);
-  // The same of q and p over the unknowns of the potential, whose configuration supplies all other
+  // Overload for q and p over the unknowns of the potential, whose configuration supplies all other
   // vertices.
   double largest_requested(const StepPotential& potential, const VecX& q, const VecX& p);
   // Clears the last requested step.

@@ -13,7 +13,8 @@ namespace tack {
 
 class FixedVertices {
  public:
-  FixedVertices(const PrescribedMotion& prescribed_motion, const MultiPointConstraints& constraints, const VecX& rest)
+  FixedVertices(const PrescribedMotion& prescribed_motion,
+                const MultiPointConstraints& constraints, const VecX& rest)
       : prescribed_motion_(prescribed_motion), constraints_(constraints), rest_(rest) {}
 
   // Activates the motions and timed constraints at `middle`, the middle of the step [s]. Returns
@@ -35,8 +36,8 @@ class FixedVertices {
   // into x (3n). Throws SimulationError if an affine body would not deform affinely, or a joint
   // would be torn.
   void set_positions(double t, VecX& x) const;
-  // Returns the number of equal substeps from t to t + h in each of which no rigid motion rotates by
-  // more than a quarter turn: a power of two, at most 64. The linear trajectories of a half turn
+  // Returns the number of equal substeps from t to t + h in each of which no rigid motion rotates
+  // by more than a quarter turn: a power of two, at most 64. The linear trajectories of a half turn
   // cross at the axis; those of a quarter turn neither intersect nor invert the body.
   int rotation_substeps(double t, double h) const;
 

@@ -6,8 +6,8 @@
 //   - A *contact group* is a set of body groups that are connected by contacts or other dynamic
 //     terms that transmit a force. Loads, element forces and inertia forces balance within it; the
 //     largest of them is a reference.
-// Forces outside of the contact group of a block do not change its reference forces. Body groups are
-// found once for a set of unknowns. References are maxima, and thus the same for any number of
+// Forces outside of the contact group of a block do not change its reference forces. Body groups
+// are found once for a set of unknowns. References are maxima, and thus the same for any number of
 // threads.
 #pragma once
 
@@ -45,8 +45,8 @@ class ForceGroups {
   double largest_mass(int block) const { return largest_mass_[contact_root(block)]; }
   // Returns the smallest block of the contact group of a block.
   int contact_group(int block) const { return first_block_[contact_root(block)]; }
-  // Returns whether a stencil of the contact group of a block has a fixed vertex. Fixed directions of
-  // blocks do not count (DofMap::partly_fixed_blocks).
+  // Returns whether a stencil of the contact group of a block has a fixed vertex. Fixed directions
+  // of blocks do not count (DofMap::partly_fixed_blocks).
   bool supported(int block) const { return supported_[contact_root(block)]; }
   bool all_supported() const { return unsupported_ == 0; }
 

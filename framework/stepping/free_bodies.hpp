@@ -3,8 +3,8 @@
 // contact group (force_groups.hpp) is examined alone:
 //   - Translations of a group are free if no element, joint or contact force of the group acts at a
 //     fixed vertex. Fixed directions of its vertices are not free.
-//   - The group is free if the forces on it do not balance along its free translations, and no other
-//     body that could stop it lies in the direction of their sum.
+//   - The group is free if the forces on it do not balance along its free translations, and no
+//     other body that could stop it lies in the direction of their sum.
 //   - A group without any fixed vertex may also rotate. A torque whose forces balance is no error,
 //     because the group may come to rest in its new orientation; `tack check` warns of it.
 #pragma once
@@ -29,8 +29,8 @@ struct FreeBody : std::runtime_error {
 void check_free_bodies(const World& world, const ForceGroups& groups, const VecX& x,
                        const VecX& gradient);
 
-// Returns a warning for each group without fixed vertices on which a torque acts, although the forces
-// on it balance. Arguments as above.
+// Returns a warning for each group without fixed vertices on which a torque acts, although the
+// forces on it balance. Arguments as above.
 std::vector<Warning> turning_bodies(const World& world, const ForceGroups& groups, const VecX& x,
                                     const VecX& gradient);
 

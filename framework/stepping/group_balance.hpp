@@ -1,7 +1,8 @@
 // Energy balance (energy_balance.hpp) of each group of bodies that do not interact with the others.
 // In the sum over a scene, a heavy body that bounces would hide the losses of a small one. Groups
 // are the meeting groups of the world. Some are joined:
-//   - groups that one prescribed body may touch, or is attached to: its work belongs to all of them,
+//   - groups that one prescribed body may touch, or is attached to: its work belongs to all of
+//     them,
 //   - groups of one term that does not report the energies of its stencils (Term::visit_energies,
 //     FlowRecord::visit_energies).
 // Losses by contact areas and by the integrator are one sum here. A group that has been in contact
@@ -34,8 +35,8 @@ class GroupBalance {
   void begin(const State& state);
   // Ends the step at x; the terms must still be in the state of the step.
   void end(const VecX& x);
-  // Adds work on a vertex [J], of loads or of its prescribed motion. at_end: the work by the forces at
-  // the end of the step instead of the mean forces.
+  // Adds work on a vertex [J], of loads or of its prescribed motion. at_end: the work by the forces
+  // at the end of the step instead of the mean forces.
   void add_load_work(int vertex, double work);
   void add_prescribed_work(int vertex, double work, double at_end);
   // Accepts the step of size h to `state`: sets the accounts in `state`, and returns the flows.

@@ -1,5 +1,5 @@
-// Exact check of all iterates of a solve, independent of the step filters (solver.check_iterates). A
-// minimiser must request a feasible step size before it moves. Checking the state at each request
+// Exact check of all iterates of a solve, independent of the step filters (solver.check_iterates).
+// A minimiser must request a feasible step size before it moves. Checking the state at each request
 // covers every accepted state of every minimiser and initial guess.
 #pragma once
 

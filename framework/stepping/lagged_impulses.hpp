@@ -15,10 +15,10 @@
 //           than twice the next step.
 //   between: linear.
 //
-// Start-up: no step has computed the forces at the start of a run, and a body placed inside a barrier
-// may have any normal force. Steps are therefore solved again with the normal forces of their latest
-// solution (q_n = p_n) for pairs whose friction was applied with a normal impulse that is a tenth too
-// large. After the first step without such an excess, friction of the pair lags.
+// Start-up: no step has computed the forces at the start of a run, and a body placed inside a
+// barrier may have any normal force. Steps are therefore solved again with the normal forces of
+// their latest solution (q_n = p_n) for pairs whose friction was applied with a normal impulse that
+// is a tenth too large. After the first step without such an excess, friction of the pair lags.
 #pragma once
 
 #include <array>
@@ -40,8 +40,8 @@ class LaggedImpulses {
   // Sets the lagged normal forces of friction for the step of size h that begins at the state.
   // contact_time: time for which contact acts on velocities [s].
   void begin(const State& state, double h, double contact_time);
-  // Sets the normal forces of pairs in start-up to those of a solution with the contact points `now`.
-  // Returns whether the step has to be solved again with them.
+  // Sets the normal forces of pairs in start-up to those of a solution with the contact points
+  // `now`. Returns whether the step has to be solved again with them.
   bool update_start_up(const ContactPoints& now);
   // Returns the history of the step, to be stored when it is accepted.
   HistoryArray history() const { return array_of(accounts_); }

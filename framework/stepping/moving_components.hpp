@@ -2,9 +2,9 @@
 //
 // The relative displacement of two components is a lower bound of the displacement of any point of
 // one against any point of the other: the distance between the AABBs of their displacements. If
-// their sizes are similar, so that a hit may deform all of them, it is at least the distance between
-// their mean displacements less the root mean square deviations of both. It is 0 for components that
-// move together, or if one of them is carried along by the other.
+// their sizes are similar, so that a hit may deform all of them, it is at least the distance
+// between their mean displacements less the root mean square deviations of both. It is 0 for
+// components that move together, or if one of them is carried along by the other.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,8 @@ struct MovingComponent {
   double size() const { return (box.hi - box.lo).maxCoeff() + width; }
   // Returns the relative displacement [m]; size: of the smaller component [m].
   double displacement_against(const MovingComponent& other, double size) const {
-    const double box_distance = (other.displacement.lo - displacement.hi).cwiseMax(displacement.lo - other.displacement.hi).cwiseMax(0.0).norm(),
+    const Aabb &a = displacement, &b = other.displacement;
+    const double box_distance = (b.lo - a.hi).cwiseMax(a.lo - b.hi).cwiseMax(0.0).norm(),
                  deviations = deviation + other.deviation;
     return std::max(deviations, std::max(this->size(), other.size()) / 2) > size
                ? box_distance
@@ -56,8 +57,8 @@ class MovingComponents {
   // Sets the motion from x to y (3n).
   void move(const VecX& x, const VecX& y);
   // Returns the pairs of components that may touch, whose swept AABBs overlap, and whose relative
-  // displacement exceeds `fraction` of the size of the smaller one, at least of `least` [m]. First <
-  // second, ascending.
+  // displacement exceeds `fraction` of the size of the smaller one, at least of `least` [m]. First
+  // < second, ascending.
   std::vector<std::array<int, 2>> tunnelling_pairs(double fraction, double least) const;
 
   size_t count() const { return components_.size(); }

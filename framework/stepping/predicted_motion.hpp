@@ -1,8 +1,8 @@
-// Predicted motion, the start of the minimisation of a step: h v + h^2 a of its unknowns, if it takes
-// no bond and no adhesion past the peak of its traction. Beyond the peak the incremental potential
-// has another minimum, of separated surfaces. A minimiser that starts there stays there, however far
-// the loads are below the strength. If the prediction would debond stencils, two displacements
-// without debonding are tried, and the one of lower potential is used:
+// Predicted motion, the start of the minimisation of a step: h v + h^2 a of its unknowns, if it
+// takes no bond and no adhesion past the peak of its traction. Beyond the peak the incremental
+// potential has another minimum, of separated surfaces. A minimiser that starts there stays there,
+// however far the loads are below the strength. If the prediction would debond stencils, two
+// displacements without debonding are tried, and the one of lower potential is used:
 // - by objects: an object with such a stencil moves uniformly, by h v; if that debonds as well, it
 //   starts from its present position;
 // - by vertices: only the vertices of such stencils start from their present positions, e.g. those

@@ -1,6 +1,6 @@
-// Follower of prescribed motion: moves prescribed vertices to their target positions at the end of a
-// step, before the minimisation. They move along linear trajectories if these are feasible and debond
-// no stencils (predicted_motion.hpp), otherwise by Dirichlet continuation
+// Follower of prescribed motion: moves prescribed vertices to their target positions at the end of
+// a step, before the minimisation. They move along linear trajectories if these are feasible and
+// debond no stencils (predicted_motion.hpp), otherwise by Dirichlet continuation
 // (dirichlet_continuation.hpp).
 #pragma once
 
@@ -14,7 +14,8 @@ namespace tack {
 
 class PrescribedMotionFollower {
  public:
-  PrescribedMotionFollower(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
+  PrescribedMotionFollower(World& world, const Minimizer& like, PhaseClock& clock,
+                           FeasibleSteps& steps)
       : world_(world), like_(like), clock_(clock), steps_(steps) {}
 
   // Called if other vertices are fixed than before.

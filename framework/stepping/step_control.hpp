@@ -2,11 +2,11 @@
 // (TimeIntegrator::local_error):
 //     e = max over bodies of sqrt(sum m |e_i|^2 / sum m)  [m],  i: the moving vertices of the body,
 //     r = e / time.adaptive.error.
-// Weighting by mass (for a body without mass: by vertices) makes e a mean over the body that does not
-// depend on the mesh. The maximum over bodies keeps a large body from hiding a small one.
+// Weighting by mass (for a body without mass: by vertices) makes e a mean over the body that does
+// not depend on the mesh. The maximum over bodies keeps a large body from hiding a small one.
 //
-// - r > 1: the step is rejected and repeated with a smaller size. The error of an impact falls with h
-//   and not with h^p. After the second rejection p is therefore the power of the last two errors.
+// - r > 1: the step is rejected and repeated with a smaller size. The error of an impact falls with
+//   h and not with h^p. After the second rejection p is therefore the power of the last two errors.
 // - Otherwise the next step is h (0.7 / r)^(0.85/p) (r_before / 0.7)^(0.2/p), between h/2 and 2 h,
 //   and h itself if that is near: a PI controller (Gustafsson 1991; Hairer and Wanner 1996, IV.2).
 // - Steps do not grow until the time at which a rejected step would have ended: its cause is still
@@ -41,15 +41,15 @@ class StepControl {
   // Returns the error [m] of a step of size h from the state to x. The functions below use it.
   double measure(const TimeIntegrator& integrator, const State& state, const VecX& x,
                  const VecX& contact, double h);
-  // Returns whether the step is rejected for its error; if so, sets the size of the repetition in the
-  // state.
+  // Returns whether the step is rejected for its error; if so, sets the size of the repetition in
+  // the state.
   bool repeats(State& state, double h);
   // Returns whether the error is above its limit; of an accepted step: no smaller step is allowed.
   bool too_large() const { return ratio_ > 1; }
   // Updates the state at the end of an accepted step of size h.
   void accepted(State& state, double h);
-  // Updates the state for a step that failed, or that gained or lost energy numerically, and that is
-  // repeated with h_next. lasting: larger steps would do so again.
+  // Updates the state for a step that failed, or that gained or lost energy numerically, and that
+  // is repeated with h_next. lasting: larger steps would do so again.
   void refined(State& state, double h, bool lasting);
 
  private:

@@ -54,8 +54,8 @@ class TimeIntegrator : public Component {
   virtual std::string energy_advice(bool /*gain*/, bool /*contact*/) const {
     return "refine time.step";
   }
-  // Corrects velocities and accelerations of vertices with prescribed motion, if update() would carry
-  // velocities over from step to step. fixed: these vertices.
+  // Corrects velocities and accelerations of vertices with prescribed motion, if update() would
+  // carry velocities over from step to step. fixed: these vertices.
   virtual void update_fixed(const State& /*old*/, const VecX& /*x*/, double /*h*/,
                            const std::vector<int>& /*fixed*/, VecX& /*v*/, VecX& /*a*/) const {}
 };

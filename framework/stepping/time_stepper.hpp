@@ -129,7 +129,7 @@ class TimeStepper {
   std::vector<const Term*> dynamic_terms_;  // empty if the integrator does not use their forces
   std::unique_ptr<Stepper> stepper_;
   std::optional<StepControl> control_;  // in adaptive steps
-  // Of the present step: failed solves, solves with too large errors.
+  // Numbers of failed solves and of solves with too large errors in the present step.
   int cutbacks_ = 0, repeats_ = 0;
   double first_size_ = 0;  // first step size tried, before any cutback [s]
   double error_ = 0;       // error of the last solve, in adaptive steps [m]

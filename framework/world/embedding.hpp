@@ -11,7 +11,8 @@ namespace tack {
 
 class Embedding {
  public:
-  static constexpr double touching = 1e-9;  // distance over size() below which a point touches the object
+  // Distance over size() below which a point touches the object.
+  static constexpr double touching = 1e-9;
 
   Embedding(const World& world, int body);
   double size() const { return size_; }  // diagonal of the bounding box of the object [m]

@@ -1,5 +1,5 @@
-// Joint relations solved for dependent vertices. Joints of affine bodies are linear in the frames of
-// the bodies, so that trees and loops of joints cost no unknowns and have no error. Weights of
+// Joint relations solved for dependent vertices. Joints of affine bodies are linear in the frames
+// of the bodies, so that trees and loops of joints cost no unknowns and have no error. Weights of
 // blocks of three unknowns are scalars: the equations are solved for one coordinate.
 #pragma once
 

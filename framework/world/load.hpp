@@ -1,4 +1,4 @@
-// An external load on an object: nodal forces that depend on time only, or a term for loads that
+// External load on an object: nodal forces that depend on time only, or a term for loads that
 // depend on the configuration.
 #pragma once
 

@@ -10,26 +10,27 @@ namespace tack {
 
 class Load;
 
-// m g . (x_start - x).
+// Potential m g . (x_start - x) of gravity.
 class GravityTerm : public LinearTerm {
  public:
   GravityTerm() : LinearTerm("gravity") {}
-  // mass: per vertex [kg]; gravity [m/s^2].
+  // Sets the masses per vertex [kg] and gravity [m/s^2].
   void set_up(const VecX& mass, const Vec3& gravity);
   void begin_step(const StepStart& start) override { set_reference(start.x); }
 };
 
-// Loads, with the forces at the end of the step.
+// Potential of the loads, with the forces at the end of the step.
 class LoadTerm : public LinearTerm {
  public:
   LoadTerm() : LinearTerm("loads") {}
-  // All must outlive the term. rest: 3n [m]; mass: per vertex [kg].
+  // Adds a load. All arguments must outlive the term. rest: 3n [m]; mass: per vertex [kg].
   void add(const Load& load, const Body& body, const VecX& rest, const VecX& mass) {
     loads_.push_back({&load, &body, &rest, &mass});
   }
   std::vector<double> abrupt_times() const override;
   bool empty() const { return loads_.empty(); }
-  VecX forces_at(double t, Eigen::Index size) const;  // forces as a vector of that size [N]
+  // Returns the forces at time t [s] as a vector of this size [N].
+  VecX forces_at(double t, Eigen::Index size) const;
   void begin_step(const StepStart& start) override;
 
  private:

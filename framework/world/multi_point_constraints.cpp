@@ -102,8 +102,8 @@ Dependences MultiPointConstraints::unjoined_at(const std::vector<char>& free, co
         if (c.weights[k] != 0) d.on.emplace_back(body.frame[k], c.weights[k]);
     }
   }
-  // Of the vertices of an affine body that depend on another object, only the determining ones stay
-  // dependent on it; the others depend on the frame.
+  // Determining vertices of an affine body stay dependent on the other object; its other vertices
+  // depend on the frame.
   std::set<int> dependent;
   for (const Dependence& d : all) dependent.insert(d.vertex);
   for (size_t i = 0; i < timed_.size(); ++i)

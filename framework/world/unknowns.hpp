@@ -43,7 +43,8 @@ class Unknowns {
       : world_(world), owner_(std::move(owner)), body_(body) {}
 
   /// Adds vector dofs with these rest positions [m]. mass: of each [kg].
-  std::vector<int> add_vector_dofs(const std::string& name, std::span<const Vec3> at, double mass = 0);
+  std::vector<int> add_vector_dofs(const std::string& name, std::span<const Vec3> at,
+                                   double mass = 0);
   /// Adds scalar dofs. length: displacement that counts as one unit [m]; tolerances resolve a
   /// hundredth of it. start: initial value. mass: inertia against that displacement [kg].
   ScalarDofs add_scalar_dofs(const std::string& name, int count, double length, double start = 0,
