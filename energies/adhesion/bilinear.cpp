@@ -1,5 +1,5 @@
-// Cohesive zone whose traction rises linearly to sigma at the onset d_0 and falls linearly to 0 where the work W is done, at 2 W / sigma:
-// irreversible damage (damage_law.hpp), in mixed modes by the criteria of mixed_modes.hpp.
+// Cohesive zone with irreversible damage (damage_law.hpp): the traction rises linearly to sigma at the onset d_0 and falls linearly to 0 at
+// 2 W / sigma, where the work W is done. Mixed modes by the criteria of mixed_modes.hpp.
 #include <fmt/format.h>
 
 #include "energies/adhesion/bilinear_envelope.hpp"

@@ -1,5 +1,5 @@
-// Surfaces that are glued together: bonds are stiff, hold without creep as long as (t_n / sigma)^2 + (t_t / tau)^2 < 1 and then break at
-// once, within a thousandth of the opening at which they begin to, for good (damage_law.hpp).
+// Glued surfaces: bonds are stiff and do not creep as long as (t_n / sigma)^2 + (t_t / tau)^2 < 1. Beyond that they break for good, within a
+// thousandth of the opening at which they begin to break (damage_law.hpp).
 #include "energies/adhesion/bilinear_envelope.hpp"
 #include "energies/adhesion/damage_law.hpp"
 #include "framework/config/field.hpp"

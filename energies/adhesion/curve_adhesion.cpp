@@ -5,7 +5,7 @@
 namespace tack {
 namespace {
 
-constexpr double largest_end = 1e-3;  // of the peak: what law_check lets pass
+constexpr double largest_end = 1e-3;  // fraction of the peak that law_check tolerates
 constexpr double least_felt = 0.99;   // of the peak
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Irreversible damage (damage_law.hpp) whose envelope is any adhesion of the gap, taken as the traction by opening of whole bonds: a table, a formula
-// or one of the laws there are.
+// Irreversible damage (damage_law.hpp) with the envelope of any reversible adhesion law: a table, a formula or a registered law. The law gives the
+// traction of an intact bond by its opening.
 #include "energies/adhesion/damage_law.hpp"
 #include "energies/adhesion/sampled_envelope.hpp"
 #include "framework/config/field.hpp"
@@ -22,7 +22,7 @@ class EnvelopeAdhesion : public DamageLawOf<EnvelopeAdhesion> {
     if (!given) throw InputError("adhesion damage: its envelope has to be an adhesion of the gap, as table, expression or fang");
     const std::unique_ptr<NormalLaw> law = given->clone();
     PairMaterials opening = pair;
-    opening.contact_distance = 0;  // openings have none
+    opening.contact_distance = 0;  // openings have no contact distance
     law->prepare(opening);
     const auto& adhesion = dynamic_cast<const AdhesionLaw&>(*law);
     note_ = adhesion.note();

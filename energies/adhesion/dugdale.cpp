@@ -1,5 +1,5 @@
-// Dugdale: a constant traction sigma up to the gap W / sigma, nothing beyond. Its fall is spread evenly to both sides of that gap,
-// T = sigma (3 u^2 - 2 u^3), so that the traction has a continuous derivative and the work of adhesion stays W.
+// Dugdale: a constant traction sigma up to the gap W / sigma, zero beyond. The traction falls over an interval around that gap,
+// T = sigma (3 u^2 - 2 u^3), so that its derivative is continuous and the work of adhesion stays W.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// A law as a formula of the scene file: evaluated where it takes for a curve that is within 1e-6 of its peak, whose exact integral is the energy.
+// A law given as a formula in the scene file. The formula is converted to a curve within 1e-6 of its peak; the energy is the exact integral of the
+// curve.
 #include "energies/adhesion/curve_adhesion.hpp"
 #include "energies/adhesion/traction_formula.hpp"
 

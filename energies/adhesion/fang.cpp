@@ -66,7 +66,7 @@ class FangAdhesion : public NormalLawOf<FangAdhesion, NormalAdhesion> {
   std::optional<double> young_, critical_strain_, given_peak_, given_work_;
   std::optional<double> given_peak_distance_, given_range_;
   double dhat_p_ = 1e-3, dhat_a_ = 2e-3;  // m
-  double p_ = 1e-3, end_ = 2e-3;          // the same in the law's argument, m or m^2
+  double p_ = 1e-3, end_ = 2e-3;          // in the law's argument [m or m^2]
   double a1_ = 0, a2_ = 0, c1_ = 0;
 };
 

@@ -1,6 +1,6 @@
-// The attraction of two half spaces of Lennard-Jones solids: T = 8 W / (3 z) ((z/d)^3 - (z/d)^9), from the gap z of equilibrium on; below it
-// nothing, as the barrier repels there (so surfaces rest between the contact distance and z). The traction peaks at 3^(1/6) z with
-// 16 / (9 sqrt 3) W / z = 1.026 W / z. At z its slope jumps. Tapered to 0 at the range: peak and work of adhesion stay what they are.
+// Attraction of two half spaces of Lennard-Jones solids: T = 8 W / (3 z) ((z/d)^3 - (z/d)^9) beyond the equilibrium gap z. The law is zero below z,
+// where the barrier repels, so that surfaces rest between the contact distance and z. The traction peaks at 3^(1/6) z with
+// 16 / (9 sqrt 3) W / z = 1.026 W / z. At z its slope jumps. A taper to 0 at the range changes neither peak nor work of adhesion.
 #include <fmt/format.h>
 
 #include <cmath>

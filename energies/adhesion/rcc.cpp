@@ -3,13 +3,13 @@
 //     phi = min over 0 <= b <= beta of  k b^2 / 2 + W (beta - b) + e/2 (beta - b)^2
 //         = k beta^2 / 2                                            up to k = W / beta, the onset,
 //         = (k (e beta^2 + W beta) + W (k beta - W)) / (2 (k + e))  beyond it, b = (W + e beta) / (k + e),  d phi / d k = b^2 / 2.
-// Its stationarity is implicit Euler of eta beta' = min(W - k beta, 0): never below 0, whatever the step. phi is C1 and concave in k.
-// Slow loading: onset at d = sqrt(W / C_N), peak sqrt(W C_N), beta = W / k beyond it, work W. W = 0: any pull debonds, and what resists
-// is viscosity alone.
-// Under a pressure p a bond heals after the step, beta' = r <p - beta p_0>, exactly for a constant p. What heals is unstressed where it heals:
-// beside the old bond of stiffness C beta^2 it adds C (beta'^2 - beta^2), so that the force stays as it is. One bond of intensity beta' that
-// keeps the share (beta / beta')^2 of opening and slip pulls like the two; the energy that this drops, k beta^2 / 2 (1 - (beta / beta')^2), is
-// lost. So healing puts no energy in, and a bond that was worn out while it slid heals to a new one where it comes to rest.
+// Its stationarity is implicit Euler of eta beta' = min(W - k beta, 0), which stays above 0 for any step size. phi is C1 and concave in k.
+// Slow loading: onset at d = sqrt(W / C_N), peak sqrt(W C_N), beta = W / k beyond it, work W. With W = 0 any pull debonds, against viscosity alone.
+//
+// Healing: under a pressure p, beta' = r <p - beta p_0> after the step, exact for a constant p. New bond material is unstressed: it adds the stiffness
+// C (beta'^2 - beta^2) to that of the old bond, C beta^2, and does not change the force. One bond of intensity beta' with the fraction
+// (beta / beta')^2 of opening and slip has the same force. The difference in energy, k beta^2 / 2 (1 - (beta / beta')^2), is lost.
+// Healing thus adds no energy, and a bond that wore out in sliding heals to a new bond where it comes to rest.
 #include <algorithm>
 
 #include "energies/adhesion/rcc.hpp"

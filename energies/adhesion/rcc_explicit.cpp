@@ -1,11 +1,11 @@
-// Raous-Cangemi-Cocou adhesion as the paper integrates it (eq. 5 to 9), to compare with: the intensity beta is held in a step, where
-// a bond is the spring k beta^2 / 2, and then goes by explicit Euler, clamped to [0, 1]: with the pressure p between the surfaces, what
-// the bond pulls taken off,
+// Raous-Cangemi-Cocou adhesion integrated as in the paper (eq. 5 to 9), for comparison. The intensity beta is lagged: within a step, a bond is the
+// spring k beta^2 / 2. After the step, beta takes a step of explicit Euler, clamped to [0, 1]. With the pressure p between the surfaces less
+// the traction of the bond,
 //     beta' = min(W - k beta, 0) / eta                              while p < 0,
 //     beta' = r max(p - beta p_0, 0) + min(W - C_T beta |u|^2, 0) / eta   else.
-// At a fixed opening beta overshoots from h > eta / k on, and is clamped to 0 from little more. In a step the force has no peak.
-// Dissipation: the decrease of the stored energy by the update, k (beta^2 - beta'^2) / 2. Energy is therefore conserved, and the error
-// of the integration appears as a work of separation other than W. Dissipation is negative where a bond grows while it is stretched.
+// Limits: at a fixed opening beta overshoots for h > eta / k, and is clamped to 0 for little larger steps. Within a step the force has no peak.
+// Dissipation is the decrease of the stored energy by the update, k (beta^2 - beta'^2) / 2, so that energy is conserved: the error of the integration
+// appears as a work of separation other than W. Dissipation is negative if a bond grows while it is stretched.
 #include <algorithm>
 
 #include "energies/adhesion/rcc.hpp"

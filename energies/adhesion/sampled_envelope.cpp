@@ -13,7 +13,7 @@ namespace tack {
 namespace {
 
 constexpr int places = 4000;             // of openings, equally far apart
-constexpr double least_start = 1e-6;     // of the peak: what begins with more does not begin at 0
+constexpr double least_start = 1e-6;     // fraction of the peak that a curve may begin with
 constexpr double largest_misfit = 0.01;  // of the peak
 
 }  // namespace

@@ -1,4 +1,5 @@
-// A law as a table of a file: the traction by gap of its rows, by cubic pieces that are monotone between them, and as the energy their exact integral.
+// A law given as a table in a file: the traction by gap of its rows, with cubic pieces that are monotone between rows. The energy is their exact
+// integral.
 #include "energies/adhesion/curve_adhesion.hpp"
 #include "energies/adhesion/traction_table.hpp"
 

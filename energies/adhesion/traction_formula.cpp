@@ -12,7 +12,7 @@
 namespace tack {
 namespace {
 
-constexpr double largest_error = 1e-3;  // relative; what is worse jumps
+constexpr double largest_error = 1e-3;  // relative; a larger error indicates a jump
 
 bool in_names(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)); }
 
@@ -28,7 +28,7 @@ bool has_name(const std::string& text, const std::string& name) {
   return false;
 }
 
-// An energy that jumps has a derivative all the same, between knots.
+// Between knots, an energy that jumps has a derivative.
 double energy_error(const CubicCurve& curve, const std::function<double(double)>& energy) {
   constexpr int checks = 1000;
   const double end = energy(curve.last());

@@ -35,7 +35,7 @@ double largest_of(const std::vector<double>& values) {
   return largest;
 }
 
-// Smoothed, with the work that there was; what ends with nothing goes on to.
+// The smoothed table keeps its work, and its end if the traction there is zero.
 void smooth_out(const QuantityTable& table, double reach, std::vector<double>& traction) {
   const std::vector<double>& gap = table.columns[0];
   std::vector<double> smooth = smoothed(gap, traction, reach);

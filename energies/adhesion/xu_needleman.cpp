@@ -1,5 +1,5 @@
-// The normal part of the potential of Xu and Needleman: phi(d) = -W (1 + d/l) exp(-d/l), its traction W/l (d/l) exp(-d/l), largest at the
-// gap l with W / (e l). Tapered to 0 at the range: peak and work of adhesion stay what they are.
+// Normal part of the potential of Xu and Needleman: phi(d) = -W (1 + d/l) exp(-d/l). The traction W/l (d/l) exp(-d/l) is largest at the
+// gap l, W / (e l). A taper to 0 at the range changes neither peak nor work of adhesion.
 #include <fmt/format.h>
 
 #include <cmath>

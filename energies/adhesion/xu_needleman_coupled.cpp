@@ -1,6 +1,6 @@
-// Xu and Needleman's potential of opening and slip together, for q = 1: phi = W (1 - (1 + d / l) exp(-d / l - |u|^2 / l_t^2)). The traction
-// peaks at sigma = W / (e l) along the normal, at d = l, and at tau = sqrt(2 / e) W / l_t across, at |u| = l_t / sqrt(2). Without history: a
-// bond that comes back holds as before, and is never gone.
+// Potential of Xu and Needleman for opening and slip, q = 1: phi = W (1 - (1 + d / l) exp(-d / l - |u|^2 / l_t^2)). The traction
+// peaks at sigma = W / (e l) along the normal, at d = l, and at tau = sqrt(2 / e) W / l_t along the surface, at |u| = l_t / sqrt(2). The law has no
+// history: bonds are restored when surfaces return, and never fail for good.
 #include <numbers>
 
 #include "framework/bond/bond_law.hpp"

@@ -1,7 +1,7 @@
 // The clamped logarithmic barrier of IPC, with its stiffness in pascals; dhat is the contact distance.
 //   plain:   b(d) = -kappa dhat (d/dhat - 1)^2 ln(d/dhat),        0 < d < dhat   (the paper, eq. 2)
-//   squared: the same in s = d^2 with dhat^2 for dhat and a stiffness that makes the force at
-//            d = dhat/2 equal to the plain form's.
+//   squared: that formula in s = d^2, with dhat^2 for dhat and a stiffness with which the force at
+//            d = dhat/2 equals that of the plain form.
 #include "framework/config/field.hpp"
 #include "framework/contact/normal_law.hpp"
 #include "geometry/errors.hpp"

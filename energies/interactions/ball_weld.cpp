@@ -1,4 +1,4 @@
-// Joints of points alone: one, that leaves all turns free, and four, that leave nothing.
+// Ball joints and welds: a ball joint joins one point and leaves all rotations free, a weld joins four points.
 #include "energies/interactions/joint_points.hpp"
 
 namespace tack {

@@ -1,4 +1,4 @@
-// Hinges: two points of an axis, and what acts about it.
+// Hinges: two points of an axis, and the forces and limits about it.
 #include <fmt/format.h>
 
 #include "energies/interactions/joint_mechanics.hpp"

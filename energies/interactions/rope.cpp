@@ -1,4 +1,4 @@
-// Ropes: springs that pull and do not push.
+// Ropes: tension-only cables.
 #include <fmt/format.h>
 
 #include <memory>
@@ -28,7 +28,7 @@ struct Taut : FormulaOf<2> {
 class RopeTerm : public FormulaTerm<Taut> {
  public:
   RopeTerm() : FormulaTerm("ropes") {}
-  // On what they start from, in sum [N].
+  // Returns the sum of the forces on the first ends [N].
   Vec3 force(const VecX& x) const {
     Vec3 sum = Vec3::Zero();
     for (int s = 0; s < count(); ++s) {

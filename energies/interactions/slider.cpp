@@ -1,5 +1,5 @@
-// Sliders: an affine body goes along a line, and does not turn. In space the line is a direction that is held; on another object it turns with
-// that, which is not linear: there a stiff potential keeps the point on it.
+// Sliders: an affine body moves along a line and does not rotate. A line in space is a fixed direction. A line on another object rotates with that
+// object, which is not linear in the unknowns: a stiff potential keeps the point on such a line.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
-// A force by formulas of place, time and velocity. Such a force need not have a potential. Of a step that starts at x_n with the velocities v_n it is
-//     f_n + A (x - x_n) + B (v - v_n),    v = rate (x - still) those of its end,
-// with the derivatives by place and velocity, A and B, made symmetric and negative semi-definite: what pulls back or brakes does so at the end of the step,
-// what drives away as at its start. That has a potential, is exact for linear springs and brakes, and of first order otherwise.
+// Force by formulas of position, time and velocity, which need not have a potential. A step that starts at x_n with the velocities v_n has the force
+//     f_n + A (x - x_n) + B (v - v_n),    v = rate (x - still) the velocities at its end,
+// where A and B are the derivatives by position and velocity, made symmetric and negative semi-definite. Restoring and braking forces are thus
+// implicit, driving forces explicit. This force has a potential. It is exact for linear springs and dampers, and of first order otherwise.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ struct FieldFormulas {
   }
 };
 
-// The symmetric part without what is positive.
+// Returns the symmetric part without positive eigenvalues.
 Mat3 resisting(const Mat3& m) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen((m + m.transpose()) / 2);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMin(0).asDiagonal() * eigen.eigenvectors().transpose();
@@ -68,7 +68,7 @@ Mat3 resisting(const Mat3& m) {
 
 class FieldTerm : public FollowingLoad {
  public:
-  // weights: of the vertices, what the formulas are per; size: of what is in the field [m].
+  // weights: per vertex, mass, volume or 1 as the formulas ask; size: extent of the vertices [m].
   FieldTerm(const FieldFormulas& formulas, std::vector<int> vertices, VecX weights, double size)
       : FollowingLoad("field"), formulas_(formulas), vertices_(std::move(vertices)), weights_(std::move(weights)), step_(1e-5 * size) {}
   bool needs_velocities() const override { return formulas_.of_velocity; }
@@ -115,7 +115,7 @@ class FieldTerm : public FollowingLoad {
       if (hessian) Eigen::Map<Mat3>{hessian + 9 * static_cast<size_t>(i)} = -by_place_[i] - after().rate * by_velocity_[i];
     }
   }
-  // In a step that ends at x.
+  // For a step that ends at x.
   void add_forces(const VecX& x, double part, VecX& sum) const override {
     for (int i = 0; i < count(); ++i) {
       const int v = vertices_[i];

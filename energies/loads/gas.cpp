@@ -1,7 +1,7 @@
-// An ideal gas: p V^gamma = m^gamma p0 V0^gamma, with m of the amount that there was at rest; isothermal with gamma = 1. With the ambient pressure pa, the volume Vr in
-// which it would have the reference pressure pr (pa, or p0 in a vacuum) and y = V / Vr, it stores what it could do by expanding to Vr against pa:
+// Ideal gas: p V^gamma = m^gamma p0 V0^gamma, with m of the amount of gas at rest; gamma = 1 is isothermal. Let pa be the ambient pressure, Vr the volume
+// at which the gas has the reference pressure pr (pa, or p0 in a vacuum), and y = V / Vr. The stored energy is the work of an expansion to Vr against pa:
 //     W = pr Vr (y^(1 - gamma) - 1) / (gamma - 1) + pa (V - Vr),    or  - pr Vr ln y + pa (V - Vr)  with gamma = 1.
-// A leak takes of the pressure above the ambient one, at constant volume, `leak` of itself a second: exactly, whatever the step.
+// A leak reduces the excess over the ambient pressure, at constant volume, by the fraction `leak` per second; exact for any step size.
 #include <cmath>
 #include <limits>
 

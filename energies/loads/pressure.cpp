@@ -1,4 +1,4 @@
-// A pressure on the surface of an object that follows it, and the same of a chamber.
+// Pressure on the surface of an object, or in a fluid cavity; it follows the surface.
 #include "energies/loads/pressure_term.hpp"
 #include "framework/body/cavity_surface.hpp"
 #include "framework/load/cavity_content.hpp"

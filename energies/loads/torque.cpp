@@ -1,10 +1,10 @@
-// A moment M about an axis through a point, or through the centre of what it turns, which follows it. With the axis a, weights m and places r from the
-// centre, r0 of the start of the step, the angle by which all of it has turned in the step is that of the least squares
+// Moment M about an axis through a fixed point, or through the moving centre of the vertices. Let a be the axis, m weights, and r positions relative to
+// the centre, r0 at the start of the step. The rotation in the step, by least squares, is
 //     theta = atan2(S, C),   S = sum_v m_v (a x r0_v) . r_v,   C = sum_v m_v r0_v . r_v  across the axis,
-// and the potential - M theta: its forces have the moment M about the axis and, about the centre, no sum. S and C are linear in x, so that the
-// Hessian is of rank two, whatever turns: 1 / (S^2 + C^2) and its negative. What turns freely about an axis that is none of its own would also be tilted,
-// by the moment I a / (a . I a) - a; unless a point of the axis is given, where bearings would hold it, forces m (b x r0), b = I^-1 a - a / (a . I a), of the
-// start of the step take that back.
+// and the potential is - M theta. Its forces have the moment M about the axis; without a fixed point their sum is zero. S and C are linear in x, so
+// that the Hessian has rank two, with the eigenvalues 1 / (S^2 + C^2) and its negative.
+// A free body would also be tilted, by the moment I a / (a . I a) - a, if the axis is no principal axis. Unless the scene gives a point of the axis,
+// where bearings would take that moment, the forces m (b x r0), b = I^-1 a - a / (a . I a), of the start of the step cancel it.
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <cmath>

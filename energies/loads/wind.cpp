@@ -1,12 +1,14 @@
-// Wind and the drag of a medium on triangles. With u = n . (w - v), the speed of the medium w towards a triangle of normal n and velocity v, the triangle is pushed by
+// Wind and the drag of a medium on triangles. With u = n . (w - v), the velocity w of the medium relative to a triangle of normal n and velocity v,
+// the force on the triangle is
 //     1/2 rho c_d A |u| u n.
-// The law is the pressure of modified Newtonian flow (Lees 1955): the stagnation pressure times c_d times the squared cosine of the incidence. A triangle of a sheet with a
-// boundary is pushed from either side, one of a solid or a closed sheet only from outside (u < 0 with n outwards): the lee carries no pressure, nor do the walls of
-// cavities. Over 1/2 rho c_d U^2 times the frontal area, the drag is 1 of a sheet or a face of a cuboid across the flow, 2/3 of a cylinder across it, 1/2 of a sphere.
-// One triangle does not shelter another.
-//     With the normals and areas of the start of the step and the velocities of its end, v = rate (x - still), the force has the convex potential
+// The law is the pressure of modified Newtonian flow (Lees 1955): the stagnation pressure times c_d times the squared cosine of the incidence.
+// Triangles of an open sheet have pressure on both sides. Those of solids and closed sheets have it on the outside alone (u < 0 with n outwards):
+// neither the lee nor the walls of cavities carry pressure. Divided by 1/2 rho c_d U^2 times the frontal area, the drag is 1 for a sheet or a face of a
+// cuboid across the flow, 2/3 for a cylinder across it, and 1/2 for a sphere. Triangles do not shelter each other.
+//
+// With the normals and areas of the start of the step and the velocities of its end, v = rate (x - still), the force has the convex potential
 //     rho c_d A / (6 rate) |u|^3,
-// so that drag is implicit, however light a sheet is.
+// so that drag is implicit also for light sheets.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -60,7 +62,7 @@ class WindTerm : public FollowingLoad {
       double sum = 0;
       for (int t = first; t < last; ++t) {
         const double u = towards(x, t), before = first_(t);
-        // Without velocities, its limit.
+        // Without velocities, the limit of the drag.
         if (after().rate > 0) sum += factors_(t) / (3 * after().rate) * (std::abs(u * u * u) - std::abs(before * before * before));
         else sum -= factors_(t) * std::abs(u) * u * normals_.col(t).dot(mean(x, t) - mean(start(), t));
       }

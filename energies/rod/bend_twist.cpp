@@ -32,7 +32,7 @@ struct Strain {
   Mat6 hessian;
 };
 
-// u and v and what hangs on them.
+// u, v and the quantities that depend on them.
 struct Rotation {
   Rotation(const Vec4& a, double theta_1, double theta_2)
       : u(a.head<2>()), square(u.squaredNorm()), size(std::sqrt(square)), cosine(std::cos((theta_1 + theta_2) / 2)),
@@ -92,7 +92,7 @@ bool BendTwist::within_reach(const Vec3& edge) {
   return length + edge.x() > least * length;
 }
 
-// How the two frames stand at a place.
+// Both frames of a pair of edges.
 struct BendTwist::Standing {
   Standing(const BendTwist& bend, const EdgePair& p) : a(p.first), b(p.second) {
     for (int k = 0; k < 4; ++k) {

@@ -29,7 +29,7 @@ RodTerm::RodTerm(std::string name, std::string history_name, const RodMaterial& 
   load_history({});
 }
 
-// Directions, stencil and rest shape of a pair. The committed frames are those of the rest shape.
+// Adds directions, stencil and rest shape of a pair. The committed frames are those of the rest shape.
 void RodTerm::settle(Pair& pair, const RodPair& of, const RodMaterial& material, const RodRest& shape, const VecX& rest) {
   const Edge &first = stretching_.edges()[of.first], &second = stretching_.edges()[of.second];
   const int a = opposite(first, of.vertex), b = opposite(second, of.vertex);
@@ -135,7 +135,7 @@ void RodTerm::derivatives_of(const VecX& x, const double* strains, Projection pr
     BendTwist::Vec8 slope;
     BendTwist::Mat8 local;
     bends_[p].derivatives(place(p, x), pair.root.transpose() * pair.root, rest_of(p, strains), slope, hessian ? &local : nullptr);
-    // From the committed frames to x and arcs, then from edges to vertices: -1, 1 of the first and -1, 1 of the second.
+    // Chain rule from the committed frames to x and arcs, then from edges to vertices: -1, 1 for the first and -1, 1 for the second edge.
     const std::array<Mat3, 2> back = {axes_[p][0].transpose(), (pair.second_from_end ? -1 : 1) * axes_[p][1].transpose()};
     const std::array<double, 2> arcs = {sign(pair, 0) / frames_->radius(), sign(pair, 1) / frames_->radius()};
     const Vec3 first = back[0] * slope.head<3>(), second = back[1] * slope.segment<3>(3);

@@ -1,4 +1,4 @@
-// Edges that stretch, and do nothing else.
+// Strings: edges that stretch, without bending or twisting stiffness.
 #include "energies/rod/edge_stretching.hpp"
 #include "framework/config/field.hpp"
 #include "framework/scene/energy.hpp"

@@ -14,22 +14,22 @@ namespace tack {
 namespace {
 
 constexpr int most_sweeps = 200, first_sweeps = 50;
-constexpr int few_edges = 6;     // of a fan, to begin with
+constexpr int few_edges = 6;      // initial limit of the edges of a fan
 constexpr double met = 1e-3;      // tolerated mean error of the conditions, relative to the moments
-constexpr double enough = 2e-3;   // the same after all sweeps, so that small fans will do,
-constexpr double hopeful = 0.01;  // and after the first, so that it is worth while to go on with them
-constexpr double least = 0.01;    // of D: what no C falls below, in angles over the width of a dihedral edge. Less, by the square, where
+constexpr double enough = 2e-3;   // mean error after all sweeps with which small fans suffice
+constexpr double hopeful = 0.01;  // mean error after the first sweeps with which small fans are iterated further
+constexpr double least = 0.01;    // lower bound of C over D, in angles over the width of a dihedral edge. It is smaller, by the square, if
 constexpr double regular = 6;     // triangles are so long that curvatures turn dihedral edges by more than this, squared, of that width
-constexpr double lift = 3;        // times that least: what is lifted is lifted to
-constexpr double beside = 0.05;   // of D, to begin with: against angles of no curvature
-constexpr double evenly = 0.5;    // of a change, against in proportion to C
-constexpr double damping = 1e-6;  // of a change, so that conditions that hardly depend on C, at corners, do not drive it off
+constexpr double lift = 3;        // times the lower bound: eigenvalues below the bound are raised to it
+constexpr double beside = 0.05;   // initial stiffness over D against angles of no curvature
+constexpr double evenly = 0.5;    // uniform fraction of a change of C; the rest is in proportion to C
+constexpr double damping = 1e-6;  // relative damping of changes by conditions that hardly depend on C, at corners
 
 using Rows = Eigen::Matrix<double, fan_edges_max, 3>;
 using Row = Eigen::Matrix<double, fan_edges_max, 1>;
 
-// Curvatures are (K_nn, K_nt, K_tt), t along an edge and n to its left, or (K_xx, K_xy, K_yy). This leads from the latter to the
-// former.
+// Curvatures are (K_nn, K_nt, K_tt), t along an edge and n to its left, or (K_xx, K_xy, K_yy). Returns the matrix from the latter
+// to the former.
 Mat3 to_edge(const Vec2& t) {
   Mat3 m;
   m << t.y() * t.y(), -2 * t.x() * t.y(), t.x() * t.x(),                       //
@@ -38,7 +38,7 @@ Mat3 to_edge(const Vec2& t) {
   return m;
 }
 
-// Where an apex lies: along the edge from its first vertex, and beside it.
+// Position of an apex: along the edge from its first vertex, and across it.
 struct Apex {
   double foot, height;
 
@@ -48,24 +48,24 @@ struct Apex {
     foot = along.dot(apex - a) / length;
     height = along.cross(apex - a).norm() / length;
   }
-  // The slope of w = K(x, x)/2 from the edge to the apex of a triangle that interpolates it, n towards the apex.
+  // Returns the slope of the interpolated w = K(x, x)/2 from the edge to the apex, n towards the apex.
   Vec3 slope(double length) const { return {height / 2, foot, foot * (foot - length) / (2 * height)}; }
 };
 
-// Angles and moments of a fan over the root of the length of their dihedral edge over its width: then C is of the size of D.
-struct Shares {
-  Rows turn = Rows::Zero();                // of a curvature of the fan
+// Angles and moments of a fan, scaled by the root of length over width of their dihedral edge, so that C has the size of D.
+struct ScaledFan {
+  Rows turn = Rows::Zero();                // turns by a curvature of the fan
   std::array<double, fan_edges_max> root{};  // of length over width
   std::array<Mat3, fan_edges_max> edge;      // to_edge of each dihedral edge
-  double least = 0;                        // what C does not fall below
-  FanMatrix metric;                        // of changes of C
+  double least = 0;                        // lower bound of C
+  FanMatrix metric;                        // metric of changes of C
 };
 
 struct End {
   int fan, edge;
 };
 
-// The conditions of a dihedral edge, as both ends see them, in the frame of the first.
+// The conditions of a dihedral edge at both ends, in the frame of the first end.
 struct Conditions {
   std::array<End, 2> ends;
   std::array<Rows, 2> turn;
@@ -106,7 +106,7 @@ class Fit {
     std::vector<FanMatrix> out = c_;
     for (size_t f = 0; f < fans_.size(); ++f)
       for (int i = 0; i < fan_edges_max; ++i)
-        for (int k = 0; k < fan_edges_max; ++k) out[f](i, k) *= stiffness * shares_[f].root[i] * shares_[f].root[k];
+        for (int k = 0; k < fan_edges_max; ++k) out[f](i, k) *= stiffness * scaled_[f].root[i] * scaled_[f].root[k];
     return out;
   }
 
@@ -124,7 +124,7 @@ class Fit {
       angle[j + 1] = angle[j] + std::atan2(a.cross(b).norm(), a.dot(b));
     }
     const double scale = closed ? 2 * std::numbers::pi / angle[triangles] : 1;
-    Shares s;
+    ScaledFan s;
     Rows moment = Rows::Zero();  // of a unit of mean curvature, for one end
     double area = 0;
     for (int i = 0; i < n; ++i) {
@@ -136,7 +136,7 @@ class Fit {
       const double width = (left.height + right.height) / 2;
       s.root[i] = std::sqrt(length / width);
       const Vec3 l = left.slope(length), r = right.slope(length);
-      // n points away from the right side: there K_nt counts the other way.
+      // n points away from the right side, where K_nt has the other sign.
       s.turn.row(i) = Vec3(l(0) + r(0), l(1) - r(1), l(2) + r(2)).transpose() * s.edge[i] * s.root[i];
       const Vec3 nn(s.edge[i](0, 0), s.edge[i](0, 1) / 2, s.edge[i](0, 2));
       moment.row(i) = (length / (2 * s.root[i])) * nn.transpose();
@@ -146,7 +146,7 @@ class Fit {
     s.least = tack::least * std::pow(std::min(1.0, regular * area / square.trace()), 2);
     area = std::max((s.turn.transpose() * moment).trace() / 3, area / 12);
     FanMatrix c = moment * material_ * moment.transpose() / area;
-    // And what is orthogonal to the angles of curvatures.
+    // Angles orthogonal to those of curvatures.
     const SymmetricEigen<3> eigen(square);
     FanMatrix rest = FanMatrix::Identity();
     for (int k = 0; k < 3; ++k) {
@@ -159,7 +159,7 @@ class Fit {
     c += beside * rest;
     clear_beyond(c, n);
     c_.push_back(c);
-    shares_.push_back(s);
+    scaled_.push_back(s);
   }
 
   // Beyond the dihedral edges of a fan, C is the identity.
@@ -194,9 +194,9 @@ class Fit {
     std::array<Rows, 2> weighted;
     const DihedralFan &fan = fans_[ends[0].fan], &other = fans_[ends[1].fan];
     const int i = ends[0].edge, k = ends[1].edge, tip = fan.shape.tip(i);
-    const double length = (at(fan, tip) - at(fan, 0)).norm(), root = shares_[ends[0].fan].root[i];
+    const double length = (at(fan, tip) - at(fan, 0)).norm(), root = scaled_[ends[0].fan].root[i];
     const double unit = length / root;  // the root of length times width
-    // Seen from the other end, t and n point the other way; where what is up is another, t alone does.
+    // At the other end t and n are reversed. If the fans have opposite orientations, t alone is reversed.
     const bool turned = fan.triangles[fan.shape.left_triangle(i)] != other.triangles[other.shape.right_triangle(k)];
     Mat3 allowed = Mat3::Identity();
     for (const bool left : {true, false})
@@ -204,10 +204,10 @@ class Fit {
                         fan.vertices[tip], left, allowed);
     Mat3 normal = damping * Mat3::Identity();
     for (int s = 0; s < 2; ++s) {
-      Mat3 seen = shares_[ends[s].fan].edge[ends[s].edge].inverse();
+      Mat3 seen = scaled_[ends[s].fan].edge[ends[s].edge].inverse();
       if (s == 1 && turned) seen.col(1) *= -1;
-      out.turn[s] = shares_[ends[s].fan].turn * (seen * allowed) / unit;
-      const FanMatrix& metric = shares_[ends[s].fan].metric;
+      out.turn[s] = scaled_[ends[s].fan].turn * (seen * allowed) / unit;
+      const FanMatrix& metric = scaled_[ends[s].fan].metric;
       weighted[s] = metric * out.turn[s];
       const Vec3 own = weighted[s].row(ends[s].edge).transpose();
       normal += (metric(ends[s].edge, ends[s].edge) * (out.turn[s].transpose() * weighted[s]) + own * own.transpose()) / 2;
@@ -218,7 +218,7 @@ class Fit {
     return out;
   }
 
-  // Leaves out of the curvatures those that need a moment at the borders of a triangle beside the edge from a to b.
+  // Excludes curvatures that need a moment at the borders of a triangle beside the edge from a to b.
   void leave_borders_out(const SheetTriangle& t, int a, int b, bool left, Mat3& allowed) const {
     const auto is = [](int v) { return [v](int w) { return w == v; }; };
     const auto place = [&](int v) { return std::find_if(t.vertices.begin(), t.vertices.end(), is(v)) - t.vertices.begin(); };
@@ -237,7 +237,7 @@ class Fit {
 
   bool make_definite(size_t f) {
     FanMatrix& c = c_[f];
-    const double low = shares_[f].least;
+    const double low = scaled_[f].least;
     if (above(low, c, fans_[f].shape.edge_count)) return false;
     const SymmetricEigen<fan_edges_max> eigen(c);
     const Row& values = eigen.values();
@@ -275,7 +275,7 @@ class Fit {
       const auto& [fan, i] = h.ends[s];
       FanMatrix& c = c_[fan];
       if (proportional_) {
-        const Row own = shares_[fan].metric.col(i), change = weighted_[number][s] * factors / 2;
+        const Row own = scaled_[fan].metric.col(i), change = weighted_[number][s] * factors / 2;
         c -= change * own.transpose() + own * change.transpose();
         continue;
       }
@@ -291,7 +291,7 @@ class Fit {
   const VecX& rest_;
   bool proportional_;
   Mat3 material_;  // moments of curvatures: M_xx, 2 M_xy, M_yy
-  std::vector<Shares> shares_;
+  std::vector<ScaledFan> scaled_;
   std::vector<FanMatrix> c_;
   std::vector<Conditions> edges_;
   std::vector<std::array<Rows, 2>> weighted_;  // how far curvatures turn them, in the metric of their fans; if proportional

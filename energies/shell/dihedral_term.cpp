@@ -40,7 +40,7 @@ void DihedralTerm::begin_step(const StepStart& start) {
   }
 }
 
-// Nothing is remembered of a sheet that no angle of which has passed pi.
+// A sheet stores no turns before one of its angles has passed pi.
 void DihedralTerm::commit(const VecX& x, History& history) const {
   std::vector<double> all(turns_.size());
   double* turns = all.data();

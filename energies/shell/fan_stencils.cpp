@@ -221,7 +221,7 @@ void FanStencils::derivatives(int pack, const VecX& x, Projection projection, do
 // that of A(dx) twice, times alpha_k alpha_j; that of A and B, times alpha_k beta_j, and its transpose; and that of B twice.
 void FanStencils::add_moment(const DihedralEdge& dihedral, int i, const Pack& moment, Projection projection, Pack* slots) const {
   const double share = projection == Projection::none ? 1 : projection == Projection::absolute ? 0 : 0.5;
-  const Pack beta = dihedral.inverse_length;  // of the tip; minus that of the middle, and none of the apex
+  const Pack beta = dihedral.inverse_length;  // factor of the tip; the middle has its negative, the apex has 0
   const Pack signed_part = share * moment, size = (1 - share) * abs(moment);
   for (int s = 0; s < 2; ++s) {
     const auto& [m, n, alpha] = dihedral.sides[s];

@@ -1,7 +1,7 @@
 // Compressible neo-Hookean membrane in plane stress: the density of the solid,
 //     psi = mu/2 (s1^2 + s2^2 + s3^2 - 3) - mu ln J + lambda/2 (ln J)^2,   J = s1 s2 s3,
-// at the stretch s3 across the sheet that makes it least: mu (s3^2 - 1) + lambda ln J = 0, no stress across.
-// It resists being pressed to a line. Derivatives are those of the density with s3 condensed.
+// minimised over the stretch s3 across the sheet: mu (s3^2 - 1) + lambda ln J = 0, no stress across the sheet.
+// The membrane resists compression to a line. Derivatives are those of the density with s3 condensed.
 #include <limits>
 
 #include "energies/shell/membrane.hpp"
@@ -26,13 +26,13 @@ struct NeoHookeanMembrane {
       const Pack rest = mu * e + lambda * (log1p(e) / 2 + log_area);
       const Pack change = rest / (mu + lambda / 2 / (1 + e));
       e -= change;
-      // Below the square root of round-off the next change is nothing.
+      // After a change below the square root of round-off, the next change is below round-off.
       if (!any(abs(change) > 1e-9 * (1 + e))) break;
     }
     return e;
   }
 
-  // In Green's strain: near the rest shape the terms of first order cancel on paper, not in floating point.
+  // Green's strain avoids first-order terms that cancel near the rest shape only in exact arithmetic.
   Pack energy(const PlaneStrain& e, const PackMat32&) const {
     const Pack growth = 2 * e.trace + 4 * e.det;  // (s1 s2)^2 - 1
     const PackMask flat = growth <= -1;

@@ -1,5 +1,5 @@
 // St. Venant-Kirchhoff membrane in plane stress: psi = mu |E|^2 + lambda/2 (tr E)^2, E = (F^T F - I) / 2,
-// lambda = E nu / (1 - nu^2). Linear in Green's strain; it does not resist being pressed flat to a line.
+// lambda = E nu / (1 - nu^2). Linear in Green's strain; it does not resist compression to a line.
 #include "energies/shell/membrane.hpp"
 
 namespace tack {

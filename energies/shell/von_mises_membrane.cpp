@@ -49,7 +49,7 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
     history[history_name_ + strain_name] = std::move(strains);
   }
 
-  // Plastic work: what a commit takes off the value.
+  // Plastic work: the amount by which a commit reduces the value.
   double dissipated(const VecX& x) const {
     return over_flows(x, [&](int t, double added) { return material_.work(strain_[t], added); });
   }
@@ -99,7 +99,7 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
   }
   Mat2 inverse(int t) const { return Eigen::Map<const Mat2>(&inverse_[4 * static_cast<size_t>(t)]); }
 
-  std::string history_name_;                        // its arrays in the history begin so
+  std::string history_name_;                        // prefix of its history arrays
   std::vector<SheetRest<Pack>> rest_shapes_;  // before plastic flow; rest_ is with it
   std::vector<double> inverse_, strain_;      // per triangle: Fp^-1 in its frame, column by column, and the accumulated plastic strain
 };

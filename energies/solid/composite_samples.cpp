@@ -21,7 +21,7 @@ CompositeTable made_table() {
   const double near = (5 + 3 * std::sqrt(5.0)) / 20, far = (5 - std::sqrt(5.0)) / 20;
   for (int s = 0; s < composite_parts; ++s) {
     const auto& corners = composite_tets[static_cast<size_t>(s)];
-    // In the coordinates of the tet's corners 1 to 3: x = sum over corners of N_i x_i, and c_i = grad N_i.
+    // Coordinates are those of the tet's corners 1 to 3: x = sum over corners of N_i x_i, and c_i = grad N_i.
     Mat3 edges;
     Barycentric middle = node(corners[0]) / 4;
     for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// Last in the order in which files are linked: of what several have, the linker keeps the first, that of linear tets.
+// Linked last: if several files define one inline function, the linker keeps the first copy, which then is that of linear tets.
 #include "energies/solid/grouped_solid.hpp"
 
 #include "energies/solid/fixed_corotated.hpp"

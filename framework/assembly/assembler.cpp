@@ -100,7 +100,7 @@ void Assembler::Group::gather_hessian(double scale, const std::vector<int>& posi
   for_each(map.targets(), [&](int k) {
     Mat3 sum = Mat3::Zero();
     for (int e = map.start[k]; e < map.start[k + 1]; ++e) {
-      // Slots lie anywhere: those that come next are asked for in time.
+      // Slots are scattered in memory: the next ones are prefetched.
       constexpr int ahead = 24;
       const double* next = block(std::min(e + ahead, entries - 1));
       __builtin_prefetch(next);
@@ -150,7 +150,7 @@ void Assembler::add_linear(const VecX& x, const TermScales& scales, VecX& gradie
     gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
 }
 
-// Modes are few and their vectors long: in the unknowns, W^T u.
+// Collects the modes as vectors W^T u of the unknowns.
 void Assembler::gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request, GlobalModes& modes) const {
   modes.clear();
   for (const auto& [term, source] : mode_sources_) {
@@ -158,7 +158,7 @@ void Assembler::gather_modes(const VecX& x, const TermScales& scales, const Hess
     if (dynamic && request.without_dynamic) continue;
     const Projection asked = dynamic ? request.dynamic_projection.value_or(request.projection) : request.projection;
     const size_t first = modes.size();
-    // They touch every block, whichever has a flag.
+    // Modes touch every block, flagged or not.
     source->add_global_modes(x, request.clamp_at ? Projection::clamp : asked, modes);
     for (size_t k = first; k < modes.size(); ++k) {
       VecX& full = modes[k].vector;
@@ -189,7 +189,7 @@ void Assembler::project_out_fixed_directions(VecX& gradient) const {
     gradient.segment<3>(3 * h.block) -= (h.projection * gradient.segment<3>(3 * h.block)).eval();
 }
 
-// Rows and columns of held directions are those of a multiple of the identity.
+// Replaces rows and columns of fixed directions by those of a multiple of the identity.
 void Assembler::project_out_fixed_directions(BlockMatrix& matrix) const {
   if (dofs_.partly_fixed_blocks().empty()) return;
   std::vector<const Mat3*> held(dofs_.block_count(), nullptr);
@@ -227,19 +227,19 @@ double Assembler::largest_stencil_force() const {
   return std::max({ranged_.largest_force(), static_.largest_force(), dynamic_.largest_force()});
 }
 
-// Unknown blocks that stencils connect are of one part.
+// Numbers the components of unknown blocks. Stencils connect the blocks of a component.
 void Assembler::number_parts() {
   DisjointSets sets(dofs_.block_count());
   for (const BlockKey key : pattern_->static_keys()) sets.join(key_row(key), key_column(key));
   part_.resize(dofs_.block_count());
   int parts = 0;
   for (int b = 0; b < dofs_.block_count(); ++b) part_[b] = sets.find(b) == b ? parts++ : part_[sets.find(b)];
-  // A number does not move along with its part.
+  // A scalar dof does not move with its component.
   for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks())
     if (h.scalar) part_[h.block] = parts++;
 }
 
-// The pattern's static keys are those of both maps and the diagonals.
+// Static keys of the pattern are the keys of both maps and the diagonals.
 void Assembler::locate_static_blocks() {
   const auto locate = [&](const std::vector<BlockKey>& targets, std::vector<int>& positions) {
     positions.resize(targets.size());

@@ -47,8 +47,8 @@ bool BlockPattern::cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix&
   return true;
 }
 
-// Unique among all patterns: a solver that is handed the matrix of another one, as when a motion lets go
-// of its vertices, must not take it for the one that it analysed.
+// Returns a version that is unique among all patterns. A solver may get the matrix of another pattern, for
+// instance when a motion releases its vertices, and must then repeat its analysis.
 static std::uint64_t next_version() {
   static std::atomic<std::uint64_t> last = 0;
   return ++last;

@@ -14,7 +14,7 @@ struct Run {
   int first, last;
 };
 
-// At most a few dozen runs: each counts the entries of every column.
+// Returns at most a few dozen runs, because each run counts the entries of every column.
 std::vector<Run> runs_of(const std::vector<PlacedBatch>& batches) {
   constexpr int shortest = 2048, most = 16;
   int total = 0;

@@ -12,7 +12,7 @@ void project_mixed_psd(int arity, int scalars, double* slots, Projection project
   if (projection == Projection::none) return;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * largest_arity, 3 * largest_arity>;
   const int positions = arity - scalars, relative = std::max(positions - 1, 0);
-  // Columns: an orthonormal basis of what the stencil feels (Helmert's, of the positions).
+  // Columns: an orthonormal basis of the displacements that change the energy (Helmert's basis for the positions).
   Matrix basis = Matrix::Zero(3 * arity, 3 * relative + scalars);
   for (int r = 0; r < relative; ++r) {
     const double scale = 1 / std::sqrt((r + 1.0) * (r + 2.0));

@@ -30,7 +30,7 @@ void reduce(double* y, int stride) {
 // y <- H^T y, the inverse: K - 1 numbers become K.
 template <int K>
 void expand(double* y, int stride) {
-  double sum = 0;  // of the later rows' shares
+  double sum = 0;  // of the terms of later rows
   for (int r = K - 2; r >= 0; --r) {
     const double share = helmert_scale<K>[r] * y[r * stride];
     y[(r + 1) * stride] = sum - (r + 1) * share;
@@ -92,7 +92,7 @@ void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projectio
 
 void project_scalar_psd(Eigen::Matrix<double, 15, 15>& hessian, Projection projection) {
   if (projection == Projection::none) return;
-  // Columns: an orthonormal basis of what a stencil feels.
+  // Columns: an orthonormal basis of the displacements that change the energy.
   using Basis = Eigen::Matrix<double, 15, 8>;
   static const Basis basis = [] {
     Basis b = Basis::Zero();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t longest_run = 64;  // stencils
 
-// The blocks that move a stencil, ascending.
+// Returns the blocks that move a stencil, ascending.
 void blocks_of(const StencilBatch& batch, int stencil, const DofMap& dofs, std::vector<int>& blocks) {
   blocks.clear();
   for (int i = 0; i < batch.arity; ++i) {
@@ -26,12 +26,12 @@ void blocks_of(const StencilBatch& batch, int stencil, const DofMap& dofs, std::
 
 }  // namespace
 
-// Runs with the same blocks, found by the hash of the blocks.
+// Finds the run of a set of blocks by the hash of the blocks.
 class ReducedStencils::RunFinder {
  public:
   explicit RunFinder(ReducedStencils& reduced) : reduced_(reduced) {}
 
-  // The number of a run of those blocks that has room for one more stencil, which is counted.
+  // Returns a run of the blocks that is not full, and counts one more stencil in it.
   int take(const std::vector<int>& blocks) {
     std::vector<int>& known = open_[hash(blocks)];
     for (int& r : known)
@@ -69,11 +69,11 @@ class ReducedStencils::RunFinder {
 void ReducedStencils::find_runs(const std::vector<PlacedBatch>& batches, const DofMap& dofs) {
   runs_.clear();
   blocks_.clear();
-  struct Found {
+  struct PlacedStencil {
     const PlacedBatch* placed;
     int stencil, run;
   };
-  std::vector<Found> found;
+  std::vector<PlacedStencil> found;
   std::vector<int> blocks;
   RunFinder finder(*this);
   for (const PlacedBatch& placed : batches)
@@ -89,7 +89,7 @@ void ReducedStencils::find_runs(const std::vector<PlacedBatch>& batches, const D
   }
   members_.resize(member);
   weights_.clear();
-  for (const Found& f : found) members_[runs_[f.run].last++] = member_of(*f.placed, f.stencil, dofs, runs_[f.run]);
+  for (const PlacedStencil& f : found) members_[runs_[f.run].last++] = member_of(*f.placed, f.stencil, dofs, runs_[f.run]);
 }
 
 ReducedStencils::Member ReducedStencils::member_of(const PlacedBatch& placed, int stencil, const DofMap& dofs,
@@ -157,7 +157,7 @@ void ReducedStencils::reduce(const Run& run, double* gradient_slots, double* hes
       for (int b = 0; b < n; ++b)
         if (w[b] != 0) vec(run.gradient_slot + b) += w[b] * vec(member.gradient_slot + i);
       if (!hessian_slots) continue;
-      // Row i of K W, then its part of W^T K W.
+      // Row i of K W, then its summand of W^T K W.
       std::fill(half.begin(), half.end(), 0.0);
       for (int j = 0; j < member.arity; ++j) {
         const int slot = member.hessian_slot + std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);

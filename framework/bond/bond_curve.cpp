@@ -6,29 +6,29 @@
 namespace tack {
 namespace {
 
-constexpr double slowly = 1e12;      // s a step: what viscosity resists is nothing then
-constexpr double next_to_nothing = 1e-3;  // of the largest traction
-constexpr double widest = 1e4;       // times the work over the peak
-constexpr double a_little_more = 1.02;  // so that what ends there is seen to be gone
-constexpr double slow_enough = 0.01;  // times the work over the peak, in the longest step of a law that is integrated
-constexpr double fine_enough = 0.05;  // of its longest step
-constexpr double most_between = 500;  // steps
+constexpr double slow_step = 1e12;  // step size without viscous resistance [s]
+constexpr double traction_end = 1e-3;  // of the largest traction: the bond has failed
+constexpr double opening_max = 1e4;  // times the work over the peak
+constexpr double overshoot = 1.02;  // factor on the final opening, so that the failure lies within the path
+constexpr double opening_per_step = 0.01;  // of the work over the peak, in the longest step of an integrated law
+constexpr double substep = 0.05;  // of its longest step
+constexpr double substeps_max = 500;
 
 double size_of(const BondPoint& p) { return std::hypot(p.traction, p.shear); }
 
-// Over which a bond lets go, at least about [m].
+// Returns the order of magnitude of the opening over which a bond fails [m].
 double scale_of(const BondLaw& law) { return law.peak_traction() > 0 ? law.work_of_adhesion() / law.peak_traction() : 0; }
 
 }  // namespace
 
-std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep>& way, bool on_contact) {
+std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep>& path, bool on_contact) {
   std::vector<BondPoint> points;
   std::vector<double> history(law.width());
   law.initialize(on_contact, history.data());
   double time = 0, dissipated = 0;
   double unstressed_opening = 0, unstressed_slip = 0;  // m; healing moves them
   bool gone = false;
-  for (const BondStep& step : way) {
+  for (const BondStep& step : path) {
     const double slip = step.slip - unstressed_slip, s = slip * slip, h = step.time - time;
     const double d = step.opening - unstressed_opening;
     BondPoint p{step.time, step.opening, step.slip};
@@ -58,23 +58,23 @@ std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& 
   double length = 0, from = 0;
   for (const double turn : turns) length += std::abs(turn - from), from = turn;
   const double longest = law.longest_step(), part = length / points;
-  double h = slowly;
+  double h = slow_step;
   if (speed > 0) h = part / speed;
-  else if (std::isfinite(longest)) h = part * longest / (slow_enough * scale_of(law));
-  const int between = std::isfinite(longest) ? static_cast<int>(std::clamp(std::ceil(h / (fine_enough * longest)), 1.0, most_between)) : 1;
-  const double sine = std::sin(angle), cosine = std::abs(std::cos(angle)) < 1e-12 ? 0 : std::cos(angle);  // pi/2 is across and nothing else
-  std::vector<BondStep> way;
+  else if (std::isfinite(longest)) h = part * longest / (opening_per_step * scale_of(law));
+  const int between = std::isfinite(longest) ? static_cast<int>(std::clamp(std::ceil(h / (substep * longest)), 1.0, substeps_max)) : 1;
+  const double sine = std::sin(angle), cosine = std::abs(std::cos(angle)) < 1e-12 ? 0 : std::cos(angle);  // pi/2: slip alone
+  std::vector<BondStep> path;
   double time = 0;
   from = 0;
   for (const double turn : turns) {
     const int steps = between * std::max(1, static_cast<int>(std::lround(std::abs(turn - from) / part)));
     for (int i = 1; i <= steps; ++i) {
       const double at = from + (turn - from) * i / steps;
-      way.push_back({time += h / between, at * cosine, at * sine});
+      path.push_back({time += h / between, at * cosine, at * sine});
     }
     from = turn;
   }
-  const std::vector<BondPoint> all = trace_bond(law, way);
+  const std::vector<BondPoint> all = trace_bond(law, path);
   std::vector<BondPoint> kept;
   for (size_t i = between - 1; i < all.size(); i += between) kept.push_back(all[i]);
   return kept;
@@ -86,13 +86,13 @@ std::vector<BondPoint> separate_slowly(const BondLaw& law, double angle, int poi
   // Widens the path until the traction has risen and gone; for brittle, stiff laws it also narrows
   // it.
   double far = scale;
-  for (; far < widest * scale; far *= 2) {
+  for (; far < opening_max * scale; far *= 2) {
     const auto curve = pull_bond(law, {far}, angle, 400);
     double most = 0;
     for (const BondPoint& p : curve) most = std::max(most, size_of(p));
-    if (most > 0 && size_of(curve.back()) < next_to_nothing * most) break;
+    if (most > 0 && size_of(curve.back()) < traction_end * most) break;
   }
-  const auto curve = pull_bond(law, {a_little_more * far}, angle, points);
+  const auto curve = pull_bond(law, {overshoot * far}, angle, points);
   for (const BondPoint& p : curve)
     if (size_of(p) > 0) return curve;
   return {};

@@ -23,12 +23,12 @@ struct BondStep {
 };
 
 /// Returns the states of a new bond at the ends of the steps; the path ends where the bond is gone.
-std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep>& way,
+std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep>& path,
                                    bool on_contact = false);
 
 /// Pulls a new bond straight to each of the turning points, in about `points` equal steps. turns:
-/// distances from where it was made [m]; angle: 0 along the normal, pi/2 tangential [rad]; speed:
-/// [m/s], 0 for so slow that viscosity hardly resists. Laws that are integrated get substeps as
+/// distances from the site [m]; angle: 0 along the normal, pi/2 tangential [rad]; speed:
+/// [m/s]; 0: so slow that viscosity does not resist. Laws that are integrated get substeps as
 /// needed.
 std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& turns, double angle,
                                  int points, double speed = 0);

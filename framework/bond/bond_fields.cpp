@@ -8,9 +8,9 @@
 namespace tack {
 namespace {
 
-// Calls act(vertex, share of the bond's area, bond number).
+// Calls act(vertex, its fraction of the bond's area [m^2], index of the bond).
 template <class Act>
-void for_each_share(const BondList& list, const Act& act) {
+void for_each_vertex_area(const BondList& list, const Act& act) {
   for (int k = 0; k < list.size(); ++k) {
     const Bond& b = list.bonds()[k];
     for (int i = 0; i < b.count(); ++i) act(b.vertices[i], b.area * std::abs(b.c[i]), k);
@@ -19,7 +19,7 @@ void for_each_share(const BondList& list, const Act& act) {
 
 VecX areas_of(const BondList& list, Eigen::Index vertices) {
   VecX areas = VecX::Zero(vertices);
-  for_each_share(list, [&](int v, double area, int) { areas(v) += area; });
+  for_each_vertex_area(list, [&](int v, double area, int) { areas(v) += area; });
   return areas;
 }
 
@@ -36,7 +36,7 @@ VecX bond_intensities(const BondTerm& bonds, Eigen::Index vertices) {
   const BondList& list = bonds.list();
   const VecX areas = areas_of(list, vertices);
   VecX sum = VecX::Zero(areas.size());
-  for_each_share(list, [&](int v, double area, int k) {
+  for_each_vertex_area(list, [&](int v, double area, int k) {
     sum(v) += area * bonds.intensity(k);
   });
   for (Eigen::Index v = 0; v < sum.size(); ++v) sum(v) = areas(v) > 0 ? sum(v) / areas(v) : std::numeric_limits<double>::quiet_NaN();

@@ -21,7 +21,7 @@ Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projecti
   const Vec3& n = bond.normal;
   const double slip = std::sqrt(o.s), across = projected(2 * s.by_s, projection);
   const Vec3 t = slip > 0 ? Vec3(o.u / slip) : n.unitOrthogonal();
-  // In n and t.
+  // Components along n and t.
   double nn = s.by_dd, nt = 2 * s.by_ds * slip, tt = 4 * s.by_ss * o.s + 2 * s.by_s;
   if (projection != Projection::none) {
     const double mean = (nn + tt) / 2, half = (nn - tt) / 2, radius = std::hypot(half, nt);
@@ -59,7 +59,7 @@ void write_blocks(const Bond& bond, const Opening& o, const Mat3& h, const Vec3&
       const int other = bond.side_of(w);
       double both = turned.dot(bent[w]);
       if (other == side) both += levered.dot(bond.gradients[w]);
-      // By numbers: vectors that are put together here and read at once stall.
+      // Written by components: vectors that are assembled and read at once stall the processor.
       const double c = bond.c[w], d = bond.c[v];
       const double q[3] = {d * bent[w][0] + both * n[0], d * bent[w][1] + both * n[1], d * bent[w][2] + both * n[2]};
       for (int k = 0; k < 3; ++k) {

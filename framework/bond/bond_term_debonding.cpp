@@ -68,7 +68,7 @@ void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char
       const Path& path = paths[i];
       const AlongOpening end = path.along(ends[i], path.length);
       if (end.traction > 0 && !softens(end, path.length)) continue;
-      // Few bonds are past their peak. Those that were there before go on as they did.
+      // Few bonds are past their peak. Bonds that were past it at the start are not marked.
       const auto at = [&](double opening) { return path.along(law.at(path.d(opening), path.s(opening), list_.variables(first + i), h_), opening); };
       const double soon = std::min(at_limit * length_before[i], path.length);
       if (!(at(length_before[i]).stiffness > 0) || softens(at(soon), soon)) continue;

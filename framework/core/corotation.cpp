@@ -134,7 +134,7 @@ Corotation::Square Corotation::hessian(const Square& k, const Column& f) const {
       }
       for (int i = 0; i < position_count_; ++i) h.block<3, 1>(3 * i, column) += (translation_ * sum - mean) * share;
     }
-  // Scalar dofs are not rotated: their columns are those of K; forces on count are rotated as usual.
+  // Scalar dofs are not rotated: their columns are those of K; forces on positions are rotated as usual.
   for (Eigen::Index column = 3 * position_count_; column < h.cols(); ++column) h.col(column) = gradient(Column(k.col(column)));
   return (h + h.transpose()) / 2;
 }

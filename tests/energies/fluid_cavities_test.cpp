@@ -103,7 +103,7 @@ TEST_CASE("chambers: what is in them leaves through slits that open, as fast as 
       }
 }
 
-TEST_CASE("chambers: a vent without slits, or of a pressure that is given, is refused", "[loads]") {
+TEST_CASE("fluid cavities: a vent without slits, or with a prescribed pressure, is refused", "[loads]") {
   const auto chamber = [](const std::string& parts, const std::string& more) {
     return "time: {step: 1 ms, duration: 1}\nobjects:\n  - {name: ball, shape: {type: sphere, radius: 0.1, cells: 4, surface: true}, shell: {thickness: 1 mm}, "
            "energies: [{type: neo_hookean_membrane, young: 1 MPa, density: 1000}]}\ninteractions:\n  - {type: chamber, name: air, parts: [" +

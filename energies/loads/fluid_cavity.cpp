@@ -1,4 +1,4 @@
-// A chamber within one object.
+// Fluid cavity inside one object.
 #include <fmt/format.h>
 
 #include "framework/body/cavity_surface.hpp"
@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-class ChamberLoad : public Load {
+class FluidCavityLoad : public Load {
  public:
   void fields(Fields& f) override {
     f.text("name", name_, "name in messages and probes; the object's unless given").line();
@@ -17,8 +17,8 @@ class ChamberLoad : public Load {
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
     const std::string label = name_.empty() ? body.name : name_;
-    CavitySurface around = cavity_surface({cavity_wall(*select_, {body, rest})}, rest, fmt::format("the chamber '{}'", label));
-    return content_->make_term(label, OrientedSurface(std::move(around.triangles)), rest);
+    CavitySurface surface = cavity_surface({cavity_wall(*select_, {body, rest})}, rest, fmt::format("the chamber '{}'", label));
+    return content_->make_term(label, OrientedSurface(std::move(surface.triangles)), rest);
   }
 
  private:
@@ -27,7 +27,7 @@ class ChamberLoad : public Load {
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 
-TACK_REGISTER(Load, ChamberLoad, "chamber", "Fluid cavity inside a closed sheet or a solid; its pressure depends on the enclosed volume.", "");
+TACK_REGISTER(Load, FluidCavityLoad, "chamber", "Fluid cavity inside a closed sheet or a solid; its pressure depends on the enclosed volume.", "");
 
 }  // namespace
 }  // namespace tack
