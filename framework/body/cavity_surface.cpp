@@ -33,9 +33,9 @@ ChosenTriangles chosen_triangles(const Selection& selection, const SelectionCont
     (i < faces ? found.faces : found.sheet).push_back(t);
   }
   if (found.faces.empty() && found.sheet.empty())
-    throw InputError(fmt::format("the selection {} holds no whole triangle of the surface of object '{}'; widen it", selection.type(), body.name));
+    throw InputError(fmt::format("the selection {} has no complete triangle of the surface of object '{}'; widen it", selection.type(), body.name));
   if (!found.faces.empty() && !found.sheet.empty())
-    throw InputError(fmt::format("the selection {} holds faces of solids and sheets of object '{}'; give each a load of its own", selection.type(), body.name));
+    throw InputError(fmt::format("the selection {} has faces of solids and of sheets of object '{}'; give each a load of its own", selection.type(), body.name));
   return found;
 }
 
@@ -105,7 +105,7 @@ std::vector<Triangle> slits_between(const std::vector<Triangle>& triangles, cons
     loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(std::min(first, second)));
   }
   if (!loops.empty())
-    throw InputError(fmt::format("{}: its surface has a boundary that nothing closes, {}; add the part that lies opposite", who,
+    throw InputError(fmt::format("{}: its surface has a boundary that nothing closes, {}; add the opposite wall", who,
                                  describe_loop(loops.front(), rest)));
   return slits;
 }
@@ -196,7 +196,7 @@ CavitySurface cavity_surface(const std::vector<CavityWall>& walls, const VecX& r
     const bool inner = enclosing[p] % 2 != 0;
     const int given_sense = sense(component, faces, who);
     if (inner && given_sense > 0)
-      throw InputError(fmt::format("{}: a cavity lies within another part of its surface, and would count twice; choose one of them", who));
+      throw InputError(fmt::format("{}: a cavity lies within another wall, and would count twice; choose one of them", who));
     if (inner || given_sense < 0) component = reversed(std::move(component));
     oriented.insert(oriented.end(), component.begin(), component.end());
   }
@@ -204,7 +204,7 @@ CavitySurface cavity_surface(const std::vector<CavityWall>& walls, const VecX& r
   const double volume = surface.volume(rest, surface.mean_place(rest)), area = surface.area(rest);
   if (!(volume > volume_fraction_min * area * std::sqrt(area)))
     throw InputError(fmt::format("{}: its surface encloses {:.3g} m^3 at rest; {}", who, volume,
-                                 volume < 0 ? "it is on the wrong side of the faces of solids: choose those of a cavity" : "leave room between its parts"));
+                                 volume < 0 ? "it is on the wrong side of the faces of solids: choose those of a cavity" : "leave space between its walls"));
   return {std::move(oriented), std::move(slits)};
 }
 

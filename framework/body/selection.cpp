@@ -140,8 +140,8 @@ class IndexSelection : public Selection {
   }
   std::vector<int> choose(const SelectionContext& c) const override {
     if (c.body.flows)
-      throw InputError(fmt::format("selection indices: object '{}' is meshed anew as it flows (remesh), and its vertices have other numbers then; choose them by "
-                                   "place, or as a group of the mesh file", c.body.name));
+      throw InputError(fmt::format("selection indices: object '{}' is remeshed as it flows (remesh), which renumbers its vertices; choose them by "
+                                   "position, or as a group of the mesh file", c.body.name));
     for (const double v : vertices_)
       if (v >= c.body.vertex_count || v != std::floor(v))
         throw InputError(fmt::format("selection indices: vertex {} does not exist; object '{}' has 0 "
@@ -167,7 +167,7 @@ TACK_REGISTER(Selection, IndexSelection, "indices", "Vertices by number.", "");
 std::vector<int> select(const Selection& selection, const SelectionContext& context) {
   std::vector<int> chosen = selection.choose(context);
   if (chosen.empty())
-    throw InputError(fmt::format("selection {} chooses no vertex of object '{}'; check its place and "
+    throw InputError(fmt::format("selection {} chooses no vertex of object '{}'; check its position and "
                                  "units against the object", selection.type(), context.body.name));
   return chosen;
 }

@@ -44,7 +44,7 @@ class WarpedShape : public ShapeSource {
       const Vec3& x = from.vertices[v];
       for (int i = 0; i < 3; ++i) mesh.vertices[v](i) = formulas[i](std::array{x.x(), x.y(), x.z()});
       if (!(mesh.vertices[v].cwiseAbs().maxCoeff() <= farthest))
-        throw InputError(fmt::format("shape warped: ({}) is no place for the vertex at {}", fmt::join(text_, ", "), text_of(x)));
+        throw InputError(fmt::format("shape warped: ({}) gives no finite position for the vertex at {}", fmt::join(text_, ", "), text_of(x)));
     }
     if (const std::vector<int> turned = inverted_tets(mesh); !turned.empty())
       throw InputError(fmt::format("shape warped: ({}) turns {} of {} tets inside out or flat, one of them at {}; keep left and right apart, or let less be moved by less",

@@ -65,7 +65,7 @@ void PrescribedMotion::add(Assignment assignment) {
     std::set_intersection(assignment.vertices.begin(), assignment.vertices.end(), other.vertices.begin(),
                           other.vertices.end(), std::back_inserter(both));
     if (both.empty()) continue;
-    throw InputError(fmt::format("{} and {} hold {} vertices at once{}, from {} s to {}; give them different "
+    throw InputError(fmt::format("{} and {} fix {} vertices at once{}, from {} s to {}; give them different "
                                  "vertices (select) or times (from, until)", other.name, assignment.name, both.size(),
                                  motion.partial() ? " in directions that are not at right angles" : "",
                                  std::max(motion.from(), other.motion->from()),

@@ -116,8 +116,8 @@ std::vector<Warning> turning_bodies(const World& world, const ForceGroups& group
       torque -= arm.cross(gradient.segment<3>(3 * b));
     }
     if (torque.norm() <= size * force_limit(groups, first, group)) continue;
-    warnings.emplace_back(WarningKind::free_rotation, fmt::format("nothing keeps {} from turning under the torque {} N m that acts on it: without inertia there is an equilibrium only where "
-                                "that vanishes as it turns; {}", names_of(world, group), text_of(torque), FreeBody::remedy));
+    warnings.emplace_back(WarningKind::free_rotation, fmt::format("nothing prevents {} from rotating under the torque {} N m that acts on it: without inertia there is an equilibrium only where "
+                                "the torque vanishes by the rotation; {}", names_of(world, group), text_of(torque), FreeBody::remedy));
   }
   return warnings;
 }

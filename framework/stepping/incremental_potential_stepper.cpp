@@ -28,7 +28,7 @@ namespace {
 
 constexpr const char* loosen =
     "refine time.step, loosen solver.tolerance or raise solver.max_iterations (or solver.time_limit)";
-constexpr const char* clear_the_way = "leave room for what the prescribed motion pushes";
+constexpr const char* blocked_motion_remedy = "leave room for what the prescribed motion pushes";
 
 // State of the stepper for one run.
 class Minimization {
@@ -196,7 +196,7 @@ std::string Minimization::failure(const SolveResult& result) const {
 }
 
 Validation Minimization::validate(const SolveResult& result) {
-  Validation v{failure(result), result.failure.empty() ? loosen : has_free_body_ ? FreeBody::remedy : clear_the_way};
+  Validation v{failure(result), result.failure.empty() ? loosen : has_free_body_ ? FreeBody::remedy : blocked_motion_remedy};
   if (!v.fault.empty()) return v;
   const PhaseScope scope(clock_, Phase::check);
   if (const int tet = first_inverted_tet(world_.tets, result.x); tet >= 0) {
@@ -215,7 +215,7 @@ void Minimization::check_tunnelling(const VecX& x, Validation& validation) {
   const auto tunnelling = tunnelling_->find(x_start_, x);
   if (!tunnelling) return;
   validation.fault = fmt::format(
-      "'{}' went around '{}', which is in its way: {:.3g} m or more, at {:.3g} m/s, and the smaller one of them is {:.3g} m long",
+      "'{}' tunnelled through '{}': it moved {:.3g} m or more, at {:.3g} m/s, and the smaller one of them is {:.3g} m long",
       world_.bodies[tunnelling->body].name, world_.bodies[tunnelling->obstacle].name, tunnelling->displacement, tunnelling->displacement / h_, tunnelling->size);
   validation.remedy = "take a smaller time.step or a larger time.max_cutbacks";
   validation.substeps = tunnelling->substeps;

@@ -78,7 +78,7 @@ void Unknowns::fix_directions(int vertex, const Mat3& directions) { world_.presc
 
 void Unknowns::fix(std::vector<int> vertices) {
   world_.own_motions.push_back(std::make_unique<FixedMotion>());
-  world_.prescribed_motion.add({world_.own_motions.back().get(), std::move(vertices), "the places of " + owner_});
+  world_.prescribed_motion.add({world_.own_motions.back().get(), std::move(vertices), "the vector dofs of " + owner_});
 }
 
 void Unknowns::prescribe(const ScalarDofs& dofs, std::span<const int> indices, const Schedule& values) {

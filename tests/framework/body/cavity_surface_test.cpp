@@ -47,5 +47,5 @@ TEST_CASE("a cavity is the space between nested surfaces", "[loads]") {
   // A solid in a balloon: the normals of its surface point out of the cavity.
   CHECK(volume({{outer, false}, {turned(inner), true}}, rest) == Approx(0.875).epsilon(1e-12));
   // The solid has a void, which is another cavity.
-  CHECK_THROWS_WITH(volume({{outer, false}, {inner, true}}, rest), Catch::Contains("a cavity lies within another part of its surface, and would count twice"));
+  CHECK_THROWS_WITH(volume({{outer, false}, {inner, true}}, rest), Catch::Contains("a cavity lies within another wall, and would count twice"));
 }

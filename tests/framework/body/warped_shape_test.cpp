@@ -47,8 +47,8 @@ TEST_CASE("warped: invalid formulas, positions that are not finite and inverted 
   CHECK_THROWS_WITH(TestScene(with("{type: warped, of: {type: box, size: [1, 1, 1]}, y: y + }")), Contains("test.yaml:4:") && Contains("y: "));
   CHECK_THROWS_WITH(TestScene(with("{type: warped, of: {type: box, size: [1, 1, 1]}, z: z + q}")), Contains("test.yaml:4:") && Contains("z: ") && Contains("q"));
   CHECK_THROWS_WITH(TestScene(with("{type: warped, y: y}")), Contains("missing key 'of'"));
-  CHECK_THROWS_WITH(shape("{type: warped, of: {type: box, size: [1, 1, 1]}, y: 1 / (x - 0.5)}")->make(), Contains("is no place for the vertex at (0.5, "));
-  CHECK_THROWS_WITH(shape("{type: warped, of: {type: box, size: [1, 1, 1]}, x: sqrt(x)}")->make(), Contains("is no place for the vertex at (-0.5, "));
+  CHECK_THROWS_WITH(shape("{type: warped, of: {type: box, size: [1, 1, 1]}, y: 1 / (x - 0.5)}")->make(), Contains("gives no finite position for the vertex at (0.5, "));
+  CHECK_THROWS_WITH(shape("{type: warped, of: {type: box, size: [1, 1, 1]}, x: sqrt(x)}")->make(), Contains("gives no finite position for the vertex at (-0.5, "));
   CHECK_THROWS_WITH(shape("{type: warped, of: {type: box, size: [1, 1, 1]}, x: -x}")->make(), Contains("turns 6 of 6 tets inside out"));
 }
 

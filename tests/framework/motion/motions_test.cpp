@@ -260,7 +260,7 @@ TEST_CASE("wrong motions are reported with their location") {
   check_error("type: rotate, axis: [0, 0, 1], angle: 1", "angle: needs the duration");
   check_error("type: fixed, from: 2, until: 1", "until: must be later than from");
   check_error("type: fixed}, {type: translate, velocity: [1, 0, 0]",
-       "test.yaml:3:11: motion 0 (fixed) of 'block' and motion 1 (translate) of 'block' hold 4 vertices at once, "
+       "test.yaml:3:11: motion 0 (fixed) of 'block' and motion 1 (translate) of 'block' fix 4 vertices at once, "
        "from 0 s to the end; give them different");
   check_error("type: fixed, until: 0.5}, {type: fixed, from: 0.25", "from 0.25 s to 0.5 s");
   CHECK(error_of(block("type: fixed, until: 0.5}, {type: fixed, from: 0.5")).empty());

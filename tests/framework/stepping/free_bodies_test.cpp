@@ -105,7 +105,7 @@ TEST_CASE("a torque on an unsupported body is reported before the run", "[checks
   };
   const std::string turns = only_text(warnings_of("50", "-50"), WarningKind::free_rotation);
   INFO(turns);
-  CHECK(contains(turns, "nothing keeps 'cube' from turning under the torque (0, 0, -0.05) N m"));
+  CHECK(contains(turns, "nothing prevents 'cube' from rotating under the torque (0, 0, -0.05) N m"));
   CHECK(contains(turns, "fix it (motion, attach)"));
   CHECK(warnings_of("0", "0").empty());
   CHECK(warnings_of("50", "-50", "    motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]\n").empty());

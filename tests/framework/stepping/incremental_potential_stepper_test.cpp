@@ -109,7 +109,7 @@ TEST_CASE("a result in which a body has tunnelled is rejected, or accepted with 
   for (const double motion : {0.6, 1.3, 5.0}) {
     const Validation validation = judged.at(judged.shifted(0, {motion, 0.013, 0.017}));
     INFO(motion);
-    CHECK_THAT(validation.fault, Catch::Contains("'a' went around 'b'"));
+    CHECK_THAT(validation.fault, Catch::Contains("'a' tunnelled through 'b'"));
     CHECK(validation.intersections == 0);
     CHECK(validation.tolerable);
     // With this number of substeps, none is longer than half of the side of the block.

@@ -56,7 +56,7 @@ const Vec3 origin = Vec3::Zero(), beside(0.101, 0.003, 0.002), ahead(0.101, 0, 0
 void check_hit(TestRun& run, double h, double speed) {
   const WholeStep whole(run, h);
   CHECK(whole.refused == 1);
-  CHECK(warned(run, "went around") == 1);
+  CHECK(warned(run, "tunnelled through") == 1);
   CHECK(centre(run, 1) > centre(run, 0) + 0.05);
   CHECK(speed_of(run, 1) > 0.45 * speed);
   CHECK(speed_of(run, 0) < 0.55 * speed);
@@ -166,7 +166,7 @@ TEST_CASE("sheets, rods and particles hit obstacles in their path", "[stepping]"
                             "     shell: {thickness: 1 mm}, velocity: [30, 0, 0], energies: [{type: neo_hookean_membrane, young: 1e7, density: 1000}]}\n" +
                             block("target", {0.101, 0.043, 0.002})));
     WholeStep(run, 0.01);
-    CHECK(warned(run, "'sheet' went around 'target'") == 1);
+    CHECK(warned(run, "'sheet' tunnelled through 'target'") == 1);
     CHECK(speed_of(run, 1) > 0.05);
   }
   SECTION("a rod") {
@@ -174,7 +174,7 @@ TEST_CASE("sheets, rods and particles hit obstacles in their path", "[stepping]"
                             "     rod: {radius: 2 mm}, velocity: [30, 0, 0], energies: [{type: elastic_rod, young: 1e11, density: 7800}]}\n" +
                             ball({0.08, 0.003, 0.008})));
     WholeStep(run, 0.01);
-    CHECK(warned(run, "'rod' went around 'ball'") == 1);
+    CHECK(warned(run, "'rod' tunnelled through 'ball'") == 1);
     CHECK(speed_of(run, 1) > 1);
     CHECK(run.world->centre_of_mass(0, run.state().x).z() < -0.02);  // glanced off
   }
@@ -182,8 +182,8 @@ TEST_CASE("sheets, rods and particles hit obstacles in their path", "[stepping]"
     TestRun run(scene(0.01, "  - {name: grains, shape: {type: points, size: [0, 0.02, 0.02], counts: [1, 2, 2]}, place: {translate: [0.04, 0, 0]},\n"
                             "     particle: {radius: 2 mm}, velocity: [30, 0, 0], energies: [{type: particle}]}\n" + ball({0.08, 0.003, 0.002})));
     WholeStep(run, 0.01);
-    CHECK(warned(run, "'grains' went around 'ball'") == 1);
-    CHECK(warned(run, "'grains' went around 'grains'") == 0);
+    CHECK(warned(run, "'grains' tunnelled through 'ball'") == 1);
+    CHECK(warned(run, "'grains' tunnelled through 'grains'") == 0);
     CHECK(speed_of(run, 1) > 0.02);
   }
 }
@@ -193,6 +193,6 @@ TEST_CASE("tunnelling at the smallest step size is accepted with a warning", "[s
   const StepReport report = run.step();
   CHECK(report.step_size == 0.005);
   REQUIRE(run.warnings.size() >= 2);
-  CHECK_THAT(first_text(run.warnings, WarningKind::step_cutback), Catch::Contains("'a' went around 'b', which is in its way: 0.6") && Catch::Contains("0.005 s (1/2 of the step)"));
+  CHECK_THAT(first_text(run.warnings, WarningKind::step_cutback), Catch::Contains("'a' tunnelled through 'b': it moved 0.6") && Catch::Contains("0.005 s (1/2 of the step)"));
   CHECK_THAT(first_text(run.warnings, WarningKind::tolerated_step), Catch::Contains("0.1 m long; take a smaller time.step or a larger time.max_cutbacks"));
 }
