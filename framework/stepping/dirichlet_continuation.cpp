@@ -16,7 +16,7 @@ constexpr double final_fraction = 0.01;           // remaining fraction of the d
 constexpr double progress_min = 0.5;              // a Newton step shorter than this fraction of the remaining stage needs a larger K
 constexpr double stage_remainder = 0.5;           // remaining fraction of a stage at which the next one begins, if steps are truncated
 constexpr double feasible_fraction_min = 0.05;    // directions with a smaller feasible fraction are rejected: a shorter stage gives a better one
-constexpr double feasible_fraction_target = 0.5;  // of the longest steps; stages are shortened or extended target it
+constexpr double feasible_fraction_target = 0.5;  // of the longest steps; stages are shortened or extended towards it
 constexpr double longest_per_own_step = 4;        // if the longest step is longer than this, it is not caused by the penalty
 constexpr int max_idle_iterations = 30;           // without progress
 
@@ -144,7 +144,7 @@ double DirichletContinuation::stiffness(const VecX& x, const TimeIntegrator::Pre
   const BlockMatrix& matrix = potential_->hessian({Projection::clamp});
   double sum = 0;
   for (int c = 0; c < matrix.columns(); ++c) sum += matrix.block(matrix.column_start[c]).trace();
-  return sum > 0 ? sum / matrix.size() : 1.0;  // without resistance, any K will do
+  return sum > 0 ? sum / matrix.size() : 1.0;  // any K, without resistance
 }
 
 void DirichletContinuation::minimize(Stage& stage, Result& result, const MinimizerProblem::Observer& observer) {

@@ -17,7 +17,7 @@ namespace tack {
 namespace {
 
 constexpr double gain_max = 0.01;   // of the reference energy
-constexpr double loss_max = 0.005;  // of it, in a step
+constexpr double loss_max = 0.005;  // of the reference energy, in a step
 // Numerical energy gain that is warned of during the run: at least `warned_gain` of the reference
 // energy, in `warned_steps` consecutive steps. In fewer steps, the energy that has moved so far may be
 // a small fraction of the energy that will move.
@@ -55,7 +55,7 @@ void for_each_contact(const Records& records, const Act& act) {
   }
 }
 
-// Sums of all bodies (group_balance.hpp).
+// Returns the sums of ballistic_energies() over all bodies.
 std::array<double, 2> all_ballistic_energies(const World& world, const State& state, double h, double tolerance) {
   std::array<double, 2> sums{};
   if (state.v_before.size() != state.v.size()) return sums;

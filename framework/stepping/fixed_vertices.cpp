@@ -28,8 +28,8 @@ bool more_than_a_quarter(const std::vector<int>& vertices, const VecX& a, const 
   });
 }
 
-// Throws SimulationError if a fixed vertex of an affine body is not where the frame of the body, which
-// depends on other fixed vertices, has it.
+// Throws SimulationError if the prescribed position of a vertex of an affine body is not that by the
+// frame of the body, which depends on other fixed vertices.
 void check_affine(const PrescribedMotion::Assignment& assignment, int v, const VecX& prescribed, const VecX& x) {
   constexpr double tolerance = 1e-6;  // of the distance from the first vertex of the motion
   const double error = (vertex(prescribed, v) - vertex(x, v)).norm();

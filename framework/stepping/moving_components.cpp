@@ -70,7 +70,7 @@ void MovingComponents::move(const VecX& x, const VecX& y) {
   }
 }
 
-// Returns false if no component can have moved that far against another.
+// Returns false if no relative displacement can exceed `fraction` of the smaller size.
 bool MovingComponents::anything_moves(double fraction, double least) const {
   Aabb displacements;
   double smallest = std::numeric_limits<double>::infinity();

@@ -265,7 +265,7 @@ bool TimeStepper::accept(const SolveResult& result, double h, StepReport& r) {
   return true;
 }
 
-// Smallest size of steps that are refined to conserve energy [s].
+// Returns the smallest size of steps that are refined to conserve energy [s].
 double TimeStepper::smallest_refined() const { return time_.step * std::pow(0.5, std::min(max_refinements, time_.max_cutbacks)); }
 
 // Returns whether the smallest steps resolve the impact in the present step of size h: the fastest
@@ -285,7 +285,7 @@ void TimeStepper::request_refinement(double h, bool lasting) {
   state_.steady_steps = 0;
 }
 
-// Size of the step that substeps divide [s].
+// Returns the size of the step that substeps divide [s].
 double TimeStepper::whole_step() const { return control_ ? first_size_ : time_.step; }
 
 double TimeStepper::smallest_size() const {

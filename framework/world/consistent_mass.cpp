@@ -8,7 +8,7 @@ namespace {
 
 // Calls action with each block that moves a vertex, and its weight.
 template <class Action>
-void for_each_part(const DofMap& dofs, int v, const Action& action) {
+void for_each_block(const DofMap& dofs, int v, const Action& action) {
   if (dofs.mixed(v)) {
     for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) action(entry.index, entry.weight);
   } else if (dofs.block(v) >= 0) {
@@ -31,9 +31,9 @@ VecX divide_by_mass(const DofMap& dofs, const VecX& mass, const VecX& f) {
   };
   for (int v = 0; v < dofs.vertex_count(); ++v) {
     if (mass(v) == 0) continue;
-    for_each_part(dofs, v, [&](int a, double wa) {
+    for_each_block(dofs, v, [&](int a, double wa) {
       diagonal(a) += mass(v) * wa * wa;
-      for_each_part(dofs, v, [&](int b, double wb) { add(a, b, mass(v) * wa * wb * free[static_cast<size_t>(a)] * free[static_cast<size_t>(b)]); });
+      for_each_block(dofs, v, [&](int b, double wb) { add(a, b, mass(v) * wa * wb * free[static_cast<size_t>(a)] * free[static_cast<size_t>(b)]); });
     });
   }
   for (int b = 0; b < dofs.block_count(); ++b) {
@@ -51,7 +51,7 @@ void project_velocities(const DofMap& dofs, const VecX& mass, VecX& v) {
   VecX momentum = VecX::Zero(dofs.size()), q;
   for (int i = 0; i < dofs.vertex_count(); ++i)
     if (mass(i) > 0)
-      for_each_part(dofs, i, [&](int b, double w) { momentum.segment<3>(3 * b) += w * mass(i) * vertex(v, i); });
+      for_each_block(dofs, i, [&](int b, double w) { momentum.segment<3>(3 * b) += w * mass(i) * vertex(v, i); });
   q = divide_by_mass(dofs, mass, momentum);
   for (int b = 0; b < dofs.block_count(); ++b) vertex(v, dofs.vertex_of_block(b)) = q.segment<3>(3 * b);
   dofs.update_dependents(v);

@@ -50,12 +50,12 @@ TEST_CASE("the error of a direction is bounded for any residual", "[stepping]") 
   for (Eigen::Index i = 0; i < n; ++i) check(VecX::Unit(n, i));
   for (int i = 0; i < 20; ++i) check(random.vectors(static_cast<int>(n)));
   for (int i = 0; i < 20; ++i) check(hessian * random.vectors(static_cast<int>(n)));
-  VecX fall = VecX::Zero(n);  // all of the upper block, as if it fell
+  VecX fall = VecX::Zero(n);  // residual of a fall of the upper block
   const Body& upper = step.world->bodies[2];
   for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v)
     fall(3 * step.world->dofs.block(v) + 1) = step.world->mass(v);
   check(fall);
-  CHECK(sharpest < 20);  // it does not ask for the impossible
+  CHECK(sharpest < 20);  // the bound can be reached
 }
 
 TEST_CASE("the reference force is the largest load, element force or inertia force", "[stepping]") {
@@ -118,7 +118,7 @@ TEST_CASE("the force floor is above round-off and below the velocity tolerance",
   CHECK(floor_of(cube(0.1)) == Approx(dynamic.world->mass.maxCoeff() * 0.01 / 0.01));
   const double quasi_static = floor_of(cube(0.1, ", integrator: quasi_static"));
   CHECK(quasi_static > 0);
-  CHECK(quasi_static < 1e-9);  // N, of a cube that it takes 1000 N to squash
+  CHECK(quasi_static < 1e-9);  // N; the cube is compressed by 1000 N
   CHECK(floor_of(cube(0.2, ", integrator: quasi_static")) == Approx(4 * quasi_static));  // stiffness times size
 }
 

@@ -214,7 +214,7 @@ TEST_CASE("numerical energy gain is noticed", "[energy_balance]") {
   };
   CHECK(told_after(0.55, 30) == 0);  // 5% of the reference energy
   CHECK(told_after(0.7, 15) == 0);
-  CHECK(told_after(0.5, 1) == 0);  // it has passed
+  CHECK(told_after(0.5, 1) == 0);  // the gain was temporary
   CHECK(told_after(0.7, 30) == 16);
   CHECK(told_after(0.9, 30) == 0);  // once in a run, also after a checkpoint
   CHECK(state.energy.growth_warned);

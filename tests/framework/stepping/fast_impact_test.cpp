@@ -35,7 +35,7 @@ TEST_CASE("a ball hits a thin plate at 200 and 1000 m/s in steps of 10 ms", "[st
     TestRun run = impact(speed, angle);
     const StepReport report = run.step();
     CHECK(run.warnings.empty());  // in one whole step
-    CHECK(report.min_distance > 1e-7);  // m; a barrier of the area that is really pressed on
+    CHECK(report.min_distance > 1e-7);  // m; barrier of the area in contact
     iterations.push_back(report.solve.iterations);
   }
   std::sort(iterations.begin(), iterations.end());

@@ -110,7 +110,7 @@ TEST_CASE("fully implicit friction is nearer to small steps than lagged friction
   const Run lagged = run(growing), solved = run(implicit);
   CHECK(std::abs(solved.distance - reference) < 0.25 * std::abs(lagged.distance - reference));
   CHECK(lagged.largest_lag == 1);
-  CHECK(lagged.largest_residual > 0.01);  // and it says so
+  CHECK(lagged.largest_residual > 0.01);  // a warning is given
   CHECK(solved.largest_lag > 1);
   CHECK(solved.largest_residual <= 1e-4);
   CHECK_FALSE(warned(solved.warnings, WarningKind::lagged_friction));

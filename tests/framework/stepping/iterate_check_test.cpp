@@ -61,7 +61,7 @@ TEST_CASE("an iterate that intersects or inverts ends the run, and is located", 
   const auto inside_out = [](const VecX& q) -> VecX { return -q + 2 * VecX::Constant(q.size(), 0.2); };
   const auto nowhere = [](const VecX& q) { return q; };
   CHECK_NOTHROW(step_with("true", nowhere));
-  CHECK_NOTHROW(step_with("false", into_the_plate));  // the end of the step is as it should be
+  CHECK_NOTHROW(step_with("false", into_the_plate));  // the end of the step is feasible
   CHECK_THROWS_WITH(step_with("true", into_the_plate),
                     Catch::Contains("step 1, iteration 1 of the minimisation: edge (") &&
                         Catch::Contains("'block'") && Catch::Contains(" meets triangle (") &&

@@ -13,7 +13,7 @@ namespace {
 
 struct Rebound {
   double speed;         // of the centre of mass [m/s]
-  double grown;         // the largest growth of energy from any moment to a later one, of that at the start
+  double grown;         // largest increase of energy from any time to a later one, over that at the start
   int steps, refined;
 };
 

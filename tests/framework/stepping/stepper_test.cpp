@@ -83,7 +83,7 @@ TEST_CASE("a stepper that solves nothing runs through the loop, and through the 
     CHECK(report.cutbacks == 0);
     CHECK(report.step_size == h);
     CHECK(report.solve.iterations == 0);
-    CHECK(report.intersections == 0);  // it has not looked
+    CHECK(report.intersections == 0);  // the stepper does not check
     REQUIRE(run.state().step == n);
     // Closed form of implicit Euler in a homogeneous field.
     const Vec3 fallen(0.2 * n * h, -9.81 * h * h * n * (n + 1) / 2, 0);
