@@ -134,7 +134,7 @@ TEST_CASE("bonds: forces do not jump", "[bonds]") {
   });
 }
 
-TEST_CASE("bonds: what a step takes from the potential is stored or dissipated", "[bonds]") {
+TEST_CASE("bonds: the potential of a step is stored or dissipated", "[bonds]") {
   for_each_law([](BondLaw& law, const std::string& type) {
     std::mt19937 random(3);
     const double viscosity = viscosity_of(type, law);
@@ -154,7 +154,7 @@ TEST_CASE("bonds: what a step takes from the potential is stored or dissipated",
   });
 }
 
-TEST_CASE("bonds: new ones store nothing, whole ones have an intensity of 1", "[bonds]") {
+TEST_CASE("bonds: new bonds store no energy, intact bonds have an intensity of 1", "[bonds]") {
   for_each_law([](const BondLaw& law, const std::string&) {
     PulledBond bond(law);
     CHECK(bond.intensity() == 1);
@@ -166,7 +166,7 @@ TEST_CASE("bonds: new ones store nothing, whole ones have an intensity of 1", "[
   });
 }
 
-TEST_CASE("bonds that remember have at most one direction of negative curvature", "[bonds]") {
+TEST_CASE("bonds with history variables have at most one direction of negative curvature", "[bonds]") {
   for_each_law([](const BondLaw& law, const std::string&) {
     if (!law.traits().history_dependent) return;
     std::mt19937 random(4);

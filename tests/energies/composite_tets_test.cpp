@@ -31,7 +31,7 @@ Mat3 some_deformation(RandomMotions& random) {
 
 }  // namespace
 
-TEST_CASE("composite tets: weights of samples reproduce what is linear", "[composite]") {
+TEST_CASE("composite tets: weights of samples reproduce linear functions", "[composite]") {
   const CompositeTable& table = composite_table();
   // The nodes of the reference tet: the deformation of each sample of x = A X + b is A, that of a quadratic map its mean over the parts.
   std::array<Vec3, composite_nodes> nodes{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
@@ -55,7 +55,7 @@ TEST_CASE("composite tets: weights of samples reproduce what is linear", "[compo
   }
 }
 
-TEST_CASE("composite tets: homogeneous deformations cost what linear tets ask for, and leave inner nodes in balance", "[composite]") {
+TEST_CASE("composite tets: homogeneous deformations have the energy of linear tets and balanced inner nodes", "[composite]") {
   const Vec3 size(0.1, 0.07, 0.05);
   const TetBody composite(size, {2, 2, 2}, Elements::composite), linear(size, {2, 2, 2});
   RandomMotions random(2);
@@ -98,7 +98,7 @@ TEST_CASE("composite tets: six modes cost nothing, all others do", "[composite]"
   }
 }
 
-TEST_CASE("composite tets: a part that is crushed flat costs without bound, whatever the material", "[composite]") {
+TEST_CASE("composite tets: a flattened part has unbounded energy, for any material", "[composite]") {
   const TetBody box(Vec3(1, 1, 1), {1, 1, 1}, Elements::composite);
   for (const std::string& material : materials) {
     INFO(material);

@@ -60,7 +60,7 @@ Accuracy compare(const NormalAdhesion& law, const NormalAdhesion& exact) {
 
 }  // namespace
 
-TEST_CASE("a table of 200 rows is the law that it was taken from", "[laws]") {
+TEST_CASE("a table of 200 rows reproduces its law", "[laws]") {
   struct Case {
     const char* form;
     bool with_peak;
@@ -102,14 +102,14 @@ TEST_CASE("tables of two rows and of 20000, of micrometres and MPa, of centimetr
   check_silent(*law);
 }
 
-TEST_CASE("below its first gap the traction of a table holds on, with a continuous slope", "[laws]") {
+TEST_CASE("below its first gap the traction of a table continues with a continuous slope", "[laws]") {
   const auto law = law_of(TableFile("gap [mm],traction [kPa]\n0.2,1\n0.5,2\n1,0\n").yaml());
   CHECK(law->at(0.1e-3).slope == Approx(1e3));
   CHECK(std::abs(law->at(0.2001e-3).curvature) < 1e-2 * std::abs(law->at(0.4e-3).curvature));
   check_silent(*law);
 }
 
-TEST_CASE("what is wrong with a table is told with its row", "[laws]") {
+TEST_CASE("errors of a table are reported with the row", "[laws]") {
   const auto error = [](const std::string& rows, const std::string& more = "", double contact_distance = 1e-6) {
     return error_of(TableFile("gap [mm],traction [kPa]\n" + rows).yaml(more), contact_distance);
   };
@@ -129,7 +129,7 @@ TEST_CASE("what is wrong with a table is told with its row", "[laws]") {
   CHECK_THAT(error_of("{type: table, file: /nowhere.csv}"), Contains("/nowhere.csv: cannot read this file"));
 }
 
-TEST_CASE("a traction that ends with a jump is taken if that is said, and told", "[laws]") {
+TEST_CASE("a traction that ends with a jump is accepted if the scene says so, with a warning", "[laws]") {
   const auto law = law_of(TableFile("gap [mm],traction [kPa]\n0,1\n1,1\n").yaml(", cut: true"));
   CHECK(law->work_of_adhesion() == Approx(1));
   CHECK(law->at(0.9999e-3).value == Approx(-1e-4));  // its energy does not jump
@@ -137,7 +137,7 @@ TEST_CASE("a traction that ends with a jump is taken if that is said, and told",
   CHECK_THAT(only_text(check.warnings, WarningKind::law_traction_jump), Contains("1000 Pa"));
 }
 
-TEST_CASE("noise in a table is told, and smoothed without a change of its work", "[laws]") {
+TEST_CASE("noise in a table gives a warning, and smoothing keeps the work", "[laws]") {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 10);
   const auto xu = law_of("{type: xu_needleman, peak_traction: 1 kPa, peak_distance: 0.1 mm}");
@@ -155,7 +155,7 @@ TEST_CASE("noise in a table is told, and smoothed without a change of its work",
   CHECK(compare(*even, *xu).traction < 0.06);
 }
 
-TEST_CASE("an expression of the traction, or of the energy, is the law that it says", "[laws]") {
+TEST_CASE("expressions of the traction and of the energy give their law", "[laws]") {
   const auto xu = law_of("{type: xu_needleman, peak_traction: 2 kPa, peak_distance: 0.3 mm}");
   for (const char* yaml : {"{type: expression, traction: s * d / l * exp(1 - d / l), parameters: {s: 2 kPa, l: 0.3 mm}, range: 6 mm}",
                            "{type: expression, energy: 17 - s * exp(1) * (l + d) * exp(-d / l), parameters: {s: 2 kPa, l: 300 um}, range: 6 mm}"}) {
@@ -174,7 +174,7 @@ TEST_CASE("an expression of the traction, or of the energy, is the law that it s
   }
 }
 
-TEST_CASE("kinks of expressions are found, by min and max and by conditions", "[laws]") {
+TEST_CASE("kinks of expressions by min, max and conditions are found", "[laws]") {
   const char* numbers = "parameters: {s: 3 MPa, a: 1.1 um, b: 3.7 um}, range: 3.7 um}";
   for (const char* formula : {"traction: 's * max(0, min(d / a, (b - d) / (b - a)))'", "traction: 'd < a ? s * d / a : s * (b - d) / (b - a)'",
                               "energy: 'd < a ? s * (d^2 / (2 * a) - b / 2) : -s * (b - d)^2 / (2 * (b - a))'"}) {
@@ -188,7 +188,7 @@ TEST_CASE("kinks of expressions are found, by min and max and by conditions", "[
   }
 }
 
-TEST_CASE("expressions do not mind their scale", "[laws]") {
+TEST_CASE("expressions do not depend on their scale", "[laws]") {
   struct Scale {
     const char *strength, *length, *range;
     double s, l, contact_distance;
@@ -203,7 +203,7 @@ TEST_CASE("expressions do not mind their scale", "[laws]") {
   }
 }
 
-TEST_CASE("what is wrong with an expression is told", "[laws]") {
+TEST_CASE("errors of an expression are reported", "[laws]") {
   const auto error = [](const std::string& more, double contact_distance = 1e-6) { return error_of("{type: expression, range: 1 mm, " + more + "}", contact_distance); };
   CHECK_THAT(error_of("{type: expression, traction: 1 - 1000 * d}"), Contains("missing key 'range'"));
   CHECK_THAT(error("cut: true"), Contains("give the law as traction or as energy"));
@@ -223,7 +223,7 @@ TEST_CASE("what is wrong with an expression is told", "[laws]") {
   CHECK_THAT(error("traction: 'd * (1e-3 - d)'", 0.7e-3), Contains("its traction peaks at 0.0005 m, below the contact distance"));
 }
 
-TEST_CASE("an expression as it is stored, in SI, is the same law", "[laws]") {
+TEST_CASE("a stored expression, in SI units, gives an equal law", "[laws]") {
   const auto law = law_of("{type: expression, traction: s * (1 - d / r)^2, parameters: {s: 3 kPa, r: 0.2 mm}, range: 0.2 mm}");
   const Value stored = to_value(law.get());
   CHECK(value_at(stored, "parameters.s")->text == "3000");
@@ -233,14 +233,14 @@ TEST_CASE("an expression as it is stored, in SI, is the same law", "[laws]") {
   for (const double u : {0.1, 0.6, 0.99}) CHECK(again->at(u * law->range()).value == law->at(u * law->range()).value);
 }
 
-TEST_CASE("an expression that does not end is cut if that is said", "[laws]") {
+TEST_CASE("an expression without an end is truncated if the scene says so", "[laws]") {
   const auto law = law_of("{type: expression, traction: exp(-d / 1e-3), range: 1 mm, cut: true}");
   CHECK(law->work_of_adhesion() == Approx(1e-3 * (1 - std::exp(-1.0))).epsilon(1e-6));
   const LawCheck check = check_law(*law);
   only_text(check.warnings, WarningKind::law_traction_jump);
 }
 
-TEST_CASE("what knots do not follow is told", "[laws]") {
+TEST_CASE("a curve that misses the expression is reported", "[laws]") {
   const auto law = law_of("{type: expression, traction: (1 - d / 1e-3) * (2 + 2e-4 * sin(3e7 * d)), range: 1 mm}");
   const LawCheck check = check_law(*law);
   CHECK_THAT(first_text(check.warnings, WarningKind::law_data), Contains("4096 knots follow it to within"));

@@ -71,7 +71,7 @@ TEST_CASE("damage: loading, unloading through the origin and reloading", "[bonds
   }
 }
 
-TEST_CASE("damage stays over a hundred loads", "[bonds]") {
+TEST_CASE("damage stays constant over a hundred loads", "[bonds]") {
   for (const auto& [type, traction] : shapes) {
     const auto law = law_of(type);
     PulledBond bond(*law);
@@ -132,7 +132,7 @@ TEST_CASE("damage: any law of the gap as the envelope", "[bonds]") {
   refused("{type: expression, traction: 1e16 * d^2 * (1e-4 - d), range: 1e-4}", "its traction per opening rises to");
 }
 
-TEST_CASE("bonded: holds without creep, and breaks for good", "[bonds]") {
+TEST_CASE("bonded: no creep, and permanent failure", "[bonds]") {
   const auto law = bond_law("{type: bonded, peak_traction: 10 kPa, tangential_strength: 5 kPa}");
   PulledBond bond(*law);
   for (int i = 0; i < 1000; ++i) bond.step(0.9e-6 * std::cos(i), 0, 1e-2);
@@ -151,7 +151,7 @@ TEST_CASE("bonded: holds without creep, and breaks for good", "[bonds]") {
   CHECK(bond_law("{type: bonded, peak_traction: 1e4, stiffness: 1e9}")->work_of_adhesion() == Approx(5e-2 * 1.001));
 }
 
-TEST_CASE("mixed modes: the work of opening, of slip and between goes by the criterion", "[bonds]") {
+TEST_CASE("mixed modes: the works of opening, slip and mixed paths satisfy the criterion", "[bonds]") {
   const double quarter = std::numbers::pi / 4;
   for (const std::string type : {"bilinear", "exponential"}) {
     INFO(type);
@@ -200,7 +200,7 @@ TEST_CASE("mixed modes: another mixity does not heal", "[bonds]") {
   }
 }
 
-TEST_CASE("damage with viscosity: slow loading as without, a held opening as its equation", "[bonds]") {
+TEST_CASE("damage with viscosity: slow loading without viscous effect, a constant opening by its equation", "[bonds]") {
   const auto law = law_of("bilinear", ", viscosity: 0.02"), without = law_of("bilinear");
   PulledBond slow(*law), still(*without);
   slow.pull(1.2e-4, 0, 2000, 1e3), still.pull(1.2e-4, 0, 2000, 1e3);
@@ -226,7 +226,7 @@ TEST_CASE("damage with viscosity: slow loading as without, a held opening as its
   CHECK(far.change().gone);
 }
 
-TEST_CASE("damage refuses what does not go together", "[bonds]") {
+TEST_CASE("damage refuses contradictory parameters", "[bonds]") {
   for (const std::string type : {"bilinear", "exponential"}) {
     CHECK_THROWS_WITH(law_of(type, ", mixed_mode: power"), Catch::Contains("needs tangential_work"));
     CHECK_THROWS_WITH(law_of(type, ", tangential_work: 3"), Catch::Contains("choose mixed_mode"));
@@ -237,7 +237,7 @@ TEST_CASE("damage refuses what does not go together", "[bonds]") {
   CHECK_THROWS_WITH(law_of("bilinear", ", tangential_strength: 1e4, tangential_stiffness: 1e8"), Catch::Contains("drop one of the two"));
 }
 
-TEST_CASE("coupled Xu-Needleman: strengths, and comes back as it was", "[bonds]") {
+TEST_CASE("coupled Xu-Needleman: strengths, and recovery without history", "[bonds]") {
   const auto law = law_of("xu_needleman_coupled", ", tangential_strength: 4 kPa");
   PulledBond bond(*law);
   bond.pull(0, 2e-3, 20000, 1e-2);

@@ -39,7 +39,7 @@ Vec3 force_on(const World& world, int body, const VecX& x) {
 
 }  // namespace
 
-TEST_CASE("chambers: two sheets enclose one volume, and what is in it presses on both by its area", "[loads]") {
+TEST_CASE("fluid cavities: two sheets enclose one volume, and its pressure acts on both areas", "[loads]") {
   for (const double unit : {1e-3, 1.0, 1e3}) {
     INFO(unit);
     const double gap = 0.5 * unit, area = 4 * unit * unit, pressure = 1.25 * outside;
@@ -62,7 +62,7 @@ TEST_CASE("chambers: two sheets enclose one volume, and what is in it presses on
   }
 }
 
-TEST_CASE("chambers: curved sheets enclose the volume between them, and the finer they are the better", "[loads]") {
+TEST_CASE("fluid cavities: the volume between curved sheets converges", "[loads]") {
   // h (1 - x^2) (1 - z^2) on both sides of the slit: 2 h 16/9, and what is between the rims.
   const double rim = 0.02, height = 0.3, exact = 2 * height * 16 / 9 + 2 * rim * 4;
   double error[3];
@@ -79,7 +79,7 @@ TEST_CASE("chambers: curved sheets enclose the volume between them, and the fine
 
 // The upper sheet rises within ten steps to so many gaps, and stands there: of the pressure above the ambient one, vent times the open area over the
 // volume leaves in a second, where the sides of the chamber, 4 a g of area, are open by what is more than twice that at rest.
-TEST_CASE("chambers: what is in them leaves through slits that open, as fast as vent says", "[loads]") {
+TEST_CASE("fluid cavities: the content leaks through open slits at the speed of vent", "[loads]") {
   const double speed = 3, rate_of = 4 * speed / 2;  // of sheets of side 2: times 1 - 2 g0 / g
   for (const double unit : {1e-3, 1.0, 1e3})
     for (const auto& [filling, over] : {std::pair<std::string, double>("{type: gas, pressure: 400 kPa}", 1), {"{type: gas}", -1}, {"{type: liquid, bulk_modulus: 1 MPa}", -1}})

@@ -125,7 +125,7 @@ TEST_CASE("a pressure within a closed surface has no net force and no moment", "
 }
 
 // What follows the step of a boundary that moves is its areas, but for what the boundary does in the step.
-TEST_CASE("a pressure on an open sheet is the areas times the pressure at the start of a step, and off by the step squared", "[loads]") {
+TEST_CASE("pressure on an open sheet uses the areas at the start of a step, with an error of second order", "[loads]") {
   TestScene s(scene(cases[1]));
   World& world = *s.world;
   RandomMotions random(6);
@@ -165,7 +165,7 @@ TEST_CASE("a block under a pressure all around shrinks by p over the bulk modulu
     }
 }
 
-TEST_CASE("a torque spins a free body by M t / I about its axis, and its work is what it has then", "[loads]") {
+TEST_CASE("a torque spins a free body by M t / I about its axis, and its work equals the kinetic energy", "[loads]") {
   // 0.1 x 0.2 x 0.1 m of water: about y 2 kg (0.1^2 + 0.1^2) / 12.
   const double inertia = 2 * 0.02 / 12, moment = 0.01;
   for (const char* object : {stone, block}) {
@@ -259,7 +259,7 @@ TEST_CASE("wind does not reach the walls of a cavity", "[loads]") {
   CHECK(exposed.closed.size() == 6 * 18);
 }
 
-TEST_CASE("a field is what its formula says: weight, a spring, a brake", "[loads]") {
+TEST_CASE("a field has the forces of its formula: weight, a spring, a damper", "[loads]") {
   const auto fall = [](const std::string& load, const std::string& more, int steps) {
     TestRun run("time: {step: 5 ms, duration: 10, integrator: newmark}\n" + more + "objects:\n  - {name: it, " + std::string(stone) + ", velocity: [0, 1, 0]" +
                 (load.empty() ? "" : ", loads: [" + load + "]") + "}\n");
@@ -276,7 +276,7 @@ TEST_CASE("a field is what its formula says: weight, a spring, a brake", "[loads
 }
 
 // Of whatever acts, the balance of energy of a step without losses closes by the integrator's error, which falls with the step.
-TEST_CASE("the work of following loads accounts for what bodies get", "[loads]") {
+TEST_CASE("the work of following loads equals the energy of the bodies", "[loads]") {
   for (const Case& c : cases) {
     INFO(c.name);
     double missing[2];
@@ -296,7 +296,7 @@ TEST_CASE("the work of following loads accounts for what bodies get", "[loads]")
   }
 }
 
-TEST_CASE("following loads say what is wrong with them", "[loads]") {
+TEST_CASE("following loads report wrong parameters", "[loads]") {
   const auto refused = [](const char* object, const char* load) -> std::string {
     try {
       TestScene s(scene({"", object, load}));

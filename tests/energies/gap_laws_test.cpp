@@ -65,7 +65,7 @@ TEST_CASE("Xu-Needleman: any two of strength, work and length", "[laws]") {
   }
 }
 
-TEST_CASE("Lennard-Jones: any two of strength, work and equilibrium, and what its end costs", "[laws]") {
+TEST_CASE("Lennard-Jones: any two of strength, work and equilibrium gap, and the error of its taper", "[laws]") {
   const double z = 2e-9, work = 0.05, peak = 16 / (9 * std::sqrt(3.0)) * work / z;  // of solids: MPa over nm
   for (const std::string& given : {std::string("work_of_adhesion: 50 mJ/m^2, equilibrium_distance: 2 nm"), fmt::format("peak_traction: {}, work_of_adhesion: 0.05", peak),
                                    fmt::format("peak_traction: {}, equilibrium_distance: 2e-9", peak)}) {
@@ -89,7 +89,7 @@ TEST_CASE("Lennard-Jones: any two of strength, work and equilibrium, and what it
   check_silent(*far);
 }
 
-TEST_CASE("Dugdale: constant, gone, and its work kept however its fall is spread", "[laws]") {
+TEST_CASE("Dugdale: constant traction, zero beyond the range, and the work does not depend on the width of the fall", "[laws]") {
   for (const double spread : {0.001, 0.05, 0.5}) {
     INFO(spread);
     const auto law = law_of(fmt::format("{{type: dugdale, peak_traction: 2 kPa, work_of_adhesion: 1 J/m^2, spread: {}}}", spread));
@@ -104,7 +104,7 @@ TEST_CASE("Dugdale: constant, gone, and its work kept however its fall is spread
   CHECK(law_of("{type: dugdale, work_of_adhesion: 2 J/m^2, range: 1.05 mm}")->peak_traction() == Approx(2e3).epsilon(1e-12));
 }
 
-TEST_CASE("laws of the gap do not mind their scale", "[laws]") {
+TEST_CASE("laws of the gap do not depend on their scale", "[laws]") {
   const std::pair<const char*, double> scales[] = {{"peak_traction: 5 MPa, work_of_adhesion: 20 J/m^2", 1e-7}, {"peak_traction: 20 Pa, work_of_adhesion: 0.5 J/m^2", 1e-3},
                                                    {"peak_traction: 100 MPa, work_of_adhesion: 0.1 J/m^2", 1e-10}};
   for (const char* type : {"xu_needleman", "dugdale", "lennard_jones"})
@@ -116,7 +116,7 @@ TEST_CASE("laws of the gap do not mind their scale", "[laws]") {
     }
 }
 
-TEST_CASE("ranges as short as they may be leave peak and work", "[laws]") {
+TEST_CASE("the shortest allowed ranges keep peak and work", "[laws]") {
   for (const char* yaml : {"{type: xu_needleman, peak_traction: 1 kPa, peak_distance: 1 mm, range: 6 mm}", "{type: lennard_jones, peak_traction: 1 kPa, equilibrium_distance: 1 mm, range: 5 mm}"}) {
     INFO(yaml);
     const auto law = law_of(yaml);
@@ -125,7 +125,7 @@ TEST_CASE("ranges as short as they may be leave peak and work", "[laws]") {
   }
 }
 
-TEST_CASE("what does not go together is told with its remedy", "[laws]") {
+TEST_CASE("contradictory parameters are refused with a remedy", "[laws]") {
   CHECK_THAT(error_of("{type: xu_needleman}"), Contains("peak_traction: give peak_traction, work_of_adhesion, or both"));
   CHECK_THAT(error_of("{type: dugdale, peak_traction: 1, work_of_adhesion: 1, range: 1}"), Contains("one too many: drop one of them"));
   CHECK_THAT(error_of("{type: xu_needleman, peak_traction: 1 kPa, peak_distance: 0.5 mm}", 1e-3), Contains("below the contact distance 0.001 m") && Contains("lower peak_traction"));

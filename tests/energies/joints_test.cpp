@@ -38,7 +38,7 @@ double worst(const TestRun& run) {
 
 }  // namespace
 
-TEST_CASE("joints of all kinds hold exactly, in chains, between what a motion moves and what deforms", "[joints]") {
+TEST_CASE("joints of all kinds are exact, in chains, between moved and deformable objects", "[joints]") {
   const std::string joints =
       "{type: ball, name: a, object: bar_0, to: hand, at: [0, 0, 0]}, {type: hinge, name: b, object: bar_1, to: bar_0, at: [0.2, 0, 0], axis: [0, 1, 1]}, "
       "{type: weld, name: c, object: bar_1, to: bar_2, at: [0.4, 0, 0]}, {type: ball, name: d, object: soft, to: bar_2, at: [0.61, 0, 0]}";
@@ -57,7 +57,7 @@ TEST_CASE("joints of all kinds hold exactly, in chains, between what a motion mo
   CHECK(run.at(run.world->bodies[3].first_vertex).y() < -0.05);
 }
 
-TEST_CASE("a loop of joints costs no penalty: what it says twice is left out", "[joints]") {
+TEST_CASE("a loop of joints needs no penalty: redundant constraints are removed", "[joints]") {
   // A four-bar linkage: a parallelogram of two cranks and a coupler.
   const std::string objects = "  - {name: a, shape: {type: box, size: [0.02, 0.2, 0.02]}, place: {translate: [0, 0.1, 0]}, body: {type: affine, density: 1000}}\n"
                               "  - {name: b, shape: {type: box, size: [0.3, 0.02, 0.02]}, place: {translate: [0.15, 0.2, 0]}, body: {type: affine, density: 1000}}\n"
@@ -77,14 +77,14 @@ TEST_CASE("a loop of joints costs no penalty: what it says twice is left out", "
   CHECK(run.sample(2)[0] == Approx(-turned).epsilon(1e-4));
 }
 
-TEST_CASE("hinges count whole turns, and start where they are told to", "[joints]") {
+TEST_CASE("hinges count whole turns, and start at the given angle", "[joints]") {
   TestRun run(scene(bar(0, ", spin: [0, 0, 20], velocity: [0, 2, 0]"), hinge + ", start: 30 deg}", angle, "step: 2 ms, duration: 1, integrator: newmark"));
   CHECK(run.sample(0)[0] == Approx(pi / 6));
   while (run.state().time < 0.9) run.step();
   CHECK(run.sample(0)[0] == Approx(pi / 6 + 18).epsilon(5e-3));
 }
 
-TEST_CASE("objects that start otherwise than joints let them go on as a blow would leave them", "[joints]") {
+TEST_CASE("initial velocities that joints do not allow are projected like an impact", "[joints]") {
   // A bar that flies at right angles, caught at its end: L = m v l/2 is kept, so w = 3 v / (2 l).
   TestRun run(scene(bar(0, ", velocity: [0, 1, 0]"), hinge + "}", angle, "step: 1 ms, duration: 1"));
   run.step();
@@ -107,7 +107,7 @@ TEST_CASE("derivatives of limits, friction, motors and lines are those of their 
   CHECK(seen == 3);
 }
 
-TEST_CASE("dry friction stops a bar as Coulomb has it, and its energy is booked", "[joints]") {
+TEST_CASE("dry friction stops a bar by Coulomb's law, and its dissipation is recorded", "[joints]") {
   // I = m l^2 / 3 about its end: w = w0 - T t / I.
   const double inertia = 0.1 * (0.2 * 0.2 / 3 + 0.01 * 0.01 / 12), w0 = 5, torque = 0.02;
   TestRun run(scene(bar(0, ", spin: [0, 0, 5], velocity: [0, 0.5, 0]"), hinge + ", friction: {torque: 0.02 N m}}", angle, "step: 1 ms, duration: 1"));
@@ -142,7 +142,7 @@ TEST_CASE("viscous damping lets a bar run out exponentially; a slider's motor st
   CHECK(weak.sample(0)[0] == Approx(-0.5 * 0.81 * 0.25).epsilon(0.03));  // falls by (0.981 - 0.9) N / 0.1 kg
 }
 
-TEST_CASE("limits are never passed, however fast and coarse", "[joints]") {
+TEST_CASE("limits are unilateral at any speed and step size", "[joints]") {
   for (const double unit : {1.0, 1e-3, 1e3}) {
     const auto length = [&](double x) { return std::to_string(x * unit); };
     TestRun run(scene("  - {name: bar_0, shape: {type: box, size: [" + length(0.2) + ", " + length(0.02) + ", " + length(0.05) + "]}, place: {translate: [" + length(0.1) +
@@ -158,7 +158,7 @@ TEST_CASE("limits are never passed, however fast and coarse", "[joints]") {
   }
 }
 
-TEST_CASE("a slider on a body that turns keeps to its line within its stiffness", "[joints]") {
+TEST_CASE("a slider on a rotating body stays on its line within its stiffness", "[joints]") {
   // Held out by its limit at 0.1 m further out, at 10 rad/s.
   TestRun run(scene(bar(0, ", spin: [0, 0, 10], velocity: [0, 1, 0]") + bar(1, ", spin: [0, 0, 10], velocity: [0, 3, 0]"),
                     hinge + "}, {type: slider, name: s, object: bar_1, to: bar_0, at: [0.2, 0, 0], axis: [1, 0, 0], limits: {low: -0.05, high: 0.1}}",
@@ -173,7 +173,7 @@ TEST_CASE("a slider on a body that turns keeps to its line within its stiffness"
   CHECK(most < 1e-4 * 0.2);
 }
 
-TEST_CASE("a slider that is too soft for its load is warned of with its name", "[joints]") {
+TEST_CASE("a slider that is too soft for its load gets a warning with its name", "[joints]") {
   TestRun run(scene(bar(0, ", spin: [0, 0, 10], velocity: [0, 1, 0]") + bar(1, ", spin: [0, 0, 10], velocity: [0, 3, 0]"),
                     hinge + "}, {type: slider, name: s, object: bar_1, to: bar_0, at: [0.2, 0, 0], axis: [1, 0, 0], stiffness: 1 N/m}", "", "step: 2 ms, duration: 1"));
   for (int i = 0; i < 20; ++i) run.step();
@@ -181,7 +181,7 @@ TEST_CASE("a slider that is too soft for its load is warned of with its name", "
   for (const Warning& warning : run.warnings) CHECK(warning.subject == "s");
 }
 
-TEST_CASE("a joint of two objects that are held for a while waits for them", "[joints]") {
+TEST_CASE("a joint of two temporarily fixed objects acts after their release", "[joints]") {
   TestRun run(scene(bar(0, ", motion: [{type: fixed, until: 0.1 s}]") + bar(1), hinge + "}, {type: ball, name: b, object: bar_1, to: bar_0, at: [0.2, 0, 0]}", gravity + angle));
   while (run.state().time < 0.099) run.step();
   CHECK(run.sample(0)[0] == Approx(0).margin(1e-12));
@@ -190,7 +190,7 @@ TEST_CASE("a joint of two objects that are held for a while waits for them", "[j
   CHECK(worst(run) < 1e-12);
 }
 
-TEST_CASE("joints that cannot be are told, with what to do", "[joints]") {
+TEST_CASE("impossible joints are refused with a remedy", "[joints]") {
   const auto error = [](const std::string& joints, const std::string& more = "") { TestScene{scene(bar(0) + bar(1, more), joints)}; };
   CHECK_THROWS_WITH(error("{type: ball, name: j, object: bar_9, at: [0, 0, 0]}"), Contains("test.yaml:7:16: interaction 'j': ") && Contains("'bar_9'"));
   CHECK_THROWS_WITH(error("{type: ball, name: j, object: bar_0, to: bar_0, at: [0, 0, 0]}"), Contains("joins 'bar_0' to itself"));
@@ -211,7 +211,7 @@ TEST_CASE("joints that cannot be are told, with what to do", "[joints]") {
   CHECK_THROWS_WITH(torn.step(), Contains("joint 'j' would be torn"));
 }
 
-TEST_CASE("objects that joints join touch each other only if asked to", "[joints]") {
+TEST_CASE("joined objects are in contact only on request", "[joints]") {
   const std::string contact = "contact: {distance: 1 mm}\n", ball = "{type: ball, name: j, object: bar_1, to: bar_0, at: [0.2, 0, 0]";
   CHECK_NOTHROW(TestScene(scene(bar(0) + bar(1), ball + "}", contact)));
   CHECK_THROWS_WITH(TestScene(scene(bar(0) + bar(1), ball + ", contact: true}", contact)), Contains("the start"));
@@ -231,7 +231,7 @@ TEST_CASE("joints resume bit for bit, with any number of threads", "[joints]") {
   CHECK(run_tack(folder.path(), {"check", "scene.yaml"}).exit_code == 0);
 }
 
-TEST_CASE("a rope is slack up to its length, and carries from there on", "[joints]") {
+TEST_CASE("a rope is slack up to its length, and pulls beyond it", "[joints]") {
   // A bar of 0.1 kg falls by 0.1 m, then hangs on 1 kN/m, 0.981 mm longer.
   TestRun run(scene(bar(0), "{type: rope, name: r, from: {object: bar_0, at: [0.1, 0, 0]}, to: {at: [0.1, 0.3, 0]}, length: 0.4 m, stiffness: 1 kN/m}",
                     gravity + "probes: [{name: f, type: rope_force, interaction: r}]\n", "step: 5 ms, duration: 5"));

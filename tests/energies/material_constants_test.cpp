@@ -115,7 +115,7 @@ TEST_CASE("large deformations have the energy of the formula", "[solids]") {
   }
 }
 
-TEST_CASE("nothing crushes a solid flat", "[solids]") {
+TEST_CASE("a solid cannot be flattened", "[solids]") {
   for (const std::string& type : solids) {
     INFO(type);
     const Solid solid(type, 0.3);

@@ -172,7 +172,7 @@ TEST_CASE("barriers repel, and without bound as the gap closes", "[laws]") {
   });
 }
 
-TEST_CASE("adhesions attract; peak traction and work are those of the law", "[laws]") {
+TEST_CASE("adhesions attract, with the peak traction and work of the law", "[laws]") {
   for_each_law<AdhesionLaw, NormalAdhesion>([](const NormalAdhesion& law, const PairMaterials& pair) {
     constexpr int n = 20000;
     double peak = 0, work = 0, peak_gap = 0;

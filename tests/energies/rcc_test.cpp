@@ -71,7 +71,7 @@ TEST_CASE("rcc: at a fixed opening the intensity decays exponentially", "[bonds]
   CHECK(bond.intensity() == Approx(work / k));
 }
 
-TEST_CASE("rcc: peak and work hold at large steps, and those of explicit integration do not", "[bonds]") {
+TEST_CASE("rcc: peak and work do not depend on large steps, unlike those of explicit integration", "[bonds]") {
   for (const double viscosity : {1e-3, 1e-2}) {
     const Pulled exact = pulled("rcc", viscosity, 1e-5), condensed = pulled("rcc", viscosity, 1e-2);
     CHECK(condensed.peak == Approx(exact.peak).epsilon(0.05));
@@ -116,7 +116,7 @@ TEST_CASE("explicit rcc under pressure heals, and only slip debonds it", "[bonds
   CHECK(pulled.intensity() == Approx(0.5 - 1e-2 * 1));
 }
 
-TEST_CASE("rcc without work, viscosity or resistance across", "[bonds]") {
+TEST_CASE("rcc without work, viscosity or tangential stiffness", "[bonds]") {
   const auto bond_of = [](const std::string& more) { return bond_law("{type: rcc, normal_stiffness: 1e8, work_of_adhesion: " + more + "}"); };
   {
     const auto law = bond_of("0, viscosity: 0.01");  // any opening takes its share: beta e / (k + e)
@@ -147,7 +147,7 @@ TEST_CASE("rcc far beyond the onset is as exact as before", "[bonds]") {
   CHECK(s.by_d == Approx(static_cast<double>(b * b * 1e8L * d)).epsilon(1e-13));
 }
 
-TEST_CASE("rcc heals under pressure as for a constant one, whatever the step", "[bonds]") {
+TEST_CASE("rcc heals exactly under a constant pressure, for any step size", "[bonds]") {
   const auto law = rcc(", healing: 1e-3, saturation: 2 kPa, intensity: 0.1");
   for (const int steps : {1, 7, 300}) {
     PulledBond bond(*law);
@@ -174,7 +174,7 @@ TEST_CASE("rcc heals under pressure as for a constant one, whatever the step", "
   CHECK(unsaturated->at(kept * 0.5 * onset, 0, stretched.history(), 1).by_d == Approx(stretched.traction()));
 }
 
-TEST_CASE("rcc: intensity of new bonds, and which are none", "[bonds]") {
+TEST_CASE("rcc: intensity of new bonds, and failed bonds", "[bonds]") {
   const auto law = rcc(), heals = rcc(", tangential_stiffness: 1e8, healing: 1e-3, saturation: 1 kPa"), given = rcc(", healing: 1e-3, intensity: 0.3");
   CHECK((PulledBond(*law).intensity() == 1 && PulledBond(*law, true).intensity() == 1));
   CHECK((PulledBond(*heals).intensity() == 1 && PulledBond(*heals, true).intensity() == 0));
@@ -193,7 +193,7 @@ TEST_CASE("rcc: intensity of new bonds, and which are none", "[bonds]") {
   CHECK((!pressed.change().gone && pressed.change().kept < 0.01));
 }
 
-TEST_CASE("rcc refuses what is no such law", "[bonds]") {
+TEST_CASE("rcc refuses contradictory parameters", "[bonds]") {
   CHECK_THROWS_WITH(rcc(", intensity: 1.5"), Catch::Contains("intensity"));
   CHECK_THROWS_WITH(rcc(", viscosity: 0", "rcc_explicit"), Catch::Contains("viscosity"));
   CHECK_THROWS_WITH(rcc(", healing: 1 Pa"), Catch::Contains("a rate per pressure (1/(Pa s))"));

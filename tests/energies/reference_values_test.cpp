@@ -141,7 +141,7 @@ TEST_CASE("fang adhesion: peak traction and work", "[laws]") {
   CHECK(skewed->at(0.9e-3).slope == Approx(peak).epsilon(1e-13));
 }
 
-TEST_CASE("fang adhesion: a given strength is had back", "[laws]") {
+TEST_CASE("fang adhesion: the law has the given strength", "[laws]") {
   const std::string strength = "peak_traction: 5 kPa, work_of_adhesion: 9";
   const auto plain = fang(strength, {1e-3, 0, 0});
   CHECK(plain->work_of_adhesion() == Approx(9.0).epsilon(1e-13));
@@ -152,7 +152,7 @@ TEST_CASE("fang adhesion: a given strength is had back", "[laws]") {
   CHECK(squared->at(1e-3).slope == Approx(5e3).epsilon(1e-13));  // at dhat_p
 }
 
-TEST_CASE("fang adhesion: what does not go together is refused", "[laws]") {
+TEST_CASE("fang adhesion: contradictory parameters are refused", "[laws]") {
   CHECK(error_of("critical_strain: 0.5").empty());
   CHECK(error_of("young: 1e3").find("critical_strain") != std::string::npos);
   CHECK(error_of("critical_strain: 0.5, peak_traction: 1e3").find("peak_traction") != std::string::npos);

@@ -91,7 +91,7 @@ TEST_CASE("rods: derivatives far from the frames that were committed, and after 
   CHECK(std::abs(moment) > 18 * pi * material.bending.z() / 0.4);
 }
 
-TEST_CASE("rods: rigid motions cost nothing, whether frames are committed on the way or not", "[rod]") {
+TEST_CASE("rods: rigid motions cost nothing, with or without commits in between", "[rod]") {
   Tangle t;
   CHECK(t.term.value(t.rod.rest) < 1e-26);
   const VecX bent = t.disturbed(0.05);
@@ -163,14 +163,14 @@ TEST_CASE("rods as least squares", "[rod]") {
   CHECK((gradient - dense_gradient(t.term, x)).norm() <= 1e-12 * gradient.norm());
 }
 
-TEST_CASE("rods: an edge that turns by more than a frame can be carried has an infinite energy", "[rod]") {
+TEST_CASE("rods: an edge that turns by half a turn or more has an infinite energy", "[rod]") {
   Tangle t;
   VecX x = t.rod.rest;
   vertex(x, 6) = 2 * vertex(x, 5) - vertex(x, 6);
   CHECK(t.term.value(x) == std::numeric_limits<double>::infinity());
 }
 
-TEST_CASE("rods: what bending, twisting and stretching cost", "[rod]") {
+TEST_CASE("rods: energies of bending, twisting and stretching", "[rod]") {
   // A straight rod on uneven edges, bent to 2 tan(phi / 2) at each vertex in both directions.
   const std::vector<Vec3> line = {{0, 0, 0}, {0.1, 0, 0}, {0.3, 0, 0}, {0.45, 0, 0}};
   RodBody rod(line, {{0, 1}, {2, 1}, {2, 3}}, {0, 0.03, 0.02, Vec3(0, 1, 0)});
@@ -220,7 +220,7 @@ TEST_CASE("rods: a joint is as stiff as a weld of the halves of its edges", "[ro
   CHECK(term.value(rod.rest) < 1e-28);
 }
 
-TEST_CASE("rods: small bending of a corner costs what it does of a straight rod", "[rod]") {
+TEST_CASE("rods: small bending of a corner costs as much as that of a straight rod", "[rod]") {
   // Turned at rest by 70 degrees; then by a little more about each axis.
   const double turn = 1.2, angle = 1e-5, b = 0.4;
   RodBody rod({{-1, 0, 0}, {0, 0, 0}, {std::cos(turn), std::sin(turn), 0}}, {{0, 1}, {1, 2}}, {0.01}, {Vec3::UnitZ(), Vec3::UnitZ()});

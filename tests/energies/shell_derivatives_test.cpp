@@ -235,7 +235,7 @@ TEST_CASE("shells: derivatives of fans of every shape", "[shells]") {
   }
 }
 
-TEST_CASE("shells: it does not matter which way triangles are turned", "[shells]") {
+TEST_CASE("shells: results do not depend on the orientation of triangles", "[shells]") {
   for (const double jitter : {0.0, 0.2}) {
     SheetBody s(Vec2(0.1, 0.07), {5, 4}, thickness, jitter, Diagonals::alternating);
     const auto energy = component<Energy>("{type: hinge_bending, stiffness: 0.1, poisson: 0.4}");
@@ -274,7 +274,7 @@ TEST_CASE("shells: masses add up to density times area times thickness", "[shell
   }
 }
 
-TEST_CASE("shells refuse what they cannot act on", "[shells]") {
+TEST_CASE("shells refuse bodies without a sheet", "[shells]") {
   const TetBody box(Vec3(0.1, 0.1, 0.1), {1, 1, 1});
   SheetBody thin = sheet(), flat = sheet(), three = sheet();
   thin.body.thickness = 0;

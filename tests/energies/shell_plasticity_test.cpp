@@ -128,7 +128,7 @@ TEST_CASE("von Mises membrane: shear yields at sigma_y / sqrt(3)", "[shells]") {
   }
 }
 
-TEST_CASE("von Mises membrane: stresses stay on the yield surface, and when a step is kept", "[shells]") {
+TEST_CASE("von Mises membrane: stresses stay on the yield surface, also after a step is accepted", "[shells]") {
   RandomMotions random(5);
   for (const double hardening : {0.0, 3e5}) {
     Point point(hardening);
@@ -161,7 +161,7 @@ TEST_CASE("von Mises membrane: stresses stay on the yield surface, and when a st
   }
 }
 
-TEST_CASE("von Mises membrane: what is given up in a run leaves the memory as it was, and balances", "[shells]") {
+TEST_CASE("von Mises membrane: rejected steps do not change the history, and energies balance", "[shells]") {
   const std::string scene =
       "time: {step: 0.05, duration: 10, integrator: quasi_static}\n"
       "solver: {type: projected_newton, linear: cholmod, stopping: force, force_tolerance: 1e-10, max_iterations: 12}\nobjects:\n"

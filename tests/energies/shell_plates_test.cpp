@@ -154,7 +154,7 @@ TEST_CASE("a clamped square plate under pressure sinks by 0.00126 p L^4 / D", "[
   }
 }
 
-TEST_CASE("a sheet that is not flat at rest bends from there if it is told so", "[shells]") {
+TEST_CASE("a sheet with a curved rest shape bends from that shape if the scene says so", "[shells]") {
   const auto energy = [](const std::string& rest) {
     TestRun run("time: {step: 1 ms, duration: 1}\nobjects:\n  - name: box\n    shape: {type: box, size: [0.1, 0.1, 0.1], cells: [3, 3, 3], surface: true}\n"
                 "    shell: {thickness: 1 mm}\n    energies: [{type: stvk_membrane, young: 1e6}, {type: hinge_bending, young: 1e6, rest: " + rest + "}]\n");

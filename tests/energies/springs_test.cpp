@@ -60,7 +60,7 @@ TEST_CASE("a spring breaks at its force, and stays broken", "[springs]") {
   CHECK(springs.intact() == 0);
 }
 
-TEST_CASE("springs that cannot be are told") {
+TEST_CASE("impossible springs are refused") {
   const auto error = [](const std::string& spring) { TestScene{pulled(spring)}; };
   CHECK_THROWS_WITH(TestScene("springs: []\n"), "test.yaml:2:10: springs are interactions: write `interactions: [{type: spring, ...}]`, with the same keys");
   CHECK_THROWS_WITH(error("{type: spring, name: a, from: {object: hock}, to: {object: ceiling}, stiffness: 1}"), Contains("'hock'") && Contains("hook"));

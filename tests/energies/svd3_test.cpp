@@ -38,7 +38,7 @@ PackMat3 packed(const std::array<Mat3, pack_width>& f) {
 
 }  // namespace
 
-TEST_CASE("singular values: rotations and stretches that give the matrix back", "[solids]") {
+TEST_CASE("singular values: rotations and stretches reproduce the matrix", "[solids]") {
   for_each_matrix([](const std::array<Mat3, pack_width>& given) {
     const Svd3<Pack> svd = svd3(packed(given));
     for (int l = 0; l < pack_width; ++l) {
@@ -55,7 +55,7 @@ TEST_CASE("singular values: rotations and stretches that give the matrix back", 
   });
 }
 
-TEST_CASE("singular values of a matrix do not depend on those beside it", "[solids]") {
+TEST_CASE("singular values of a matrix do not depend on the other lanes", "[solids]") {
   for_each_matrix([](const std::array<Mat3, pack_width>& given) {
     const Svd3<Pack> together = svd3(packed(given));
     for (int l = 0; l < pack_width; ++l) {

@@ -112,7 +112,7 @@ TEST_CASE("viscoplastic: at a constant rate the stress is above the yield stress
     }
 }
 
-TEST_CASE("viscoplastic: a bar that is held relaxes to its yield stress, in eta / E", "[von_mises]") {
+TEST_CASE("viscoplastic: a bar of constant length relaxes to its yield stress, in eta / E", "[von_mises]") {
   for (const std::string& kind : kinds) {
     INFO(kind);
     Specimen bar(kind, 0);
@@ -128,7 +128,7 @@ TEST_CASE("viscoplastic: a bar that is held relaxes to its yield stress, in eta 
   }
 }
 
-TEST_CASE("viscoplastic: what a step takes from its potential is stored, flowed or half of what is viscous", "[von_mises]") {
+TEST_CASE("viscoplastic: the potential of a step is stored energy, plastic work and half of the viscous dissipation", "[von_mises]") {
   for (const std::string& kind : kinds)
     for (const double hardening : {0.0, 3e5}) {
       INFO(kind << ", H = " << hardening);
@@ -176,7 +176,7 @@ TEST_CASE("viscoplastic: value, gradient and Hessian agree on both sides of the 
   }
 }
 
-TEST_CASE("viscoplastic: slow flow is that without viscosity, and none that is named has its bits", "[von_mises]") {
+TEST_CASE("viscoplastic: slow flow is inviscid, and a viscosity of zero gives the bits of none", "[von_mises]") {
   for (const std::string& kind : kinds) {
     INFO(kind);
     Specimen none(kind, 1e5, ""), zero(kind, 1e5, ", viscosity: 0"), slow(kind, 1e5);

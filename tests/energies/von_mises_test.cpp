@@ -160,7 +160,7 @@ TEST_CASE("von Mises: shear yields at sigma_y / sqrt(3)", "[von_mises]") {
   CHECK(simple.kirchhoff(f)(0, 1) == Approx(yield_stress / std::sqrt(3)).epsilon(0.01));
 }
 
-TEST_CASE("von Mises: the stress in a step is the return-mapped one, and stays when the step is kept", "[von_mises]") {
+TEST_CASE("von Mises: the stress in a step is the return-mapped one, also after the step is accepted", "[von_mises]") {
   RandomMotions random(5);
   for (const double hardening : hardenings) {
     Point point(hardening);
@@ -256,7 +256,7 @@ TEST_CASE("von Mises: ten steps end where a thousand do", "[von_mises]") {
   CHECK(strain_of_few == Approx(strain_of_many).epsilon(0.01));
 }
 
-TEST_CASE("von Mises: what has flowed turns without stress of its own", "[von_mises]") {
+TEST_CASE("von Mises: a plastically deformed body rotates without stress", "[von_mises]") {
   Point point(1e5);
   Mat3 f = Mat3::Identity();
   f(0, 1) = 0.05;
@@ -270,7 +270,7 @@ TEST_CASE("von Mises: what has flowed turns without stress of its own", "[von_mi
   }
 }
 
-TEST_CASE("von Mises: two energies of an object remember apart", "[von_mises]") {
+TEST_CASE("von Mises: two energies of an object have separate histories", "[von_mises]") {
   TetBody box(Vec3(0.1, 0.1, 0.1), {1, 1, 1});
   const auto energy = component<Energy>("{type: von_mises, young: 1e6, yield_stress: 1e3}");
   auto first = energy->make_term(box.body, box.rest);

@@ -251,7 +251,7 @@ TEST_CASE("assembly: vertices that depend on others", "[assembly]") {
   p.check(pushed, matrix);
 }
 
-TEST_CASE("degrees of freedom: dependent vertices follow, and hand on what acts on them", "[dofs]") {
+TEST_CASE("degrees of freedom: dependent vertices are updated, and forces on them move to the independent vertices", "[dofs]") {
   Problem p;
   p.depend({{3, {{1, 0.25}, {2, 0.75}}}, {4, {{3, 0.5}, {5, 0.5}}}, {9, {{7, 0.3}, {8, 0.7}}}, {10, {{0, 0.4}, {12, 0.6}}},
             {13, {{12, 1}}}});
@@ -308,7 +308,7 @@ TEST_CASE("assembly: the largest force of any stencil", "[assembly]") {
   CHECK(gradient(0) == 4.0);
 }
 
-TEST_CASE("assembly: the gradients of the last evaluation at every vertex, held ones included", "[assembly]") {
+TEST_CASE("assembly: the gradients of the last evaluation at every vertex, fixed ones included", "[assembly]") {
   struct Drag : PolynomialTerm {
     using PolynomialTerm::PolynomialTerm;
     bool stores() const override { return false; }

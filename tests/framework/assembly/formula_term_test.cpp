@@ -75,7 +75,7 @@ TEST_CASE("terms of a formula: derivatives are those of the formula, of any arit
   check_derivatives(wide, random_places(10));
 }
 
-TEST_CASE("a spring as a formula is the one by hand", "[formula_term]") {
+TEST_CASE("a spring as a formula equals the hand-written term", "[formula_term]") {
   const VecX x = random_places(2);
   const Vec3 span = vertex(x, 1) - vertex(x, 0);
   for (const double length : {0.1, 5.0})
@@ -90,7 +90,7 @@ TEST_CASE("a spring as a formula is the one by hand", "[formula_term]") {
     }
 }
 
-TEST_CASE("stencils with scalars are projected in all that they feel", "[formula_term]") {
+TEST_CASE("stencils with scalars are projected in all displacements that change the energy", "[formula_term]") {
   FormulaTerm<Hinge> hinge("hinge");
   hinge.add({0, 1, 2, 3, 4, 5}, {2});
   const VecX x = random_places(6);

@@ -64,7 +64,7 @@ TEST_CASE("projections side by side agree with the eigenvalue decomposition", "[
   check<9>();
 }
 
-TEST_CASE("projections side by side leave what is not finite so, in its lane alone", "[assembly]") {
+TEST_CASE("projections side by side keep values that are not finite, in their lane alone", "[assembly]") {
   PackMatrix<3, 3> pack;
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {

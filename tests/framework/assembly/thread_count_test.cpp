@@ -70,7 +70,7 @@ TEST_CASE("value, gradient and Hessian have the same bits for 1 and 2 threads", 
   CHECK((one.hessian == two.hessian));
 }
 
-TEST_CASE("so do whole time steps", "[assembly]") {
+TEST_CASE("whole time steps have the same bits for 1 and 2 threads", "[assembly]") {
   const std::string scene = GENERATE(std::string(boxes), grouped);
   const VecX one = simulate(scene, 1);
   CHECK((one == simulate(scene, 2)));

@@ -46,7 +46,7 @@ Slid slide(const std::string& law, const Vec3& way) {
 
 }  // namespace
 
-TEST_CASE("bonds that nothing holds across end where they have slid off the surface, with the energy that they store", "[bonds]") {
+TEST_CASE("bonds without tangential strength end when they slide off the surface, with their stored energy", "[bonds]") {
   const std::string law = GENERATE(as<std::string>(), "{type: rcc, normal_stiffness: 1e7, work_of_adhesion: 0.5}",
                                    "{type: bonded, peak_traction: 1e3, onset: 1e-3, tangential_strength: 0}",
                                    "{type: bilinear, peak_traction: 1e3, work_of_adhesion: 1, tangential_strength: 0}",
@@ -66,7 +66,7 @@ TEST_CASE("bonds that nothing holds across end where they have slid off the surf
 }
 
 // Pressed with 6.75 kPa, slid, left for 50 ms and lifted: the pull is that of bonds which healed without a slide.
-TEST_CASE("bonds that heal where they come to rest hold as much as those that never slid, and healing puts no energy in", "[bonds]") {
+TEST_CASE("bonds that heal at rest are as strong as bonds that never slid, and healing adds no energy", "[bonds]") {
   const double area = 64e-6, work = 1, stiffness = 1e8;
   for (const double slip : {0.0, 3e-5, 1e-4, 1e-3}) {
     INFO(slip << " m");

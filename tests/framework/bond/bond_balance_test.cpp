@@ -54,7 +54,7 @@ const std::vector<std::map<std::string, std::string>> settings = {
 
 }  // namespace
 
-TEST_CASE("bonds over levers: neither force nor moment in all, and either side its own, of every law", "[bonds]") {
+TEST_CASE("bonds over levers: no net force or moment, and the moment of each side, for every law", "[bonds]") {
   RandomMotions random(11);
   for (const ComponentVariant& law : variants<AdhesionLaw, BondLaw>(settings))
     for (const auto& [name, objects] : pairs) {
@@ -97,7 +97,7 @@ TEST_CASE("bonds over levers: neither force nor moment in all, and either side i
     }
 }
 
-TEST_CASE("bonds over levers: a shear makes no moment about the interface, on either side, whichever integrates", "[bonds]") {
+TEST_CASE("bonds over levers: a shear has no moment about the interface, on either side, for either integration side", "[bonds]") {
   const std::string law = "{type: bilinear, peak_traction: 1e5, work_of_adhesion: 10, onset: 5e-5}";
   for (const std::string side : {"a", "b", "both"})
     for (int i = 0; i < 3; ++i) {
@@ -121,7 +121,7 @@ TEST_CASE("bonds over levers: a shear makes no moment about the interface, on ei
     }
 }
 
-TEST_CASE("bonds that turn within a step pull as before, whatever their levers", "[bonds]") {
+TEST_CASE("bonds that rotate within a step keep their traction, for any lever", "[bonds]") {
   const std::string law = "{type: bilinear, peak_traction: 1e5, work_of_adhesion: 10, onset: 5e-5}";
   for (const auto& [name, objects] : pairs) {
     INFO(name);

@@ -9,7 +9,7 @@
 
 using namespace tack;
 
-TEST_CASE("a bond that is pulled to and fro turns where it is to, in steps of one size", "[bond_curve]") {
+TEST_CASE("a bond that is pulled to and fro reverses at the turning points, in equal steps", "[bond_curve]") {
   const auto law = bond_law("{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}");
   const std::vector<BondPoint> points = pull_bond(*law, {5e-5, 0, 1e-4}, std::numbers::pi / 2, 200);
   REQUIRE(points.size() == 200);
@@ -24,7 +24,7 @@ TEST_CASE("a bond that is pulled to and fro turns where it is to, in steps of on
   CHECK(points.back().dissipated == Approx(0.1 + (1e4 + 1e5 / 18) / 2 * 8e-5 - 1e5 / 18 * 1e-4 / 2));
 }
 
-TEST_CASE("at a speed, the time of a way is its length over it", "[bond_curve]") {
+TEST_CASE("at a constant speed, the time of a path is its length over the speed", "[bond_curve]") {
   const auto law = bond_law("{type: rcc, normal_stiffness: 1e8, work_of_adhesion: 1, viscosity: 0.01}");
   const auto fast = pull_bond(*law, {2e-4, 1e-4}, 0, 300, 1e-3), slow = pull_bond(*law, {2e-4, 1e-4}, 0, 300);
   CHECK(fast.back().time == Approx(0.3));
@@ -32,7 +32,7 @@ TEST_CASE("at a speed, the time of a way is its length over it", "[bond_curve]")
   CHECK(slow[199].intensity == Approx(0.25).epsilon(1e-6));  // W / k
 }
 
-TEST_CASE("what is integrated explicitly is led in steps that it bears", "[bond_curve]") {
+TEST_CASE("explicitly integrated laws get steps that are stable", "[bond_curve]") {
   for (const char* eta : {"1e-6", "0.01", "1e3"}) {
     INFO(eta);
     const auto law = bond_law(std::string("{type: rcc_explicit, normal_stiffness: 1e8, work_of_adhesion: 1, viscosity: ") + eta + "}");
@@ -44,7 +44,7 @@ TEST_CASE("what is integrated explicitly is led in steps that it bears", "[bond_
   }
 }
 
-TEST_CASE("a bond is parted until nothing holds, whatever its scale; where none does there is no curve", "[bond_curve]") {
+TEST_CASE("a bond is separated until it fails, at any scale; bonds that never fail have no curve", "[bond_curve]") {
   for (const char* yaml : {"{type: rcc, normal_stiffness: 1e14, work_of_adhesion: 1e-6}", "{type: rcc, normal_stiffness: 1, work_of_adhesion: 1e6}",
                            "{type: bonded, peak_traction: 1e6}", "{type: exponential, peak_traction: 10, work_of_adhesion: 1e-9}"}) {
     INFO(yaml);

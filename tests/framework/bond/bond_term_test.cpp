@@ -90,7 +90,7 @@ TEST_CASE("bonds: gradient and Hessian are those of the value, the Hessian's pro
   }
 }
 
-TEST_CASE("bonds stand for the area that lies opposite, whichever side integrates, and for nothing far away", "[bonds]") {
+TEST_CASE("bonds represent the area of overlap, for either integration side, and none far away", "[bonds]") {
   const double overlap = 0.01 * 0.02;
   for (const std::string side : {"automatic", "upper", "lower", "both", "finer"}) {
     Bonded bonded(plates("between: [lower, upper], integrate: " + side + ", " + rcc));
@@ -123,7 +123,7 @@ TEST_CASE("bonds that opened by d pull with beta^2 C_N d, slid ones with beta^2 
   CHECK(force({0, -2e-4, 0}).norm() < 1e-12);  // what presses is no adhesion
 }
 
-TEST_CASE("bonds resist pressing as they resist opening, unless they heal", "[bonds]") {
+TEST_CASE("bonds resist compression like opening, unless they heal", "[bonds]") {
   const auto pressed = [](const std::string& law, LawTerm part) {
     Bonded bonded(plates("between: [lower, upper], adhesion: " + law));
     const VecX x = bonded.moved("upper", {1e-5, -1e-5, 0});
@@ -171,7 +171,7 @@ TEST_CASE("bonds: a rigid motion of both surfaces changes nothing, also by steps
   CHECK(smaller < 0.02 * small);
 }
 
-TEST_CASE("bonds are history: what is remembered is the same bonds with the same values, to the last bit", "[bonds]") {
+TEST_CASE("bonds are history variables: stored bonds have equal values, to the last bit", "[bonds]") {
   Bonded first(plates()), second(plates());
   const VecX x = first.moved("upper", {2e-4, 4e-4, 1e-4});
   History history;
@@ -189,7 +189,7 @@ TEST_CASE("bonds are history: what is remembered is the same bonds with the same
   CHECK(second.term().list().size() == first.term().list().size());
 }
 
-TEST_CASE("bonds on contact: made where surfaces meet, once, and anew where they have gone", "[bonds]") {
+TEST_CASE("bonds on contact form once where surfaces meet, and again where they have failed", "[bonds]") {
   Bonded bonded(plates("between: [lower, upper], bond: on_contact, bond_distance: 0.5 mm, " + rcc));
   World& world = *bonded.scene.world;
   CHECK(bonded.area() == 0);
@@ -255,7 +255,7 @@ TEST_CASE("bonds of rods, particles, sheets and of a sheet with itself", "[bonds
   }
 }
 
-TEST_CASE("bonds between what has no surface are refused, and keys of bonds without any", "[bonds]") {
+TEST_CASE("bonds between objects without surfaces are refused, and bond keys without bonds", "[bonds]") {
   const std::string rods = "objects:\n"
                            "  - {name: a, shape: {type: segment, length: 0.01, edges: 4}, rod: {radius: 1e-4}, energies: [{type: string, young: 1e6}]}\n"
                            "  - {name: b, shape: {type: segment, length: 0.01, edges: 4}, place: {translate: [0, 0.001, 0]}, rod: {radius: 1e-4}, energies: [{type: string, young: 1e6}]}\n";
@@ -265,7 +265,7 @@ TEST_CASE("bonds between what has no surface are refused, and keys of bonds with
   CHECK_THROWS_WITH(TestScene(plates("between: [lower, upper], bond_distance: 3 mm, " + rcc)), Catch::Contains("raise contact.distance"));
 }
 
-TEST_CASE("bonds that should be made at the start and are not are told of once", "[bonds]") {
+TEST_CASE("bonds that are expected at the start and missing give one warning", "[bonds]") {
   TestRun none(plates("between: [lower, upper], bond_distance: 0.7 mm, " + rcc)), some(plates());
   for (TestRun* run : {&none, &some})
     for (int i = 0; i < 3; ++i) run->step();

@@ -12,14 +12,14 @@
 
 using namespace tack;
 
-TEST_CASE("the documented law that remembers fits on a page") {
+TEST_CASE("the documented law with history fits on a page") {
   const std::string page = file_text(TACK_SOURCE_DIR "/docs/extending.md");
   const size_t begin = page.find("```cpp\n", page.find("\n## A cohesive law with history variables\n")), end = page.find("```\n", begin + 7);
   REQUIRE(end != std::string::npos);
   CHECK(std::count(page.begin() + begin, page.begin() + end, '\n') <= 50);
 }
 
-TEST_CASE("laws of adhesion are listed with what they are") {
+TEST_CASE("laws of adhesion are listed with their traits") {
   const std::string list = list_kind("adhesion");
   CHECK(contains(list, "  documented_bond "));
   CHECK_THAT(list_component("adhesion", "documented_bond"), Catch::Contains("\nIrreversible, history-dependent, mixed-mode (normal and tangential)\n") &&
@@ -40,7 +40,7 @@ TEST_CASE("a scene that names the documented law has bonds of it") {
   CHECK(world.adhesion[0].peak_traction == Approx(4 * std::sqrt(2e8 / 27)));
 }
 
-TEST_CASE("the documented law that remembers follows its closed form") {
+TEST_CASE("the documented law with history follows its closed form") {
   const auto law = bond_law("{type: documented_bond}");
   PulledBond bond(*law);
   for (const double d : {2e-5, 1e-4, 1.5e-4}) {

@@ -34,7 +34,7 @@ TEST_CASE("sets that four threads join have the members that one thread gives th
   }
 }
 
-TEST_CASE("a maximum that threads raise is the largest value, whatever is not a number", "[core]") {
+TEST_CASE("threads find the largest value and ignore values that are not numbers", "[core]") {
   double largest = 0;
   std::vector<std::thread> running;
   for (int t = 0; t < 4; ++t)

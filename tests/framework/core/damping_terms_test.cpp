@@ -28,7 +28,7 @@ class Wide : public Term {
 
 }  // namespace
 
-TEST_CASE("stiffness damping: stencils of as many vertices as there may be") {
+TEST_CASE("stiffness damping: stencils of the largest arity") {
   const int n = largest_arity;
   const Wide wide(n);
   const double beta = 0.1, h = 0.01;

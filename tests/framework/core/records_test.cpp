@@ -133,7 +133,7 @@ std::vector<double> column(const CsvTable& table, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a term's force, energy, flows and field are in all that is recorded", "[records]") {
+TEST_CASE("force, energy, flows and field of a term are in all records", "[records]") {
   const TemporaryFolder folder;
   const auto recorded = [&](const std::string& name, int steps, bool resume) {
     RunSettings settings;
@@ -215,7 +215,7 @@ TEST_CASE("forces by name are refused with what there is", "[records]") {
   CHECK(probe("of: contact, part: barrier, from: floor").empty());
 }
 
-TEST_CASE("what stands in the place of a term's forces is what probes, reactions and the balance show", "[records]") {
+TEST_CASE("replaced forces of a term appear in probes, reactions and the balance", "[records]") {
   TestRun run(
       "time: {step: 0.01, duration: 1}\ngravity: [0, -10, 0]\n"
       "objects:\n"

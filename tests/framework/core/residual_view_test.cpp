@@ -150,7 +150,7 @@ TEST_CASE("residual view of contact", "[residual_view][contact]") {
   check_jacobian(term, c.x, 1e-7, 1e-5);
 }
 
-TEST_CASE("residual view of contact: what has no lower bound is rest", "[residual_view][contact]") {
+TEST_CASE("residual view of contact: energies without a lower bound are in the rest", "[residual_view][contact]") {
   Cluster c("area", 3, 4e-3);  // rough enough for hollows
   const ContactSet& set = c.world->contact->contacts();
   const auto negative = [](const auto& stencils) {

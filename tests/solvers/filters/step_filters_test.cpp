@@ -71,7 +71,7 @@ TEST_CASE("ccd stops a fast body before a thin sheet", "[filters]") {
   }
 }
 
-TEST_CASE("ccd lets bodies go that part, slide or stay", "[filters]") {
+TEST_CASE("ccd does not stop bodies that separate, slide or rest", "[filters]") {
   Fall fall;
   CHECK(largest_step("ccd", fall.world, fall.x, fall.motion({0, 5, 0})) == 1);
   CHECK(largest_step("ccd", fall.world, fall.x, fall.motion({3, 0, 1})) == 1);
@@ -79,7 +79,7 @@ TEST_CASE("ccd lets bodies go that part, slide or stay", "[filters]") {
   CHECK(largest_step("ccd", fall.world, fall.x, fall.motion({0, -1, 0}), 1e-3) == 1e-3);
 }
 
-TEST_CASE("inversion: no tet loses more than its share, and no step is cut for nothing", "[filters]") {
+TEST_CASE("inversion: no tet loses more than the allowed volume, and no step is truncated without need", "[filters]") {
   const TetBody box(Vec3(1, 1, 1), {1, 1, 1});
   World world;
   RandomMotions random(5);
@@ -100,7 +100,7 @@ TEST_CASE("inversion: no tet loses more than its share, and no step is cut for n
   CHECK(cut > 500);
 }
 
-TEST_CASE("inversion: the worst tet of many decides, whatever their order", "[filters]") {
+TEST_CASE("inversion: the worst of many tets decides, in any order", "[filters]") {
   const TetBody box(Vec3(1, 1, 1), {7, 7, 7});  // several chunks of tets
   World world;
   RandomMotions random(6);
@@ -158,7 +158,7 @@ TEST_CASE("ccd skips no pair that would have stopped the step", "[filters]") {
   CHECK(cut < 30);
 }
 
-TEST_CASE("ccd does not search all of the way that a fast step would go", "[filters]") {
+TEST_CASE("ccd does not search the whole path of a fast step", "[filters]") {
   // Twenty boxes in a row; the first flies at the second.
   std::string objects = "objects:\n";
   for (int i = 0; i < 20; ++i)
@@ -175,7 +175,7 @@ TEST_CASE("ccd does not search all of the way that a fast step would go", "[filt
   CHECK(world.contact->candidates().size() > 5 * in_stages);
 }
 
-TEST_CASE("filters tell what bounds a step", "[filters]") {
+TEST_CASE("filters report the primitives that bound a step", "[filters]") {
   Fall fall;
   const auto blocker = [&](const std::string& filter, const VecX& p) {
     PhaseClock clock;
@@ -204,7 +204,7 @@ TEST_CASE("filters tell what bounds a step", "[filters]") {
   CHECK_FALSE(blocker("inversion", fall.motion({1, 2, 3})));
 }
 
-TEST_CASE("ccd breaks off when time is out", "[filters]") {
+TEST_CASE("ccd stops at the time limit", "[filters]") {
   Fall fall;
   PhaseClock clock;
   clock.deadline().limit_run(Deadline::Clock::now(), 0);
@@ -216,7 +216,7 @@ TEST_CASE("ccd breaks off when time is out", "[filters]") {
   CHECK(fall.world.contact->broad_phase_builds() <= builds + 1);      // one stage of many
 }
 
-TEST_CASE("filters with nothing to watch stand aside", "[filters]") {
+TEST_CASE("filters without objects do not attach", "[filters]") {
   PhaseClock clock;
   const std::vector<Tet> none;
   for (const std::string& name : Registry<StepFilter>::kind().names())

@@ -95,7 +95,7 @@ std::string error_of(const std::string& yaml) {
 
 }  // namespace
 
-TEST_CASE("a block rests on a slope as long as Coulomb's cone holds it, and slides with Coulomb's speed beyond", "[lcp]") {
+TEST_CASE("a block rests on a slope within Coulomb's cone, and slides with Coulomb's speed beyond it", "[lcp]") {
   for (const std::string& block : {std::string("energies: [{type: neo_hookean, young: 1 MPa, density: 1000}]"),
                                    std::string("body: {type: affine, density: 1000}")}) {
     INFO(block);
@@ -110,7 +110,7 @@ TEST_CASE("a block rests on a slope as long as Coulomb's cone holds it, and slid
   }
 }
 
-TEST_CASE("constraints know no units", "[lcp]") {
+TEST_CASE("constraints do not depend on units", "[lcp]") {
   const Slope here{0.55, 0.5};
   TestRun run(slope(here));
   run_to_end(run);
@@ -123,7 +123,7 @@ TEST_CASE("constraints know no units", "[lcp]") {
   }
 }
 
-TEST_CASE("blocks of dense rows find what one dense operator finds", "[lcp]") {
+TEST_CASE("blocks of dense rows give the solution of one dense operator", "[lcp]") {
   Slope s{0.49, 0.5};
   TestRun dense(slope(s));
   s.stepper = "sweeps: 1000, dense_rows: 9";
@@ -136,7 +136,7 @@ TEST_CASE("blocks of dense rows find what one dense operator finds", "[lcp]") {
   CHECK((dense.state().x - blocks.state().x).lpNorm<Eigen::Infinity>() < 1e-7);
 }
 
-TEST_CASE("a block hangs by adhesion rows as far as their stiffness says, and falls beyond their peak", "[lcp]") {
+TEST_CASE("a block hangs by adhesion rows with their stiffness, and falls beyond their peak", "[lcp]") {
   for (const char* law : {"rcc", "rcc_explicit"}) {
     INFO(law);
     TestRun half(hang(law, 0.5));
@@ -151,7 +151,7 @@ TEST_CASE("a block hangs by adhesion rows as far as their stiffness says, and fa
   }
 }
 
-TEST_CASE("what a script moves pushes others along with its velocity", "[lcp]") {
+TEST_CASE("bodies with prescribed motion push others with their velocity", "[lcp]") {
   TestRun run(
       "time: {step: 0.01, duration: 0.3, stepper: {type: lcp_pgs, sweeps: 500}}\n"
       "objects:\n"
@@ -180,7 +180,7 @@ TEST_CASE("a sheet comes to rest on a box, each side of it on its own", "[lcp]")
   CHECK(run.state().v.lpNorm<Eigen::Infinity>() < 1e-2);
 }
 
-TEST_CASE("steps with constraints have the same bits for any number of threads, and when a run goes on", "[lcp]") {
+TEST_CASE("steps with constraints have the same bits for any number of threads, and in a resumed run", "[lcp]") {
   const std::string scene = slope({0.55, 0.5, "energies: [{type: neo_hookean, young: 1 MPa, density: 1000}]", 1, "sweeps: 30"});
   TestRun whole(scene);
   State half;
@@ -199,7 +199,7 @@ TEST_CASE("steps with constraints have the same bits for any number of threads, 
   CHECK((again.simulation.state().history == whole.state().history));
 }
 
-TEST_CASE("bodies that pass through each other are recorded and told, and the run goes on", "[lcp]") {
+TEST_CASE("bodies that pass through each other are recorded with a warning, and the run continues", "[lcp]") {
   // Far too few sweeps for a stack that is pressed together.
   TestRun run(
       "time: {step: 0.02, duration: 0.4, stepper: {type: lcp_pgs, sweeps: 1, tolerance: 1e-9}}\n"
@@ -230,7 +230,7 @@ TEST_CASE("bodies that pass through each other are recorded and told, and the ru
   CHECK_THAT(first_text(run.warnings, WarningKind::stepper_fault), Catch::Contains("passed through each other"));
 }
 
-TEST_CASE("what constraints do not know is refused by name", "[lcp]") {
+TEST_CASE("features without constraint rows are refused by name", "[lcp]") {
   const std::string block = "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 0.0605, 0]}, energies: [{type: neo_hookean, young: 1e5}]}\n";
   const auto scene = [&](const std::string& time, const std::string& objects, const std::string& pair) {
     return "time: {step: 0.01, duration: 1, stepper: lcp_pgs" + time + "}\nobjects:\n"
@@ -279,7 +279,7 @@ TEST_CASE("contact forces, friction and reactions are the impulses over h", "[lc
   CHECK(numerics > 0);
 }
 
-TEST_CASE("a probe of what no stepper tells is refused where it stands", "[lcp]") {
+TEST_CASE("a probe of an unknown step metric is refused with its source location", "[lcp]") {
   const TemporaryFolder folder;
   const auto error_of_probe = [&](const std::string& time, const std::string& figure) {
     write_file(folder.path() / "scene.yaml",
@@ -296,7 +296,7 @@ TEST_CASE("a probe of what no stepper tells is refused where it stands", "[lcp]"
   CHECK(contains(error_of_probe("", "sweeps").second, "the scene's stepper reports no step metrics; remove the probe"));
 }
 
-TEST_CASE("what meets on the way between two distant places is stopped there", "[lcp]") {
+TEST_CASE("bodies that meet on the path between two distant positions stop there", "[lcp]") {
   // Ten times its own size in a step, at a sheet a millimetre thick.
   TestRun run(
       "time: {step: 0.01, duration: 0.05, stepper: {type: lcp_pgs, sweeps: 500}}\n"

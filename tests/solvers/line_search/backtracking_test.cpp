@@ -19,7 +19,7 @@ LineSearchResult search(Line& line, double from, double p, double t_max = 1) {
 
 }  // namespace
 
-TEST_CASE("backtracking takes the whole step where it may", "[line_search]") {
+TEST_CASE("backtracking takes the whole step if it decreases the value", "[line_search]") {
   Line parabola([](double x) { return x * x; }, [](double x) { return 2 * x; });
   const LineSearchResult newton = search(parabola, 3, -3);
   CHECK(newton.found);
@@ -51,7 +51,7 @@ TEST_CASE("backtracking stays clear of where the value is infinite or not a numb
   }
 }
 
-TEST_CASE("backtracking gives up on a direction that only climbs", "[line_search]") {
+TEST_CASE("backtracking fails on an ascent direction", "[line_search]") {
   Line climb([](double x) { return x; }, [](double) { return -1.0; });  // the slope lies
   const LineSearchResult r = search(climb, 0, 1);
   CHECK_FALSE(r.found);

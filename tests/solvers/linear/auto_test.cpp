@@ -55,7 +55,7 @@ TEST_CASE("pins the sizes at which auto changes: small systems are factorised, l
   CHECK(starts_with(chosen(*solver, random_spd(70, random, 8), random), "lagged_cholesky (210 unknowns"));
 }
 
-TEST_CASE("auto gives iterations up that take too many or fail", "[linear]") {
+TEST_CASE("auto switches from iterations that fail or are too many", "[linear]") {
   RandomMotions random(2);
   const BlockMatrix mild = grid(14, random), stiff = grid(14, random, 1e6);
   const auto patient = component<LinearSolver>("{type: auto, iterative: {type: pcg, preconditioner: block_jacobi}}");
@@ -78,7 +78,7 @@ TEST_CASE("pins the fill at which auto changes: couplings that fill the factor a
   CHECK(starts_with(chosen(*solver, random_spd(2800, random, 8), random, 3), "pcg (8400 unknowns"));
 }
 
-TEST_CASE("auto refuses indefinite matrices whatever it has chosen", "[linear]") {
+TEST_CASE("auto refuses indefinite matrices with any choice", "[linear]") {
   RandomMotions random(3);
   BlockMatrix matrix = grid(14, random);
   const auto solver = component<LinearSolver>("auto");
@@ -88,7 +88,7 @@ TEST_CASE("auto refuses indefinite matrices whatever it has chosen", "[linear]")
   CHECK_FALSE(solver->factorize(matrix, clock));
 }
 
-TEST_CASE("auto does not blame conjugate gradients for systems that are expected to be indefinite", "[linear]") {
+TEST_CASE("auto does not count expected indefinite systems as failures of conjugate gradients", "[linear]") {
   RandomMotions random(4);
   const BlockMatrix matrix = grid(14, random);
   BlockMatrix indefinite = matrix;

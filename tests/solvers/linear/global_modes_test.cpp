@@ -36,7 +36,7 @@ TEST_CASE("products have global modes", "[linear]") {
   CHECK((y - exact).norm() < 1e-12 * exact.norm());
 }
 
-TEST_CASE("linear solvers solve with global modes, however large, and follow them", "[linear]") {
+TEST_CASE("linear solvers solve with global modes of any size, and with changed modes", "[linear]") {
   for (const ComponentVariant& v : variants<LinearSolver>()) {
     if (v.yaml.find("single") != std::string::npos) continue;
     INFO(v.yaml);
@@ -60,7 +60,7 @@ TEST_CASE("linear solvers solve with global modes, however large, and follow the
   }
 }
 
-TEST_CASE("iterations hardly notice a global mode", "[linear]") {
+TEST_CASE("a global mode hardly changes the number of iterations", "[linear]") {
   RandomMotions random(3);
   PhaseClock clock;
   const auto solver = component<LinearSolver>("{type: pcg, tolerance: 1e-8}");
@@ -77,7 +77,7 @@ TEST_CASE("iterations hardly notice a global mode", "[linear]") {
 }
 
 // A mode below zero may leave the matrix positive definite, or not.
-TEST_CASE("direct solvers tell whether a negative mode leaves a matrix positive definite", "[linear]") {
+TEST_CASE("direct solvers detect whether a negative mode leaves a matrix positive definite", "[linear]") {
   for (const char* type : {"cholmod", "eigen_ldlt", "multifrontal"}) {
     INFO(type);
     const auto solver = component<LinearSolver>(type);

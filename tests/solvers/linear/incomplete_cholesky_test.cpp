@@ -30,7 +30,7 @@ BlockMatrix kershaw_blocks(int copies, double scale) {
 
 }  // namespace
 
-TEST_CASE("large incomplete factors begin with the shift of the last, and look every now and then for a smaller one", "[linear]") {
+TEST_CASE("large incomplete factors begin with the last shift, and try a smaller shift at intervals", "[linear]") {
   const BlockMatrix breaks = kershaw_blocks(1300, 1), does_not = kershaw_blocks(1300, 0.5), small = kershaw_blocks(10, 0.5);
   RandomMotions random(1);
   const VecX b = random.vectors(breaks.size());

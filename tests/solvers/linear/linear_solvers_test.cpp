@@ -53,7 +53,7 @@ TEST_CASE("linear solvers solve", "[linear]") {
   });
 }
 
-TEST_CASE("linear solvers of our own break off when time is out, and forget what they had", "[linear]") {
+TEST_CASE("own linear solvers stop at the time limit and clear their data", "[linear]") {
   for_each_solver([](const std::string& type, LinearSolver& solver) {
     if (type == "cholmod" || type == "eigen_ldlt") return;
     RandomMotions random(3);
@@ -104,7 +104,7 @@ TEST_CASE("linear solvers refuse matrices that are not positive definite", "[lin
 }
 
 // By default, a kept factor leaves 3% and conjugate gradients 0.1% of the preconditioner's norm.
-TEST_CASE("a solution that iterations stopped short of is corrected as far as is asked", "[linear]") {
+TEST_CASE("an inexact iterative solution is corrected to the requested residual", "[linear]") {
   for (const ComponentVariant& v : variants<LinearSolver>()) {
     INFO(v.yaml);
     const auto solver = component<LinearSolver>(v.yaml);
@@ -162,7 +162,7 @@ TEST_CASE("a lagged factor does not hide an indefinite matrix", "[linear]") {
   CHECK((!factorized || !x.allFinite()));
 }
 
-TEST_CASE("what another matrix would cost can be asked for while a factor is kept", "[linear]") {
+TEST_CASE("the cost of another matrix can be predicted while a factor is stored", "[linear]") {
   for_each_solver([](const std::string& type, LinearSolver& solver) {
     RandomMotions random(6);
     const BlockMatrix matrix = random_spd(60, random, 8), fuller = random_spd(60, random, 3);

@@ -25,7 +25,7 @@ VecX preconditioned(MatrixSweeps& sweeps, VecX r) {
 
 }  // namespace
 
-TEST_CASE("sweeps multiply by the matrix on their way", "[linear]") {
+TEST_CASE("sweeps also compute the product with the matrix", "[linear]") {
   RandomMotions random(1);
   const BlockMatrix matrix = grid(12, random, 100);
   for (const int domain : {50, 200, 5000}) {
@@ -74,7 +74,7 @@ TEST_CASE("the preconditioner of sweeps is symmetric, definite and bounded by th
   }
 }
 
-TEST_CASE("a matrix with a block on its diagonal that is not definite has no sweeps", "[linear]") {
+TEST_CASE("sweeps refuse a matrix with an indefinite diagonal block", "[linear]") {
   RandomMotions random(3);
   BlockMatrix matrix = grid(5, random);
   MatrixSweeps sweeps;
@@ -83,7 +83,7 @@ TEST_CASE("a matrix with a block on its diagonal that is not definite has no swe
   CHECK_FALSE(sweeps.update(matrix, 20, Deadline()));
 }
 
-TEST_CASE("corrections go on where the solution stopped", "[linear]") {
+TEST_CASE("corrections continue from the last solution", "[linear]") {
   RandomMotions random(4);
   const BlockMatrix matrix = grid(9, random, 1e3);
   const VecX b = random.vectors(matrix.size());

@@ -78,7 +78,7 @@ TEST_CASE("multifrontal solutions have the same bits for 1 and 2 threads", "[lin
 }
 
 // Single precision cannot factorise this; the solver turns to double by itself.
-TEST_CASE("a lagged factor is sharpened where single precision does not do", "[linear]") {
+TEST_CASE("a lagged factor is refined where single precision is not enough", "[linear]") {
   RandomMotions random(4);
   const BlockMatrix matrix = grid(6, random, 1e9);
   const VecX b = random.vectors(matrix.size());

@@ -79,7 +79,7 @@ TEST_CASE("conjugate gradients have the same bits for 1 and 2 threads", "[linear
   }
 }
 
-TEST_CASE("what conjugate gradients could not solve is not taken for a solution", "[linear]") {
+TEST_CASE("failed conjugate gradients do not count as a solution", "[linear]") {
   RandomMotions random(3);
   const BlockMatrix matrix = grid(6, random);
   MatX saddle(2, 2);  // blocks on the diagonal that are definite hide an indefinite matrix
@@ -104,7 +104,7 @@ TEST_CASE("what conjugate gradients could not solve is not taken for a solution"
 }
 
 // Kershaw's matrix is positive definite, but its incomplete factor has a negative pivot.
-TEST_CASE("an incomplete factor that breaks down is made with a shift", "[linear]") {
+TEST_CASE("an incomplete factor that breaks down is computed with a shift", "[linear]") {
   MatX kershaw(4, 4);
   kershaw << 3, -2, 0, 2, -2, 3, -2, 0, 0, -2, 3, -2, 2, 0, -2, 3;
   const BlockMatrix matrix = scalar_blocks(kershaw, (1u << 30) + 1);
@@ -115,7 +115,7 @@ TEST_CASE("an incomplete factor that breaks down is made with a shift", "[linear
   CHECK(solved.iterations > 1);
 }
 
-TEST_CASE("an incomplete factor is complete where none of it fills in", "[linear]") {
+TEST_CASE("an incomplete factor without fill-in is complete", "[linear]") {
   const int n = 50;
   MatX chain = MatX::Zero(n, n);
   for (int i = 0; i < n; ++i) {
@@ -135,7 +135,7 @@ TEST_CASE("an incomplete factor is complete where none of it fills in", "[linear
   CHECK(iterations("block_jacobi") >= 25);
 }
 
-TEST_CASE("domains are coupled through their separators only, and groups of these not at all", "[linear]") {
+TEST_CASE("domains are coupled through their separators only, and groups of domains are not coupled", "[linear]") {
   RandomMotions random(5);
   const BlockMatrix matrix = grid(20, random);
   DomainRows rows;
@@ -179,7 +179,7 @@ TEST_CASE("the rows of domains are those of the matrix, and so are their columns
 }
 
 // Two stiff bodies, hardly held: what moves them as wholes is 1e-6 of what deforms them, and hides in a residual.
-TEST_CASE("conjugate gradients solve for the translations of parts as well as for the rest", "[linear]") {
+TEST_CASE("conjugate gradients solve for the translations of components", "[linear]") {
   RandomMotions random(8);
   const int n = 400;
   MatX chains = MatX::Zero(n, n);

@@ -31,7 +31,7 @@ BlockMatrix solid_sheet_and_rod(double mass = 1e-6) {
 
 }  // namespace
 
-TEST_CASE("bodies are cut into pieces, those of sheets and rods into small ones", "[linear]") {
+TEST_CASE("bodies are divided into aggregates, sheets and rods into small ones", "[linear]") {
   const BlockMatrix matrix = solid_sheet_and_rod();
   Aggregates pieces;
   pieces.build(matrix);
@@ -52,7 +52,7 @@ TEST_CASE("bodies are cut into pieces, those of sheets and rods into small ones"
   CHECK(of_solid <= 30);
 }
 
-TEST_CASE("forces of rigid motions of pieces lead back to them", "[linear]") {
+TEST_CASE("forces of rigid motions of aggregates give back the motions", "[linear]") {
   const BlockMatrix matrix = solid_sheet_and_rod();
   Aggregates pieces;
   pieces.build(matrix);
@@ -91,7 +91,7 @@ TEST_CASE("rigid motions follow bodies and their matrices", "[linear]") {
   }
 }
 
-TEST_CASE("without places, parts that are large enough, or a definite matrix there are no rigid motions", "[linear]") {
+TEST_CASE("without positions, large components, or a definite matrix there are no rigid motions", "[linear]") {
   const BlockMatrix whole = solid_sheet_and_rod();
   RigidMotions rigid;
   CHECK(rigid.update(whole));
@@ -111,7 +111,7 @@ TEST_CASE("without places, parts that are large enough, or a definite matrix the
 }
 
 // Contrasts of 1e6, of what is nearly free by itself: masses are a thousandth to a millionth of springs.
-TEST_CASE("with rigid motions conjugate gradients take a fraction of the iterations, and are right", "[linear]") {
+TEST_CASE("with rigid motions conjugate gradients take a fraction of the iterations, and are correct", "[linear]") {
   const BlockMatrix matrix = solid_sheet_and_rod();
   RandomMotions random(3);
   const VecX b = random.vectors(matrix.size());
@@ -136,7 +136,7 @@ TEST_CASE("with rigid motions conjugate gradients take a fraction of the iterati
   }
 }
 
-TEST_CASE("rigid motions are left out while systems are easy", "[linear]") {
+TEST_CASE("rigid motions are not used for easy systems", "[linear]") {
   const BlockMatrix easy = solid_sheet_and_rod(1e5), hard = solid_sheet_and_rod();
   RandomMotions random(7);
   const VecX b = random.vectors(easy.size());
@@ -160,7 +160,7 @@ TEST_CASE("rigid motions are left out while systems are easy", "[linear]") {
   for (int i = 0; i < 6; ++i) CHECK((next(hard) == with_hard.x));
 }
 
-TEST_CASE("many bodies that nothing connects are solved in a few iterations", "[linear]") {
+TEST_CASE("many unconnected bodies are solved in a few iterations", "[linear]") {
   std::vector<SpringLattice> bodies;
   for (int i = 0; i < 100; ++i) bodies.push_back({{4, 4, 4}, std::pow(10.0, i % 7 - 3), 1e-6, Vec3(10 * i, 0, 0)});
   const BlockMatrix matrix = spring_lattices(bodies);
@@ -184,7 +184,7 @@ TEST_CASE("rigid motions have the same bits for 1 and 2 threads", "[linear]") {
   CHECK((with_threads(1) == with_threads(2)));
 }
 
-TEST_CASE("an indefinite matrix is not taken for solved by rigid motions", "[linear]") {
+TEST_CASE("rigid motions do not hide an indefinite matrix", "[linear]") {
   BlockMatrix matrix = solid_sheet_and_rod(1e-3);
   for (int c = 0; c < matrix.columns(); ++c) matrix.block(matrix.column_start[c]).diagonal().array() -= 0.01;
   RandomMotions random(6);

@@ -97,9 +97,9 @@ void check_agreement(const std::string& duration, bool all) {
 }  // namespace
 
 TEST_CASE("minimizers agree", "[minimizer]") { check_agreement("0.02", false); }
-TEST_CASE("minimizers agree on an impact and what comes after it", "[minimizer][nightly]") { check_agreement("0.05", true); }
+TEST_CASE("minimizers agree on an impact and its aftermath", "[minimizer][nightly]") { check_agreement("0.05", true); }
 
-TEST_CASE("minimizers agree where vertices follow others and directions are held", "[minimizer]") {
+TEST_CASE("minimizers agree with dependent vertices and fixed directions", "[minimizer]") {
   const Outcome reference = outcome(followers("{type: projected_newton, tolerance: 1e-10, linear: cholmod}"));
   for (const ComponentVariant& v : variants<Minimizer>({tight})) {
     INFO(v.yaml);

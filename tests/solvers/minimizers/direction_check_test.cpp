@@ -70,7 +70,7 @@ double norm_of(const VecX& p, double tolerance) { return p.lpNorm<Eigen::Infinit
 
 }  // namespace
 
-TEST_CASE("a direction that a solver lies about is not believed", "[minimizer]") {
+TEST_CASE("a wrong direction of a solver is detected", "[minimizer]") {
   for (const double part : {1e-9, 1e-3, 0.3}) {
     INFO("the part of the direction that it gives: " << part);
     Liar liar(part);
@@ -80,7 +80,7 @@ TEST_CASE("a direction that a solver lies about is not believed", "[minimizer]")
   }
 }
 
-TEST_CASE("what a solver left out is brought in", "[minimizer]") {
+TEST_CASE("terms that a solver omits are added", "[minimizer]") {
   Liar liar(0.9);  // a tenth is left each time
   const Judged j = judged(liar, 0.3);
   CHECK(j.norm <= 1);
@@ -89,7 +89,7 @@ TEST_CASE("what a solver left out is brought in", "[minimizer]") {
   CHECK((j.p - j.exact).norm() < 0.1 * j.exact.norm());
 }
 
-TEST_CASE("the verdict on a direction is never below that on the exact one", "[minimizer]") {
+TEST_CASE("the stopping norm of a direction is never below that of the exact direction", "[minimizer]") {
   for (const char* yaml : {"cholmod", "auto", "{type: lagged_cholesky, tolerance: 0.5}", "{type: pcg, tolerance: 0.5}",
                            "{type: pcg, preconditioner: block_jacobi, tolerance: 0.3}",
                            "{type: pcg, preconditioner: block_jacobi, tolerance: 0.5, truncate: true, max_iterations: 1}"})

@@ -76,7 +76,7 @@ TEST_CASE("external minimizers: a bowl", "[minimizer]") {
   });
 }
 
-TEST_CASE("external minimizers: no way out", "[minimizer]") {
+TEST_CASE("external minimizers: no feasible direction", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
     Told told(bowl, bowl_slope);
     VecX q = start;
@@ -98,7 +98,7 @@ TEST_CASE("external minimizers: a gradient that lies", "[minimizer]") {
   });
 }
 
-TEST_CASE("external minimizers: what is not a number", "[minimizer]") {
+TEST_CASE("external minimizers: values that are not numbers", "[minimizer]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for_each_method([=](const std::string& yaml) {
     VecX q = start;
@@ -114,7 +114,7 @@ TEST_CASE("external minimizers: what is not a number", "[minimizer]") {
   });
 }
 
-TEST_CASE("external minimizers: exceptions of the objective arrive", "[minimizer]") {
+TEST_CASE("external minimizers: exceptions of the objective are rethrown", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
     int calls = 0;
     Told told([&](const Vec3& q) { return ++calls > 3 ? throw std::runtime_error("broken") : bowl(q); }, bowl_slope);

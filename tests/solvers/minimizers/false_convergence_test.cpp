@@ -99,7 +99,7 @@ TEST_CASE("a stiff impact does not hide a body that falls freely", "[minimizer]"
   }
 }
 
-TEST_CASE("a heavy block does not stop in mid-air, whatever minimises", "[minimizer]") {
+TEST_CASE("a heavy block does not stop in mid-air with any minimiser", "[minimizer]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
     TestRun s(heavy_on_light(type));
@@ -108,7 +108,7 @@ TEST_CASE("a heavy block does not stop in mid-air, whatever minimises", "[minimi
   }
 }
 
-TEST_CASE("a start a picometre away does not end in a force that nothing balances", "[minimizer]") {
+TEST_CASE("a start at a picometre from the minimum does not end with an unbalanced force", "[minimizer]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
     TestRun s(picometre + "solver: {type: " + type + ", max_iterations: 100, balance_tolerance: 0.01}\n");
@@ -144,7 +144,7 @@ TEST_CASE("a scene of a micrometre is solved as well as one of a metre", "[minim
   }
 }
 
-TEST_CASE("a quasi-static body without stress is at rest, whatever minimises", "[minimizer]") {
+TEST_CASE("a quasi-static body without stress is at rest with any minimiser", "[minimizer]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
     TestRun s("time: {step: 10 ms, duration: 20 ms, integrator: quasi_static, max_cutbacks: 0}\n"

@@ -115,7 +115,7 @@ TEST_CASE("minimizers: none passes through a thin plate", "[minimizer]") {
   });
 }
 
-TEST_CASE("minimizers: all tell of every iteration", "[minimizer]") {
+TEST_CASE("minimizers: all notify the observer of every iteration", "[minimizer]") {
   for_each_minimizer([&](const ComponentVariant& v) {
     StepProblem problem(landing);
     std::vector<int> told;
@@ -137,7 +137,7 @@ TEST_CASE("minimizers: all tell of every iteration", "[minimizer]") {
   });
 }
 
-TEST_CASE("minimizers: budgets hold", "[minimizer]") {
+TEST_CASE("minimizers: iteration limits are respected", "[minimizer]") {
   for_each_minimizer([&](const ComponentVariant& v) {
     StepProblem problem(landing);
     const int counted = problem.potential.value_count();
@@ -150,7 +150,7 @@ TEST_CASE("minimizers: budgets hold", "[minimizer]") {
   });
 }
 
-TEST_CASE("minimizers: Ctrl-C ends them where they are", "[minimizer]") {
+TEST_CASE("minimizers: Ctrl-C ends them at the current iterate", "[minimizer]") {
   for_each_minimizer([&](const ComponentVariant& v) {
     StepProblem problem(landing);
     const VecX start = problem.q;
@@ -204,7 +204,7 @@ TEST_CASE("minimizers: quasi-static steps", "[minimizer]") {
   }
 }
 
-TEST_CASE("minimizers: a scripted plate that pushes", "[minimizer]") {
+TEST_CASE("minimizers: a plate with a prescribed motion", "[minimizer]") {
   // The plate would go through the block: it walks, with a pull that gradient methods find hard. It also moves
   // aside: pressed straight down, the block may give way to either side.
   const auto positions = [](const std::string& type) {

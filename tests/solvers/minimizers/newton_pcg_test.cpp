@@ -54,7 +54,7 @@ TEST_CASE("inexact Newton finds the same minima as Newton's method", "[minimizer
 }
 
 // However loosely systems are solved, the direction that stops a solve is corrected until it may be believed.
-TEST_CASE("inexact Newton does not take a badly solved step for a small one", "[minimizers]") {
+TEST_CASE("inexact Newton does not mistake a badly solved step for a small one", "[minimizers]") {
   const Dropped exact = dropped("{type: projected_newton, tolerance: 1e-5, linear: cholmod}");
   const Dropped loose = dropped("{type: newton_pcg, tolerance: 1e-5, forcing_max: 0.5, forcing_min: 0.1}");
   CHECK((loose.x - exact.x).lpNorm<Eigen::Infinity>() < 1e-6);

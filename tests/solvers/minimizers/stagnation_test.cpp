@@ -18,7 +18,7 @@ int given_up(double norm, double factor) {
 
 }  // namespace
 
-TEST_CASE("forces that halve are waited for", "[minimizers][crawl]") {
+TEST_CASE("falling force residuals continue the minimisation", "[minimizers][crawl]") {
   CHECK(given_up(1e-6, 0.5) == 0);
   CHECK(given_up(1e-6, 0.9) == 0);  // to 0.48 within the window
   CHECK(given_up(0.5, 1.0) == 0);   // what still moves by a tolerance is no crawl

@@ -134,7 +134,7 @@ TEST_CASE("statuses of minimizers", "[minimizer]") {
   }
 }
 
-TEST_CASE("a minimum where forces do not balance is none", "[minimizer]") {
+TEST_CASE("a point with unbalanced forces is no minimum", "[minimizer]") {
   const std::string type = GENERATE(from_range(Registry<Minimizer>::kind().names()));
   INFO(type);
   const auto minimizer = component<Minimizer>("{type: " + type + ", max_iterations: 3000}");
@@ -171,7 +171,7 @@ TEST_CASE("an indefinite Hessian leads on to a minimum, not to a claim of one", 
 }
 
 // As a projected Hessian is where much of it was clamped: Newton's steps alone would take 0.95 of the way each.
-TEST_CASE("steps of Hessians that are too stiff are prolonged as far as they are free", "[minimizer]") {
+TEST_CASE("steps of Hessians that are too stiff are extrapolated within the feasible length", "[minimizer]") {
   const std::string type = GENERATE("projected_newton", "newton_pcg");
   const Curve stiff = {[](double x) { return x * x / 2; }, [](double x) { return x; }, [](double) { return 20.0; }};
   const Ended free = minimize(type, stiff);
