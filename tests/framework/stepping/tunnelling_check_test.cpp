@@ -46,7 +46,7 @@ double centre(const TestRun& run, int body) { return run.world->centre_of_mass(b
 double speed_of(const TestRun& run, int body) { return run.world->centre_of_mass(body, run.state().v).x(); }
 
 // Returns the number of steps that were cut back because of bodies that the text names.
-int warned(const TestRun& run, const std::string& bodies) {
+int cutbacks_by(const TestRun& run, const std::string& bodies) {
   return static_cast<int>(std::count_if(run.warnings.begin(), run.warnings.end(), [&](const Warning& w) { return w.kind == WarningKind::step_cutback && contains(w.text, bodies); }));
 }
 
@@ -56,7 +56,7 @@ const Vec3 origin = Vec3::Zero(), beside(0.101, 0.003, 0.002), ahead(0.101, 0, 0
 void check_hit(TestRun& run, double h, double speed) {
   const WholeStep whole(run, h);
   CHECK(whole.refused == 1);
-  CHECK(warned(run, "tunnelled through") == 1);
+  CHECK(cutbacks_by(run, "tunnelled through") == 1);
   CHECK(centre(run, 1) > centre(run, 0) + 0.05);
   CHECK(speed_of(run, 1) > 0.45 * speed);
   CHECK(speed_of(run, 0) < 0.55 * speed);
@@ -166,7 +166,7 @@ TEST_CASE("sheets, rods and particles hit obstacles in their path", "[stepping]"
                             "     shell: {thickness: 1 mm}, velocity: [30, 0, 0], energies: [{type: neo_hookean_membrane, young: 1e7, density: 1000}]}\n" +
                             block("target", {0.101, 0.043, 0.002})));
     WholeStep(run, 0.01);
-    CHECK(warned(run, "'sheet' tunnelled through 'target'") == 1);
+    CHECK(cutbacks_by(run, "'sheet' tunnelled through 'target'") == 1);
     CHECK(speed_of(run, 1) > 0.05);
   }
   SECTION("a rod") {
@@ -174,7 +174,7 @@ TEST_CASE("sheets, rods and particles hit obstacles in their path", "[stepping]"
                             "     rod: {radius: 2 mm}, velocity: [30, 0, 0], energies: [{type: elastic_rod, young: 1e11, density: 7800}]}\n" +
                             ball({0.08, 0.003, 0.008})));
     WholeStep(run, 0.01);
-    CHECK(warned(run, "'rod' tunnelled through 'ball'") == 1);
+    CHECK(cutbacks_by(run, "'rod' tunnelled through 'ball'") == 1);
     CHECK(speed_of(run, 1) > 1);
     CHECK(run.world->centre_of_mass(0, run.state().x).z() < -0.02);  // glanced off
   }
@@ -182,8 +182,8 @@ TEST_CASE("sheets, rods and particles hit obstacles in their path", "[stepping]"
     TestRun run(scene(0.01, "  - {name: grains, shape: {type: points, size: [0, 0.02, 0.02], counts: [1, 2, 2]}, place: {translate: [0.04, 0, 0]},\n"
                             "     particle: {radius: 2 mm}, velocity: [30, 0, 0], energies: [{type: particle}]}\n" + ball({0.08, 0.003, 0.002})));
     WholeStep(run, 0.01);
-    CHECK(warned(run, "'grains' tunnelled through 'ball'") == 1);
-    CHECK(warned(run, "'grains' tunnelled through 'grains'") == 0);
+    CHECK(cutbacks_by(run, "'grains' tunnelled through 'ball'") == 1);
+    CHECK(cutbacks_by(run, "'grains' tunnelled through 'grains'") == 0);
     CHECK(speed_of(run, 1) > 0.02);
   }
 }
