@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <random>
 
@@ -59,6 +60,30 @@ TEST_CASE("the eight octants of a cube are visited one after another, the first 
     }
 }
 
+TEST_CASE("the space order is that of interleaved bits of the centres, by brute force", "[broad_phase]") {
+  // Most of them near one point, so that all bits count.
+  auto boxes = random_boxes(2000, 6);
+  for (Aabb& b : boxes) {
+    const Vec3 p = b.lo.array() * b.lo.array().pow(6);
+    b = {};
+    b.include(p);
+  }
+  Aabb centres;
+  for (const Aabb& b : boxes) centres.include(Vec3((b.lo + b.hi) / 2));
+  const double scale = ((1 << 21) - 1) / (centres.hi - centres.lo).maxCoeff();
+  std::vector<std::pair<std::uint64_t, int>> keys;
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    const Vec3 cell = scale * ((boxes[i].lo + boxes[i].hi) / 2 - centres.lo);
+    std::uint64_t key = 0;
+    for (int bit = 20; bit >= 0; --bit)
+      for (int axis = 2; axis >= 0; --axis) key = 2 * key + (static_cast<std::uint64_t>(cell[axis]) >> bit & 1);
+    keys.emplace_back(key, static_cast<int>(i));
+  }
+  std::sort(keys.begin(), keys.end());
+  const std::vector<int> order = space_order(boxes);
+  for (size_t k = 0; k < order.size(); ++k) CHECK(order[k] == keys[k].second);
+}
+
 TEST_CASE("boxes at one place keep their order", "[broad_phase]") {
   const std::vector<Aabb> boxes(20, random_boxes(1, 2)[0]);
   const std::vector<int> order = space_order(boxes);
@@ -98,6 +123,10 @@ TEST_CASE("boxes of one rigid group are consecutive, at the place of the first o
     CHECK(at.back() - at.front() + 1 == at.size());
     const auto first = *std::find_if(alone.begin(), alone.end(), [&](int i) { return group[i] == g; });
     CHECK(order[at.front()] == first);
+    // As many others come before the group as before its first box.
+    const int lowest = static_cast<int>(std::find(group.begin(), group.end(), g) - group.begin());
+    const auto others_before = [&](const std::vector<int>& list, auto end) { return std::count_if(list.begin(), end, [&](int i) { return group[i] < 0; }); };
+    CHECK(others_before(order, order.begin() + static_cast<std::ptrdiff_t>(at.front())) == others_before(alone, std::find(alone.begin(), alone.end(), lowest)));
   }
   // The others keep their order.
   std::vector<int> others, others_alone;

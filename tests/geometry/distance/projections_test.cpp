@@ -71,8 +71,10 @@ TEST_CASE("a residual keeps its direction where the gap is a billionth of the si
   for (int trial = 0; trial < 50; ++trial) {
     const Vec3 a = random(), b = random(), n = a.cross(b).normalized();
     const Vec3 offset = 0.3 * a - 0.4 * b + 1e-9 * n;
-    const Vec3 r = project_onto_plane(offset, a, b).residual;
-    CHECK(std::abs(r.normalized().dot(a.normalized())) < 1e-6);
+    const Vec3 r = project_onto_plane(offset, a, b).residual, beside = project_onto_line(0.3 * a + 1e-9 * n, a).residual;
+    // Rounding of the offset, 1e-16, would tilt them by 1e-7.
+    for (const Vec3& along : {a, b}) CHECK(std::abs(r.normalized().dot(along.normalized())) < 1e-11);
+    CHECK(std::abs(beside.normalized().dot(a.normalized())) < 1e-12);
     CHECK(r.norm() == Approx(1e-9).epsilon(1e-5));
   }
 }
