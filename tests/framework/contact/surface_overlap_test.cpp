@@ -1,5 +1,5 @@
 // Overlap of two surfaces at the start of a step: its area is that of the common rectangle, and
-// triangles out of range are divided only when they may have come near.
+// triangles out of range are subdivided only when they may have come near.
 #include "framework/contact/surface_overlap.hpp"
 
 #include <catch2/catch.hpp>
@@ -111,7 +111,7 @@ TEST_CASE("the overlap does not depend on rotation and translation", "[contact][
   for (int trial = 0; trial < 5; ++trial) CHECK(Overlap(setup, random.rotation(), random.point(2)).area() == Approx(common(setup)).margin(1e-6));
 }
 
-TEST_CASE("a triangle that overlaps as a whole gives a third of its area to each corner, without a sample", "[contact][overlap]") {
+TEST_CASE("a triangle that overlaps as a whole gives a third of its area to each corner, without an interior point", "[contact][overlap]") {
   const Overlap overlap(Setup{.cells = {8, 8}, .corner = {0, 0, 0.05}});
   CHECK(overlap.overlap->interior_points().empty());
   for (const GroupPatches& g : overlap.groups) {
@@ -121,7 +121,7 @@ TEST_CASE("a triangle that overlaps as a whole gives a third of its area to each
   }
 }
 
-TEST_CASE("samples are sorted by triangle and cell, and lie where they overlap", "[contact][overlap]") {
+TEST_CASE("interior points are sorted by triangle and cell, and lie where they overlap", "[contact][overlap]") {
   const Overlap overlap(Setup{.corner = {0.31, -0.17, 0.05}});
   const auto& points = overlap.overlap->interior_points();
   REQUIRE(points.size() > 10);
@@ -144,7 +144,7 @@ TEST_CASE("the side with the larger overlap of whole triangles integrates", "[co
   CHECK(large.area() == Approx(1).margin(1e-6));
 }
 
-TEST_CASE("deferred triangles are divided when they may have come into range, not before", "[contact][overlap]") {
+TEST_CASE("deferred triangles are subdivided when they may have come into range, not before", "[contact][overlap]") {
   const Setup setup{.corner = {0.31, -0.17, 1.5 * range}};
   Overlap overlap(setup);
   const double at_vertices = overlap.area_at_vertices();
@@ -159,11 +159,11 @@ TEST_CASE("deferred triangles are divided when they may have come into range, no
   CHECK(indices.size() == overlap.overlap->interior_points().size());
   for (size_t i = 0; i < indices.size(); ++i) CHECK(indices[i] == static_cast<int>(i));
   CHECK(overlap.area() == Approx(common(setup)).margin(1e-6));
-  // They are divided once.
+  // They are subdivided once.
   CHECK(overlap.overlap->subdivide_approached(overlap.shifted({0, 0, -1.2 * range})).empty());
 }
 
-TEST_CASE("deferred subdivision gives the samples of the start of the step, whatever the path", "[contact][overlap]") {
+TEST_CASE("deferred subdivision gives the interior points of the start of the step, whatever the path", "[contact][overlap]") {
   const Setup setup{.corner = {0.31, -0.17, 1.5 * range}};
   RandomPoints random(2);
   Overlap all(setup);
@@ -177,16 +177,16 @@ TEST_CASE("deferred subdivision gives the samples of the start of the step, what
     const auto known = overlap.overlap->interior_points();
     const auto indices = overlap.overlap->subdivide_approached(y);
     rounds += !indices.empty();
-    // The new samples are at these indices, and the others keep their order.
+    // The new points are at these indices, and the others keep their order.
     std::vector<InteriorPoint> others = overlap.overlap->interior_points();
     for (size_t i = indices.size(); i > 0; --i) others.erase(others.begin() + indices[i - 1]);
     REQUIRE(others.size() == known.size());
     for (size_t i = 0; i < known.size(); ++i) CHECK(others[i].inside == known[i].inside);
     // No triangle of the overlap that is within range is still deferred.
-    std::set<int> divided;
-    for (const InteriorPoint& s : overlap.overlap->interior_points()) divided.insert(s.triangle);
+    std::set<int> subdivided;
+    for (const InteriorPoint& s : overlap.overlap->interior_points()) subdivided.insert(s.triangle);
     for (const InteriorPoint& s : all.overlap->interior_points()) {
-      if (divided.count(s.triangle)) continue;
+      if (subdivided.count(s.triangle)) continue;
       const auto& mesh = overlap.at->surface.mesh;
       for (size_t t = 0; t < mesh.triangles.size(); ++t)
         if (mesh.vertex_object[mesh.triangles[t][0]] == 1) CHECK(triangles_apart(corners(y, mesh.triangles[s.triangle]), corners(y, mesh.triangles[t]), range) >= range * (1 - 1e-6));

@@ -1,4 +1,4 @@
-// Division of a partly overlapping triangle: its samples have the area, the centroid and the
+// Subdivision of a partly overlapping triangle: its interior points have the area, the centroid and the
 // derivative of the exact overlap, which is a polygon in the plane of the opposite surface.
 #include "framework/contact/triangle_subdivision.hpp"
 
@@ -105,7 +105,7 @@ const Corners3 right_triangle = {Vec3(0, 0, 0.1), Vec3(0, 1, 0.1), Vec3(1, 0, 0.
 
 }  // namespace
 
-TEST_CASE("a triangle that overlaps as a whole has its area and centroid, one sample a cell", "[contact][division]") {
+TEST_CASE("a triangle that overlaps as a whole has its area and centroid, one interior point a cell", "[contact][subdivision]") {
   for (const int depth : {1, 2, 4}) {
     const Subdivision d = Scene(right_triangle).rectangle({3, 3}, {-1, -1, 0}, 3, 3).subdivide(0.2, depth);
     REQUIRE(d.points.size() == static_cast<size_t>(1 << 2 * depth));
@@ -127,7 +127,7 @@ TEST_CASE("a triangle that overlaps as a whole has its area and centroid, one sa
   }
 }
 
-TEST_CASE("a triangle over the end of a surface has the area of the closed form", "[contact][division]") {
+TEST_CASE("a triangle over the end of a surface has the area of the closed form", "[contact][subdivision]") {
   // Left of x = c lies 1/2 - (1 - c)^2 / 2 of the right triangle.
   for (const double c : {0.01, 0.25, 0.5, 0.77, 0.999}) {
     const Subdivision d = Scene(right_triangle).rectangle({2, 3}, {c - 3, -1, 0}, 3, 3).subdivide(0.2, 2);
@@ -138,7 +138,7 @@ TEST_CASE("a triangle over the end of a surface has the area of the closed form"
   }
 }
 
-TEST_CASE("overlaps of random triangles with a rectangle are those of their projections, whatever its mesh", "[contact][division]") {
+TEST_CASE("overlaps of random triangles with a rectangle are those of their projections, whatever its mesh", "[contact][subdivision]") {
   RandomPoints random(1);
   int partly = 0;
   for (int trial = 0; trial < 25; ++trial) {
@@ -155,7 +155,7 @@ TEST_CASE("overlaps of random triangles with a rectangle are those of their proj
   CHECK(partly > 10);
 }
 
-TEST_CASE("overlaps with two surfaces that meet in a line add up to that with both as one", "[contact][division]") {
+TEST_CASE("overlaps with two surfaces that meet in a line add up to that with both as one", "[contact][subdivision]") {
   RandomPoints random(2);
   for (int trial = 0; trial < 30; ++trial) {
     const Corners3 own = random_triangle(random, {0.5, 0.5, 0.4}, 0.3);
@@ -165,7 +165,7 @@ TEST_CASE("overlaps with two surfaces that meet in a line add up to that with bo
   }
 }
 
-TEST_CASE("the overlap does not depend on depth, rotation, translation, or the rotation of corners", "[contact][division]") {
+TEST_CASE("the overlap does not depend on depth, rotation, translation, or the rotation of corners", "[contact][subdivision]") {
   RandomPoints random(3);
   for (int trial = 0; trial < 6; ++trial) {
     Corners3 own = random_triangle(random, {0.8, 0.7, 0.4}, 0.3);
@@ -179,7 +179,7 @@ TEST_CASE("the overlap does not depend on depth, rotation, translation, or the r
   }
 }
 
-TEST_CASE("the derivative of the overlap by a shift is the length of its boundary across the shift", "[contact][division]") {
+TEST_CASE("the derivative of the overlap by a shift is the length of its boundary across the shift", "[contact][subdivision]") {
   RandomPoints random(4);
   for (int trial = 0; trial < 15; ++trial) {
     const Corners3 own = random_triangle(random, {0.9, 0.8, 0.4}, 0.3);
@@ -201,7 +201,7 @@ TEST_CASE("the derivative of the overlap by a shift is the length of its boundar
   }
 }
 
-TEST_CASE("the overlap with an L is that of its squares but for one cell at its inner corner", "[contact][division]") {
+TEST_CASE("the overlap with an L is that of its squares but for one cell at its inner corner", "[contact][subdivision]") {
   RandomPoints random(6);
   int within = 0;
   for (int trial = 0; trial < 20; ++trial) {
@@ -229,19 +229,19 @@ TEST_CASE("the overlap with an L is that of its squares but for one cell at its 
   CHECK(within > 0);
 }
 
-TEST_CASE("only what is nearer than twice the range overlaps", "[contact][division]") {
+TEST_CASE("only what is nearer than twice the range overlaps", "[contact][subdivision]") {
   for (const double range : {0.049, 0.051}) {
     const Subdivision d = Scene(right_triangle).rectangle({1, 1}, {-1, -1, 0}, 3, 3).subdivide(range, 2);
     CHECK(d.area() == Approx(range < 0.05 ? 0 : 0.5));
   }
 }
 
-TEST_CASE("a triangle that faces away has no overlap, one of a sheet has", "[contact][division]") {
+TEST_CASE("a triangle that faces away has no overlap, one of a sheet has", "[contact][subdivision]") {
   const Corners3 up = {right_triangle[0], right_triangle[2], right_triangle[1]};
   for (const bool sheet : {false, true}) CHECK(Scene(up, sheet).rectangle({1, 1}, {-1, -1, 0}, 3, 3).subdivide(0.2, 2).area() == Approx(sheet ? 0.5 : 0));
 }
 
-TEST_CASE("cells that are left out are out of range, and divided later they complete the overlap", "[contact][division]") {
+TEST_CASE("skipped cells are out of range, and subdivided later they complete the overlap", "[contact][subdivision]") {
   RandomPoints random(5);
   size_t skipped = 0;
   for (int trial = 0; trial < 20; ++trial) {
@@ -259,7 +259,7 @@ TEST_CASE("cells that are left out are out of range, and divided later they comp
       const size_t before = d.points.size();
       subdivision.subdivide_cell({0, 1, range, 3}, cell, scene.others(), nullptr, d.points, d.facets);
       CHECK(d.points.size() <= before + 1);
-      // A sample of a cell is out of range by as much as the cell at least.
+      // An interior point of a cell is out of range by as much as the cell at least.
       for (size_t i = before; i < d.points.size(); ++i) {
         CHECK(d.points[i].cell == cell);
         const Vec3 p = point_inside(s.lagged.x(), s.surface.mesh.triangles[0], d.points[i].inside);
@@ -279,7 +279,7 @@ TEST_CASE("cells that are left out are out of range, and divided later they comp
   CHECK(skipped > 20);
 }
 
-TEST_CASE("the depth of cells is the least for which they have the size, from one division on", "[contact][division]") {
+TEST_CASE("the depth of cells is the least for which they have the size, from one division on", "[contact][subdivision]") {
   for (const double area : {0.5, 2.0, 1e-6})
     for (const double ratio : {0.03, 0.11, 0.3, 0.7}) {
       const double side = std::sqrt(2 * area), size = ratio * side;
@@ -290,4 +290,4 @@ TEST_CASE("the depth of cells is the least for which they have the size, from on
   CHECK(TriangleSubdivision::depth_of(1, 100) == 1);
 }
 
-TEST_CASE("pins the largest depth of cells", "[contact][division]") { CHECK(TriangleSubdivision::depth_of(1, 1e-9) == 6); }
+TEST_CASE("pins the largest depth of cells", "[contact][subdivision]") { CHECK(TriangleSubdivision::depth_of(1, 1e-9) == 6); }

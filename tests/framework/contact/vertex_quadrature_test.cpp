@@ -69,7 +69,7 @@ double area(const Points& points, const VertexQuadrature& quadrature, int law, i
 
 }  // namespace
 
-TEST_CASE("points of the integrating side carry the area of the surface, on all triangles opposite", "[contact][pieces]") {
+TEST_CASE("points of the integrating side carry the area of the surface, on all triangles opposite", "[contact][quadrature]") {
   Points points(plates({3, 4}, {2, 2}));
   points.pairs.point(0, 1) = pressure_role();
   const VertexQuadrature quadrature = points.make();
@@ -85,7 +85,7 @@ TEST_CASE("points of the integrating side carry the area of the surface, on all 
   }
 }
 
-TEST_CASE("weights by size are a partition of unity: both sides together carry the area once", "[contact][pieces]") {
+TEST_CASE("weights by size are a partition of unity: both sides together carry the area once", "[contact][quadrature]") {
   for (const auto& [upper, lower] : {std::pair(3, 3), std::pair(3, 4), std::pair(2, 9)}) {
     Points points(plates({upper, upper}, {lower, lower}));
     PairRole role = pressure_role();
@@ -102,7 +102,7 @@ TEST_CASE("weights by size are a partition of unity: both sides together carry t
   }
 }
 
-TEST_CASE("the side that does not integrate has the safety barrier on its whole area", "[contact][pieces]") {
+TEST_CASE("the side that does not integrate has the safety barrier on its whole area", "[contact][quadrature]") {
   Points points(plates({3, 3}, {2, 2}));
   points.pairs.point(0, 1) = pressure_role();
   points.pairs.point(1, 0) = {barrier_law, 1, barrier_range};
@@ -112,7 +112,7 @@ TEST_CASE("the side that does not integrate has the safety barrier on its whole 
   CHECK(area(points, quadrature, whole_law, 0) == Approx(1));
 }
 
-TEST_CASE("a piece acts on the triangles of its patch, the safety barrier on the others", "[contact][pieces]") {
+TEST_CASE("a quadrature point acts on the triangles of its patch, the safety barrier on the others", "[contact][quadrature]") {
   // A vertex above the top of a box, near its edge: it faces the top, not the sides.
   SurfaceBuilder builder;
   builder.add_rectangle({1, 1}, 0, {0.4, 0.4, 0.1}, 0.2, 0.2, false);
@@ -128,7 +128,7 @@ TEST_CASE("a piece acts on the triangles of its patch, the safety barrier on the
   }
 }
 
-TEST_CASE("pieces leave out triangles that stay out of range", "[contact][pieces]") {
+TEST_CASE("quadrature points leave out triangles that stay out of range", "[contact][quadrature]") {
   RandomPoints random(1);
   Points points(plates({3, 3}, {4, 4}));
   for (double& bound : points.candidates.distance_bounds.point_triangle) bound = random.uniform(0, 1);
@@ -144,7 +144,7 @@ TEST_CASE("pieces leave out triangles that stay out of range", "[contact][pieces
   }
 }
 
-TEST_CASE("plain sums have one piece for a point, of its whole area times the weight", "[contact][pieces]") {
+TEST_CASE("plain sums have one quadrature point for a vertex, of its whole area times the weight", "[contact][quadrature]") {
   Points points(plates({3, 3}, {2, 2}));
   points.pairs.plain_sums = true;
   points.pairs.point(0, 1) = points.pairs.point(1, 0) = {whole_law, 0.25, range};
@@ -153,14 +153,14 @@ TEST_CASE("plain sums have one piece for a point, of its whole area times the we
   for (int object = 0; object < 2; ++object) CHECK(area(points, quadrature, whole_law, object) == Approx(0.25));
 }
 
-TEST_CASE("pairs without a law have no pieces", "[contact][pieces]") {
+TEST_CASE("pairs without a law have no quadrature points", "[contact][quadrature]") {
   Points points(plates({3, 3}, {2, 2}));
   const VertexQuadrature quadrature = points.make();
   CHECK(quadrature.points.empty());
   CHECK(quadrature.group_begin.size() == points.groups.groups.size() + 1);
 }
 
-TEST_CASE("pieces of groups follow each other in the order of the groups", "[contact][pieces]") {
+TEST_CASE("quadrature points of groups follow each other in the order of the groups", "[contact][quadrature]") {
   // More groups than a chunk, so that chunks are joined.
   Points points(plates({20, 20}, {2, 2}));
   points.pairs.point(0, 1) = pressure_role();
@@ -183,7 +183,7 @@ TEST_CASE("pieces of groups follow each other in the order of the groups", "[con
   }
 }
 
-TEST_CASE("joined pieces are those of the chunks, one after another", "[contact][pieces]") {
+TEST_CASE("joined quadrature points are those of the chunks, one after another", "[contact][quadrature]") {
   RandomPoints random(2);
   std::vector<VertexQuadrature> chunks(6);
   for (VertexQuadrature& c : chunks)
@@ -230,7 +230,7 @@ TEST_CASE("joined pieces are those of the chunks, one after another", "[contact]
   CHECK(all.group_begin.back() == static_cast<int>(point));
 }
 
-TEST_CASE("pieces that are taken over from an earlier list are those of a list from scratch", "[contact][pieces]") {
+TEST_CASE("quadrature points that are taken over from an earlier list are those of a list from scratch", "[contact][quadrature]") {
   Points points(plates({5, 5}, {3, 3}));
   points.pairs.point(0, 1) = pressure_role();
   points.pairs.point(1, 0) = {barrier_law, 1, barrier_range};

@@ -42,7 +42,7 @@ const Vec3 down = -Vec3::UnitZ();
 
 }  // namespace
 
-TEST_CASE("a point above a plane sees one patch, at its height, whatever the mesh of the plane", "[contact][view]") {
+TEST_CASE("a point above a plane sees one patch, at its height, whatever the mesh of the plane", "[contact][visibility]") {
   for (const std::array<int, 2> cells : {std::array{1, 1}, std::array{3, 2}, std::array{8, 7}}) {
     Eye eye(down);
     eye.builder.add_rectangle(cells, 1, {-1, -1, 0}, 2, 2);
@@ -59,7 +59,7 @@ TEST_CASE("a point above a plane sees one patch, at its height, whatever the mes
   }
 }
 
-TEST_CASE("the area of a point towards a plane is its area times the cosine of the tilt, none past a right angle", "[contact][view]") {
+TEST_CASE("the area of a point towards a plane is its area times the cosine of the tilt, none past a right angle", "[contact][visibility]") {
   for (const double degrees : {0.0, 20.0, 60.0, 89.0, 91.0, 180.0}) {
     const double angle = degrees / 180 * M_PI;
     Eye eye({std::sin(angle), 0, -std::cos(angle)});
@@ -72,7 +72,7 @@ TEST_CASE("the area of a point towards a plane is its area times the cosine of t
   }
 }
 
-TEST_CASE("a point behind a solid's face sees nothing, one behind a sheet sees its other side", "[contact][view]") {
+TEST_CASE("a point behind a solid's face sees nothing, one behind a sheet sees its other side", "[contact][visibility]") {
   for (const bool sheet : {false, true}) {
     Eye eye(Vec3::UnitZ());
     eye.builder.add_rectangle({2, 2}, 1, {-1, -1, 0}, 2, 2, true, sheet);
@@ -85,7 +85,7 @@ TEST_CASE("a point behind a solid's face sees nothing, one behind a sheet sees i
   }
 }
 
-TEST_CASE("past a boundary, the overshoot is the distance to it in the plane", "[contact][view]") {
+TEST_CASE("past a boundary, the overshoot is the distance to it in the plane", "[contact][visibility]") {
   for (const std::array<int, 2> cells : {std::array{1, 1}, std::array{4, 5}}) {
     Eye eye(down);
     eye.builder.add_rectangle(cells, 1, {0, 0, 0}, 1, 1);
@@ -100,7 +100,7 @@ TEST_CASE("past a boundary, the overshoot is the distance to it in the plane", "
   }
 }
 
-TEST_CASE("a smooth surface goes on beyond its inner edges: the overshoot is zero there", "[contact][view]") {
+TEST_CASE("a smooth surface goes on beyond its inner edges: the overshoot is zero there", "[contact][visibility]") {
   // A cylinder of radius 1 in facets of 9 degrees.
   const int n = 10;
   const auto ridge = [](double u, double v) { return Vec3(std::sin(M_PI / 2 * (u - 0.5)), v, std::cos(M_PI / 2 * (u - 0.5))); };
@@ -115,7 +115,7 @@ TEST_CASE("a smooth surface goes on beyond its inner edges: the overshoot is zer
   }
 }
 
-TEST_CASE("a point in a corner of three faces sees three patches, the nearest first", "[contact][view]") {
+TEST_CASE("a point in a corner of three faces sees three patches, the nearest first", "[contact][visibility]") {
   Eye eye(-Vec3(1, 1, 1).normalized());
   const auto face = [&](const Vec3& u, const Vec3& v) { eye.builder.add_grid({3, 3}, 1, [=](double a, double b) { return Vec3(a * u + b * v); }); };
   face(Vec3::UnitX(), Vec3::UnitY());
@@ -135,7 +135,7 @@ TEST_CASE("a point in a corner of three faces sees three patches, the nearest fi
   CHECK(view.patch_of(-Vec3::UnitX()) == -1);
 }
 
-TEST_CASE("over an edge of a box, the face that the point faces most leads", "[contact][view]") {
+TEST_CASE("over an edge of a box, the face that the point faces most leads", "[contact][visibility]") {
   for (const bool top : {true, false}) {
     Eye eye(top ? Vec3(-1, 0, -2).normalized() : Vec3(-2, 0, -1).normalized());
     eye.builder.add_box({0, 0, 0}, {1, 1, 1}, 1);
@@ -150,7 +150,7 @@ TEST_CASE("over an edge of a box, the face that the point faces most leads", "[c
   }
 }
 
-TEST_CASE("the first patch is the nearest of all triangles that face the point, by brute force", "[contact][view]") {
+TEST_CASE("the first patch is the nearest of all triangles that face the point, by brute force", "[contact][visibility]") {
   RandomPoints random(1);
   int seen = 0;
   for (int trial = 0; trial < 300; ++trial) {
@@ -191,7 +191,7 @@ TEST_CASE("the first patch is the nearest of all triangles that face the point, 
   CHECK(seen > 150);
 }
 
-TEST_CASE("a view does not depend on the order of triangles, on rotation or on translation", "[contact][view]") {
+TEST_CASE("visible patches do not depend on the order of triangles, on rotation or on translation", "[contact][visibility]") {
   RandomPoints random(2);
   Eye eye(-Vec3(0.2, 0.3, 0.9).normalized());
   eye.builder.add_grid({6, 6}, 1, [&](double u, double v) { return Vec3(Vec3(2 * u - 1, 2 * v - 1, 1.5 * u * u) + random.point(0.02)); });
@@ -214,7 +214,7 @@ TEST_CASE("a view does not depend on the order of triangles, on rotation or on t
   }
 }
 
-TEST_CASE("a vertex sees with the projection of its tributary area, and not from the far side of its plate", "[contact][view]") {
+TEST_CASE("a vertex sees patches with the projection of its tributary area, and none from the far side of its plate", "[contact][visibility]") {
   SurfaceBuilder builder;
   builder.add_box({0, 0, 0.1}, {1, 1, 0.2}, 0);
   builder.add_rectangle({1, 1}, 1, {-1, -1, 0}, 3, 3);
@@ -230,7 +230,7 @@ TEST_CASE("a vertex sees with the projection of its tributary area, and not from
   CHECK(area == Approx(1));
 }
 
-TEST_CASE("pins the height over distance from which a surface sees itself", "[contact][view]") {
+TEST_CASE("pins the height over distance from which a surface sees itself", "[contact][visibility]") {
   // Two separate rectangles of one object; the point lies past the boundary of the second one.
   for (const double slope : {0.14, 0.16}) {
     SurfaceBuilder builder;
@@ -243,7 +243,7 @@ TEST_CASE("pins the height over distance from which a surface sees itself", "[co
   }
 }
 
-TEST_CASE("pins the angle within which normals are one patch", "[contact][view]") {
+TEST_CASE("pins the angle within which normals are one patch", "[contact][visibility]") {
   for (const double degrees : {49.0, 51.0}) {
     const double angle = degrees / 180 * M_PI;
     Eye eye(down);
