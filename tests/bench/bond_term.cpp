@@ -7,7 +7,7 @@
 namespace tack::bench {
 namespace {
 
-// The Hessians of a term's stencils, clamped, where vertices have moved by up to a third of what bonds bear.
+// The Hessians of a term's stencils, clamped, whose vertices have moved by up to a third of the opening at which bonds fail.
 void per_stencil(benchmark::State& state, const Scene& scene, const Term& term) {
   const VecX x = scene.world->rest + random_motion(scene.world->rest.size() / 3, 5e-5);
   size_t vertices = 0, blocks = 0;

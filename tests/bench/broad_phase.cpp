@@ -11,7 +11,7 @@ namespace {
 
 constexpr double range = 2e-3;  // m
 
-// skin 0: exactly the pairs that other programs search; skin = range: what a run uses.
+// skin 0: the pairs that other programs search; skin = range: as in a run.
 double skin_of(const benchmark::State& state) { return state.range(0) ? range : 0.0; }
 
 void broad_phase_build(benchmark::State& state) {
@@ -27,7 +27,7 @@ void broad_phase_build(benchmark::State& state) {
 }
 BENCHMARK(broad_phase_build)->ArgName("skin")->Arg(0)->Arg(1)->Apply(in_milliseconds);
 
-// Alternates between two configurations so far apart that each update searches anew.
+// Alternates between two configurations so far apart that each update searches again.
 void broad_phase_rebuild(benchmark::State& state) {
   const auto scene = sheets("area", Laws::barrier_and_adhesion);
   const ContactSystem& contact = *scene->world->contact;

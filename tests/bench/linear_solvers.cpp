@@ -25,13 +25,13 @@ std::array<VecX, 2> neighbouring_states() {
   return {before, simulation.state().x};
 }
 
-// Made once: all solvers get the same systems.
+// Built once, so that all solvers get equal systems.
 const Systems& systems() {
   static const Systems made = [] {
     const auto scene = two_blocks();
     const auto states = neighbouring_states();
     Systems s;
-    // The pattern grows to hold both states; only then both matrices have the same one.
+    // The pattern grows to hold both states; only then both matrices have one pattern.
     for (int round = 0; round < 2; ++round) {
       for (int i = 0; i < 2; ++i) {
         scene->move_to(states[i]);

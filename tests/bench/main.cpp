@@ -1,5 +1,5 @@
-// Benchmarks of every phase of a run. `./tack bench` runs them; docs/performance.md tells how the
-// figures are taken. What loops over registered components is added after the static initialisers.
+// Benchmarks of every phase of a run. `./tack bench` runs them; docs/performance.md explains how the
+// figures are measured. Benchmarks of registered components are added after the static initialisers.
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/registered.hpp"

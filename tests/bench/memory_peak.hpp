@@ -1,4 +1,4 @@
-// The most memory that the program has held since an object was made (Linux: VmHWM, whose reset
+// The largest memory that the program has used since an object was made (Linux: VmHWM, whose reset
 // needs a kernel that has /proc/self/clear_refs; without, it is the most since the program began).
 #pragma once
 
@@ -11,7 +11,7 @@ class MemoryPeak {
  public:
   MemoryPeak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-  // Resident, with what the program holds anyway; 0 if the system does not tell.
+  // Resident memory of the whole program; 0 if the system does not report it.
   double megabytes() const {
     std::ifstream in("/proc/self/status");
     for (std::string word; in >> word;) {

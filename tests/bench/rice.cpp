@@ -52,7 +52,7 @@ void rice_some_candidates(benchmark::State& state) {
 BENCHMARK(rice_some_candidates)->ArgName("own")->Arg(0)->Arg(1)->Apply(in_milliseconds);
 
 // Contacts, candidates included, where one object in a hundred goes away and comes back within a step. all 1: so does a vertex of the pan's rim, which is
-// fixed, so that all are searched and looked at anew.
+// fixed, so that all are searched and evaluated again.
 void rice_some_contacts(benchmark::State& state) {
   const auto scene = rice();
   ContactSystem& contact = *scene->world->contact;

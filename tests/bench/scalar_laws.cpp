@@ -14,7 +14,7 @@ constexpr int count = 1024;
 // Parameters under which laws usually are complete, tried in this order.
 constexpr std::array parameters = {", critical_strain: 0.5", ", peak_traction: 1 kPa", ""};
 
-// Null if the law needs other parameters, or is none of the gap.
+// Null if the law needs other parameters, or is no law of the gap.
 template <class Kind>
 std::shared_ptr<NormalLaw> prepared(const std::string& name) {
   for (const char* more : parameters) {

@@ -46,7 +46,7 @@ objects:
 contact: {distance: 1 mm, friction: {mu: 0.5, eps_v: 1 cm/s}}
 )";
 
-// Mass that nothing holds together: without energies build_world() refuses what can move.
+// Mass without stiffness: build_world() refuses movable bodies without energies.
 class Mass : public Energy {
  public:
   std::unique_ptr<Term> make_term(const Body&, const VecX&) const override { return std::make_unique<Nothing>(); }
@@ -93,7 +93,7 @@ std::unique_ptr<Scene> two_blocks() { return std::make_unique<Scene>(loaded("sta
 VecX random_motion(Eigen::Index vertices, double half_width) {
   std::mt19937 generator(1);
   VecX p(3 * vertices);
-  // Not std::uniform_real_distribution, whose results depend on the library.
+  // Results of std::uniform_real_distribution depend on the library.
   for (double& c : p) c = half_width * (2.0 * generator() / double(std::mt19937::max()) - 1.0);
   return p;
 }

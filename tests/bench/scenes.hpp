@@ -12,7 +12,7 @@ namespace tack::bench {
 // A world about to take its first step: everything is at its start.
 struct Scene {
   explicit Scene(LoadedExperiment loaded);
-  void move_to(const VecX& x);  // the potential, and all that take part
+  void move_to(const VecX& x);  // the potential and all participants
 
   Simulation simulation;
   World* const world = &simulation.world();

@@ -28,7 +28,7 @@ const std::vector<std::map<std::string, std::string>> settings = {
 
 double scale_of(const BondLaw& law) { return law.work_of_adhesion() / law.peak_traction(); }  // m
 
-// As the law has it; 0 if it has none. Half of what viscosity dissipates is in the potential of a step.
+// Viscosity of the law; 0 if it has none. The potential of a step contains half of the viscous dissipation.
 double viscosity_of(const std::string& type, BondLaw& law) {
   if (type == "rcc_explicit") return 0;  // that of a step is a spring, and all that the update takes is dissipated
   const Fields fields = fields_of(law);
@@ -72,7 +72,7 @@ double jump_of(const BondSample& a, const BondSample& b) {
   return std::max({of(a.by_dd, b.by_dd), of(a.by_ds, b.by_ds), of(a.by_ss, b.by_ss)});
 }
 
-// Where the force changes most along a ray, looked at ever more closely: what it changes by there.
+// Returns the largest change of the force along a ray, by repeated refinement around it.
 double force_jump(const BondLaw& law, const double* history, double h, double d, double u) {
   const auto force = [&](double t) {
     const BondSample s = law.at(t * d, t * t * u * u, history, h);
@@ -106,7 +106,7 @@ TEST_CASE("bonds: derivatives", "[bonds]") {
         ++kinks;
         continue;
       }
-      // By ln d and ln s, all of one unit.
+      // Derivatives by ln d and ln s, which have one unit.
       const double scale = std::abs(here.value) + law.work_of_adhesion() * 1e-6 + std::abs(here.by_d * d) + std::abs(here.by_s * s) +
                            std::abs(here.by_dd * d * d) + std::abs(here.by_ds * d * s) + std::abs(here.by_ss * s * s);
       const auto check = [&](double found, double difference) { CHECK(std::abs(found - difference) <= 1e-6 * scale); };
@@ -184,13 +184,13 @@ TEST_CASE("bonds with history variables have at most one direction of negative c
 
 TEST_CASE("bonds pulled slowly: peak, work and dissipation are those of the law", "[bonds]") {
   for_each_law([](const BondLaw& law, const std::string& type) {
-    if (type == "rcc_explicit") return;  // has no slow limit at a given step
+    if (type == "rcc_explicit") return;  // it has no slow limit at a fixed step size
     PulledBond bond(law);
     const double slowly = 1e6;
     bond.pull(3 * scale_of(law), 0, 20000, slowly);
     bond.pull(40 * scale_of(law), 0, 20000, slowly);
     CHECK(bond.peak() == Approx(law.peak_traction()).epsilon(2e-3));
-    CHECK(bond.work() == Approx(law.work_of_adhesion()).epsilon(6e-3));  // some let go a little before the end
+    CHECK(bond.work() == Approx(law.work_of_adhesion()).epsilon(6e-3));  // some fail a little before the end
     CHECK(bond.dissipated() + bond.stored() == Approx(bond.work()).epsilon(1e-3));
   });
 }

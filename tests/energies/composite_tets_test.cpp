@@ -1,4 +1,4 @@
-// Composite tets beyond what every solid has to be (solids_test.cpp).
+// Properties of composite tets beyond those of all solids (solids_test.cpp).
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
@@ -93,7 +93,7 @@ TEST_CASE("composite tets: six modes cost nothing, all others do", "[composite]"
       const MatX k = dense_hessian(*term_of(material, box), box.rest, Projection::none);
       const VecX values = Eigen::SelfAdjointEigenSolver<MatX>(k, Eigen::EigenvaluesOnly).eigenvalues();
       CHECK(std::abs(values(5)) <= 1e-10 * values(values.size() - 1));
-      CHECK(values(6) >= 0.01 * 1e5 / 3);  // m: what a soft mode of a cell of a metre has, of mu
+      CHECK(values(6) >= 0.01 * 1e5 / 3);  // m: stiffness of a soft mode of a cell of 1 m, over mu
     }
   }
 }
@@ -113,7 +113,7 @@ TEST_CASE("composite tets: a flattened part has unbounded energy, for any materi
     };
     CHECK(std::isinf(term->value(at(1.001))));
     CHECK(std::isinf(term->value(at(1))));
-    // Its slope grows as what is left of its height vanishes.
+    // The slope grows as the height vanishes.
     const auto force = [&](double left) { return vertex(dense_gradient(*term, at(1 - left)), part[0]).norm(); };
     CHECK(force(1e-6) > 50 * force(1e-3));
   }
@@ -143,7 +143,7 @@ TEST_CASE("composite tets: plastic flow is homogeneous where the deformation is"
     REQUIRE(strain.size() == static_cast<Eigen::Index>(composite.body.tets.size()));
     CHECK((strain.array() - Published(*plain).field("plastic_strain")(0)).abs().maxCoeff() <= 1e-12);
   }
-  // Derivatives with what has flowed, on either side of the yield surface of parts and points.
+  // Derivatives after plastic flow, on both sides of the yield surface of parts and points.
   const double step_size = 1e-7;
   const VecX x = composite.deformed(some_deformation(random)) + 1e-3 * random.vectors(composite.rest.size());
   const MatX hessian = dense_hessian(*term, x, Projection::none);

@@ -61,7 +61,7 @@ TEST_CASE("damage: loading, unloading through the origin and reloading", "[bonds
       CHECK(bond.traction() == Approx(traction(turn / 2, largest)));
       CHECK(bond.step(0, 0, 1e-2).by_d == 0);
     }
-    // What is left of the work, in all directions alike.
+    // The remaining work, equal in all directions.
     PulledBond whole(*law);
     whole.pull(0, 2e-3, 20000, 1e-2);
     CHECK(whole.change().gone);

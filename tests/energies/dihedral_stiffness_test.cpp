@@ -25,7 +25,7 @@ struct Named {
   SheetBody sheet;
 };
 
-// Every second and third diagonal the other way, here and there.
+// Reverses every second and third diagonal of some cells.
 SheetBody with_mixed_diagonals(SheetBody s) {
   RandomMotions random(7);
   for (size_t t = 0; t + 1 < s.body.sheet.size(); t += 2) {
@@ -59,7 +59,7 @@ std::vector<Named> sheets() {
   return all;
 }
 
-// How far the dihedral edge from a to b opens where the sheet has the heights `up`, by its normals; positive where apexes rise.
+// Returns the angle of the dihedral edge from a to b of a sheet with the heights `up`, from its normals; positive where apexes rise.
 double opened(const VecX& rest, const VecX& up, int a, int b, int left, int right) {
   const auto slope = [&](int apex) {
     const Vec3 along = vertex(rest, b) - vertex(rest, a), arm = vertex(rest, apex) - vertex(rest, a);

@@ -1,4 +1,4 @@
-// Chambers between objects: what they enclose, how they press, and what leaves through their slits.
+// Fluid cavities between objects: volume, pressure, and the leak through slits.
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -54,7 +54,7 @@ TEST_CASE("fluid cavities: two sheets enclose one volume, and its pressure acts 
     const double first = (pressure - outside) * area;
     CHECK((force_on(world, 0, x) + first * Vec3::UnitY()).norm() < 1e-10 * first);
     CHECK((force_on(world, 1, x) - first * Vec3::UnitY()).norm() < 1e-10 * first);
-    // Twice as far apart: p V is what it was, whoever moves.
+    // At twice the distance p V is unchanged, whichever side moves.
     for (const int v : world.vertices_of(1)) vertex(x, v).y() += gap;
     CHECK(chamber_of(world).volume(x) == Approx(2 * area * gap).epsilon(1e-12));
     const double second = (pressure / 2 - outside) * area;
@@ -98,7 +98,7 @@ TEST_CASE("fluid cavities: the content leaks through open slits at the speed of 
         if (gaps == 1.9 && gas) CHECK(run.sample(1).front() == 1);
         for (int i = 0; i < 20; ++i) run.step();
         CHECK(run.sample(0).front() == Approx(before * std::exp(-rate * 0.2)).epsilon(1e-9));
-        // Of an isothermal gas, p V = m p0 V0.
+        // Isothermal gas: p V = m p0 V0.
         if (gas) CHECK(run.sample(1).front() == Approx((run.sample(0).front() + outside) * gaps / (over > 0 ? 400e3 : outside)).epsilon(1e-9));
       }
 }

@@ -1,4 +1,4 @@
-// Loads that follow what they act on: derivatives, closed forms, and what they do to energy.
+// Following loads: derivatives, closed forms, and the energy balance.
 #include <catch2/catch.hpp>
 
 #include <Eigen/Geometry>
@@ -20,7 +20,7 @@ namespace {
 
 std::string scaled(double unit, double number) { return fmt::format("{:.12g}", unit * number); }
 
-// A closed sheet, an open one, a solid with a cavity, an affine body and one that is held by a face, each under every load.
+// A closed sheet, an open one, a solid with a cavity, an affine body and a body fixed at a face, each under every load.
 struct Case {
   const char* name;
   const char* object;
@@ -110,7 +110,7 @@ TEST_CASE("following loads: tack check finds nothing wrong", "[loads]") {
   }
 }
 
-// With what closes itself, nothing from outside acts: no force, no moment.
+// A closed surface has neither net force nor moment.
 TEST_CASE("a pressure within a closed surface has no net force and no moment", "[loads]") {
   for (const int i : {0, 6, 8}) {
     TestScene s(scene(cases[i]));
@@ -124,7 +124,7 @@ TEST_CASE("a pressure within a closed surface has no net force and no moment", "
   }
 }
 
-// What follows the step of a boundary that moves is its areas, but for what the boundary does in the step.
+// The areas of a moving boundary follow its steps; motion within a step is neglected.
 TEST_CASE("pressure on an open sheet uses the areas at the start of a step, with an error of second order", "[loads]") {
   TestScene s(scene(cases[1]));
   World& world = *s.world;
@@ -144,7 +144,7 @@ TEST_CASE("pressure on an open sheet uses the areas at the start of a step, with
   }
 }
 
-// Of a solid: - p / K, with the small strain's K of the material.
+// For a solid: - p / K, with the bulk modulus at small strain.
 TEST_CASE("a block under a pressure all around shrinks by p over the bulk modulus, whatever the unit, solver and projection", "[loads]") {
   const double p = 100, young = 1e5, nu = 0.3, bulk = young / (3 * (1 - 2 * nu));
   for (const double unit : {1e-3, 1.0, 1e3})
@@ -202,7 +202,7 @@ TEST_CASE("a sheet that falls in air has the speed of the closed form", "[loads]
   }
 }
 
-// Over 1/2 rho c_d U^2 times the frontal area. Each surface counts once, whatever it belongs to: the lee of what is closed carries no pressure.
+// Over 1/2 rho c_d U^2 times the frontal area. Each surface counts once: the lee of closed surfaces carries no pressure.
 TEST_CASE("the drag of wind on solids, sheets and affine bodies is that of modified Newtonian flow", "[loads]") {
   const std::string solid = "energies: [{type: neo_hookean, young: 0.1 MPa, density: 1000}]", affine = "body: {type: affine, density: 1000}",
                     film = "shell: {thickness: 1 mm}, energies: [{type: neo_hookean_membrane, young: 1 MPa, density: 1000}]";
@@ -275,7 +275,7 @@ TEST_CASE("a field has the forces of its formula: weight, a spring, a damper", "
   CHECK(fall("{type: field, y: -3 * vy}", "", 60) == Approx((1 - std::exp(-0.9)) / 3).epsilon(1e-3));
 }
 
-// Of whatever acts, the balance of energy of a step without losses closes by the integrator's error, which falls with the step.
+// For each load, the energy balance of a step without losses closes up to the integrator's error, which falls with the step size.
 TEST_CASE("the work of following loads equals the energy of the bodies", "[loads]") {
   for (const Case& c : cases) {
     INFO(c.name);

@@ -30,7 +30,7 @@ struct Measured {
   }
 };
 
-// As it is, the end included.
+// Returns the law, its end included.
 void check_statements(const NormalAdhesion& law) {
   const Measured measured(law);
   CHECK(law.peak_traction() == Approx(measured.peak).epsilon(1e-6));

@@ -1,4 +1,4 @@
-// Joints: exact in trees, loops and between what moves; limits, friction, motors against closed forms; what is refused.
+// Joints: exactness in trees, loops and between moving objects; limits, friction, motors against closed forms; refused joints.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -85,7 +85,7 @@ TEST_CASE("hinges count whole turns, and start at the given angle", "[joints]") 
 }
 
 TEST_CASE("initial velocities that joints do not allow are projected like an impact", "[joints]") {
-  // A bar that flies at right angles, caught at its end: L = m v l/2 is kept, so w = 3 v / (2 l).
+  // A bar that flies at right angles, caught at its end: L = m v l/2 is conserved, so w = 3 v / (2 l).
   TestRun run(scene(bar(0, ", velocity: [0, 1, 0]"), hinge + "}", angle, "step: 1 ms, duration: 1"));
   run.step();
   CHECK(run.sample(0)[0] / 1e-3 == Approx(1.5 / 0.2).epsilon(5e-3));
@@ -159,7 +159,7 @@ TEST_CASE("limits are unilateral at any speed and step size", "[joints]") {
 }
 
 TEST_CASE("a slider on a rotating body stays on its line within its stiffness", "[joints]") {
-  // Held out by its limit at 0.1 m further out, at 10 rad/s.
+  // Its limit stops it 0.1 m further out, at 10 rad/s.
   TestRun run(scene(bar(0, ", spin: [0, 0, 10], velocity: [0, 1, 0]") + bar(1, ", spin: [0, 0, 10], velocity: [0, 3, 0]"),
                     hinge + "}, {type: slider, name: s, object: bar_1, to: bar_0, at: [0.2, 0, 0], axis: [1, 0, 0], limits: {low: -0.05, high: 0.1}}",
                     "probes: [{name: w, type: joint_way, interaction: s}, {name: e, type: joint_error, interaction: s}]\n", "step: 2 ms, duration: 1"));

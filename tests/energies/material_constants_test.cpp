@@ -91,7 +91,7 @@ TEST_CASE("small shear and small dilation show the shear and bulk moduli", "[sol
   }
 }
 
-// Of fixed_corotated, below a tenth of the volume.
+// Barrier of fixed_corotated, below a tenth of the volume.
 double crushed_barrier(double j, double mu, double lambda) {
   const double r = j / 0.1;
   return r < 1 ? -(lambda + 2 * mu) * 0.1 * (1 - r) * (1 - r) * std::log(r) : 0;

@@ -23,7 +23,7 @@ const std::vector<std::map<std::string, std::string>> strengths = {
 
 const std::vector<PairMaterials> pairs = {{1e-3, 1e4, 0}, {1e-3, 1e6, 3e3}, {0.7e-3, 3e4, 1e9}};
 
-// check(law, pair) for every variant and pair; of adhesions, those that are a law of the gap.
+// Calls check(law, pair) for every variant and pair; adhesions only if they are laws of the gap.
 template <class Base, class Sort = Base, class Check>
 void for_each_law(const Check& check) {
   const auto all = variants<Base, Sort>(strengths);
@@ -160,7 +160,7 @@ TEST_CASE("barriers repel, and without bound as the gap closes", "[laws]") {
       REQUIRE(s.value > 0);
       REQUIRE(s.slope < 0);
     }
-    // From gap to squared gap the value grows at least as much as before: no bound.
+    // From gap to squared gap the value grows at least as much as before, so it is unbounded.
     double before = 0, growth = 0;
     for (const double u : {1e-2, 1e-4, 1e-8, 1e-16, 1e-32}) {
       const double value = law.at(u * law.range()).value;

@@ -15,10 +15,10 @@ std::unique_ptr<BondLaw> rcc(const std::string& more = "", const std::string& ty
 }
 
 struct Pulled {
-  double peak, work;  // of sqrt(W C_N) and W; work as the force at the end of each step times its way
+  double peak, work;  // over sqrt(W C_N) and W; work: force at the end of each step times its displacement
 };
 
-// At 1 mm/s to ten times the onset.
+// Pulls at 1 mm/s to ten times the onset.
 Pulled pulled(const std::string& type, double viscosity, double h) {
   const auto law = rcc(", viscosity: " + std::to_string(viscosity), type);
   PulledBond bond(*law);
@@ -38,7 +38,7 @@ TEST_CASE("rcc: onset, peak, intensity and work of slow loading", "[bonds]") {
   CHECK(before.traction() == Approx(stiffness * onset * 0.9999));
   for (const double angle : {0.0, 0.3, 1.0, 1.57}) {
     PulledBond bond(*law);
-    const double d = std::cos(angle), u = std::sin(angle), per = stiffness * (d * d + 4 * u * u);  // k of a unit way
+    const double d = std::cos(angle), u = std::sin(angle), per = stiffness * (d * d + 4 * u * u);  // k per unit displacement
     for (const double way : {0.4, 1.2, 2.0, 3.0}) {
       const double x = way * onset, k = per * x * x;
       bond.pull(x * d, x * u, 500, 1e-2);
@@ -97,7 +97,7 @@ TEST_CASE("explicit rcc overshoots at a fixed opening from h > eta / k on", "[bo
   CHECK(end(0.5) == Approx(0.25));
   CHECK(end(1.2) == Approx(0.1));
   CHECK(end(1.4) == 0);
-  // What it holds, and takes at the end of a step.
+  // Traction and dissipation at the end of a step.
   PulledBond bond(*law);
   CHECK(bond.step(5 * onset, 0, 1e-2).by_d == Approx(5 * peak));
   CHECK(bond.intensity() == Approx(1 - 1e-2 * 24));
@@ -110,7 +110,7 @@ TEST_CASE("explicit rcc under pressure heals, and only slip debonds it", "[bonds
   bond.step(2 * onset, 4 * onset, 1e-2, 1e9);  // k beta of the slip is 8
   const double rate = 1e-2 * (1e9 - 500) - 7;
   CHECK(bond.intensity() == std::min(1.0, 0.5 + 1e-2 * rate));
-  CHECK(bond.change().dissipated < 0);  // it is stretched, and what grows is stored
+  CHECK(bond.change().dissipated < 0);  // the bond is stretched, and its growth stores energy
   PulledBond pulled(*law);
   pulled.step(2 * onset, 0, 1e-2, 100);  // less than it pulls with
   CHECK(pulled.intensity() == Approx(0.5 - 1e-2 * 1));
@@ -119,7 +119,7 @@ TEST_CASE("explicit rcc under pressure heals, and only slip debonds it", "[bonds
 TEST_CASE("rcc without work, viscosity or tangential stiffness", "[bonds]") {
   const auto bond_of = [](const std::string& more) { return bond_law("{type: rcc, normal_stiffness: 1e8, work_of_adhesion: " + more + "}"); };
   {
-    const auto law = bond_of("0, viscosity: 0.01");  // any opening takes its share: beta e / (k + e)
+    const auto law = bond_of("0, viscosity: 0.01");  // any opening reduces the intensity: beta e / (k + e)
     PulledBond bond(*law);
     bond.step(onset, 0, 1e-2);
     CHECK(bond.intensity() == Approx(0.5));
@@ -155,7 +155,7 @@ TEST_CASE("rcc heals exactly under a constant pressure, for any step size", "[bo
     CHECK(bond.intensity() == Approx(0.75 + (0.1 - 0.75) * std::exp(-1e-3 * 2000 * 0.9)));
     for (int i = 0; i < 5; ++i) bond.step(0, 0, 100, 1500);
     CHECK(bond.intensity() == Approx(0.75));
-    bond.step(0, 0, 100, 1000);  // less than what it is saturated for: stays
+    bond.step(0, 0, 100, 1000);  // below saturation: unchanged
     CHECK(bond.intensity() == Approx(0.75));
     CHECK(bond.dissipated() == 0);
   }
@@ -165,7 +165,7 @@ TEST_CASE("rcc heals exactly under a constant pressure, for any step size", "[bo
   CHECK(bond.intensity() == Approx(0.3));
   bond.step(0, 0, 2, 1000);
   CHECK(bond.intensity() == 1);
-  // Where it is stretched, what heals is unstressed: the force stays, and no energy is put in.
+  // Healing of a stretched bond is unstressed: the force stays, and no energy is added.
   PulledBond stretched(*unsaturated);
   stretched.step(0.5 * onset, 0, 0.2, 1000);
   const double kept = stretched.change().kept;
@@ -188,7 +188,7 @@ TEST_CASE("rcc: intensity of new bonds, and failed bonds", "[bonds]") {
     CHECK(!pressed.change().gone);
   }
   CHECK(pressed.intensity() == Approx(1 - std::exp(-5e-3)));
-  // Slid far while it is pressed, it is worn out, and what heals there is unstressed.
+  // A bond that slid far under pressure is worn out, and heals without stress there.
   pressed.step(0, 1e-2, 1e-3, 1000);
   CHECK((!pressed.change().gone && pressed.change().kept < 0.01));
 }

@@ -135,7 +135,7 @@ TEST_CASE("fang adhesion: peak traction and work", "[laws]") {
   CHECK(squared->peak_traction() == Approx(factor * peak).epsilon(1e-13));
   CHECK(squared->at(2 * dhat / std::sqrt(3.0)).slope == Approx(factor * peak).epsilon(1e-13));
   CHECK(squared->work_of_adhesion() == Approx(peak * dhat).epsilon(1e-13));
-  // For any dhat_p the traction is a triangle: the work depends on dhat_a alone.
+  // The traction is a triangle for any dhat_p, so that the work depends on dhat_a alone.
   const auto skewed = fang("critical_strain: 0.3, peak_distance: 0.9 mm, range: 5 mm", pair);
   CHECK(skewed->work_of_adhesion() == Approx(peak * 5e-3 / 2).epsilon(1e-13));
   CHECK(skewed->at(0.9e-3).slope == Approx(peak).epsilon(1e-13));

@@ -1,4 +1,4 @@
-// The energy of rods: its derivatives, what costs nothing, and what simple shapes cost.
+// The energy of rods: derivatives, motions without energy, and energies of simple shapes.
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <numbers>
@@ -113,7 +113,7 @@ TEST_CASE("rods: rigid motions cost nothing, with or without commits in between"
     t.rod.commit(y, t.term);
     CHECK(t.term.value(y) == Approx(energy).epsilon(1e-11));
   }
-  // Nor do moments of forces and twists.
+  // Moments of forces and twists add up to zero too.
   const VecX gradient = dense_gradient(t.term, y);
   Vec3 moment = Vec3::Zero();
   for (int v = 0; v < t.rod.body.vertex_count; ++v) moment += Vec3(vertex(y, v)).cross(Vec3(vertex(gradient, v)));

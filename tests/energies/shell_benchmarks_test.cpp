@@ -32,7 +32,7 @@ std::string mapped_grid(const std::array<int, 2>& cells, bool around, bool alter
   return obj;
 }
 
-// In the middle of a free side, over that of the shells' theory (Scordelis and Lo 1969; MacNeal and Harder 1985).
+// Deflection in the middle of a free side, over that of shell theory (Scordelis and Lo 1969; MacNeal and Harder 1985).
 double roof(int cells, bool alternating) {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "roof.obj").string();

@@ -50,13 +50,13 @@ Vec3 rolled(const Vec3& x, double radius) {
   return {radius * std::sin(x.x() / radius), radius * (1 - std::cos(x.x() / radius)), x.z()};
 }
 
-// Bent by that angle at the line of vertices in the middle.
+// A sheet bent by that angle at the line of vertices in the middle.
 Vec3 folded(const Vec3& x, double angle) {
   const double across = std::max(x.z(), 0.0);
   return {x.x(), across * std::sin(angle), x.z() - across + across * std::cos(angle)};
 }
 
-// check(x) on what a sheet goes through.
+// Calls check(x) for deformations of a sheet.
 template <class Check>
 void for_each_deformation(const Check& check) {
   RandomMotions random(3);
@@ -183,7 +183,7 @@ TEST_CASE("shells: a sheet that is folded flat, and beyond, has finite forces", 
     CHECK(dense_gradient(*term, bent(angle)).allFinite());
     CHECK(dense_hessian(*term, bent(angle), Projection::clamp).allFinite());
   }
-  // Steps carry the angle past pi, in the step that does and in those after it; what is remembered takes it back.
+  // Steps carry the angle past pi, in that step and in later steps; stored turns take it back.
   History history, before;
   VecX x = two.rest;
   for (const double angle : {1.5, 3.0, 3.5, 5.0}) {

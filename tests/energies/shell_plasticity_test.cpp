@@ -143,7 +143,7 @@ TEST_CASE("von Mises membrane: stresses stay on the yield surface, also after a 
       const Mat2 after = point.kirchhoff(f);
       CHECK((before - after).norm() <= 1e-9 * (before.norm() + yield_stress));
       CHECK((before - before.transpose()).norm() <= 1e-9 * (before.norm() + yield_stress));
-      CHECK(energy - point.value(f) == Approx(work).margin(1e-9 * energy));  // what is stored and what is lost are all
+      CHECK(energy - point.value(f) == Approx(work).margin(1e-9 * energy));  // stored energy and dissipation are the whole work
       CHECK(von_mises(after) <= (yield_stress + hardening * point.plastic_strain()) * (1 + 1e-9));
       CHECK(point.dissipated(f) == 0);
       const bool flowed = point.plastic_strain() > strain;
@@ -153,7 +153,7 @@ TEST_CASE("von Mises membrane: stresses stay on the yield surface, also after a 
       strain = point.plastic_strain();
     }
     CHECK(flows >= 8);
-    // As a sheet of the same memory has it.
+    // Equals that of a sheet with equal history variables.
     Point other(hardening);
     const_cast<Term&>(other.term()).load_history(point.history());
     const Mat2 f = random_deformation(random, 0.2);

@@ -34,7 +34,7 @@ bool fills_tets(const Energy& energy) {
   };
   return takes(boxes().front().body, boxes().front().rest) && !takes(Body(), VecX());
 }
-const std::map<std::string, std::string> bends = {{"stiffness", "1e-3"}};  // what hinge_bending has to be given
+const std::map<std::string, std::string> bends = {{"stiffness", "1e-3"}};  // required parameters of hinge_bending
 
 // The tested terms, made once: all energies of solids, in every variant.
 struct NamedTerm {

@@ -53,7 +53,7 @@ class Specimen {
     for (int v = 0; v < x.size() / 3; ++v) sum += gradient(3 * v + i) * x(3 * v + i);
     return sum / volume_;
   }
-  // With free sides at a logarithmic strain.
+  // A bar with free sides at a logarithmic strain.
   VecX free_sides(double along) const {
     double low = -0.5, high = 0.5;
     for (int i = 0; i < 60; ++i) {
@@ -73,7 +73,7 @@ class Specimen {
     const VecX x = free_sides(along);
     const double in_step = stress(x, 0);
     keep(x);
-    CHECK(stress(x, 0) == Approx(in_step).epsilon(1e-8));  // what is kept is what is stored, beyond the yield surface too
+    CHECK(stress(x, 0) == Approx(in_step).epsilon(1e-8));  // the value after the step is the stored energy, beyond the yield surface too
     return in_step;
   }
   double value(const VecX& x) const { return term_->value(x) / volume_; }
@@ -96,11 +96,11 @@ TEST_CASE("viscoplastic: at a constant rate the stress is above the yield stress
     for (const double rate : {0.1, 1.0}) {
       INFO(kind << ", " << rate << "/s");
       Specimen bar(kind, 0);
-      const double last = 5 * viscosity / young + 2 * yield_stress / young / rate, h = last / 50;  // several times what it takes to settle
+      const double last = 5 * viscosity / young + 2 * yield_stress / young / rate, h = last / 50;  // several relaxation times
       double stress = 0;
       for (int i = 1; i <= 50; ++i) stress = bar.step(rate * h * i, h);
       CHECK(stress - yield_stress == Approx(viscosity * rate).epsilon(0.01));
-      // With hardening, and whatever the step, as it says.
+      // With hardening, for any step size.
       Specimen hard(kind, 1e5);
       double before = 0;
       for (int i = 1; i <= 10; ++i) {

@@ -124,10 +124,10 @@ TEST_CASE("von Mises: a bar in tension yields at its yield stress, flows, and un
     }
     const double top = point.kirchhoff(point.bar(0.3))(0, 0);
     CHECK(point.plastic_strain() == Approx(0.3 - top / young).epsilon(1e-6));
-    // Isochoric flow: what is left of the volume's change is elastic.
+    // Flow is isochoric: the change of volume is elastic.
     CHECK(std::log(point.bar(0.3).determinant()) == Approx((1 - 2 * poisson) * top / young).epsilon(1e-6));
     CHECK(point.plastic_inverse().determinant() == Approx(1).epsilon(1e-14));
-    // Unloading, to just before it yields the other way, and back.
+    // Unloading to just before reverse yielding, and back.
     const double back = 1.9 * top / young;
     CHECK(point.pull(0.3, 0.3 - back, 3) == Approx(top - young * back).epsilon(1e-6));
     CHECK(point.pull(0.3 - back, 0.3, 3) == Approx(top).epsilon(1e-6));
@@ -168,7 +168,7 @@ TEST_CASE("von Mises: the stress in a step is the return-mapped one, also after 
     int flows = 0;
     for (int trial = 0; trial < 40; ++trial) {
       Mat3 f = random_deformation(random, 0.5);
-      // Also close to the yield surface: a little off the state that was kept.
+      // Also close to the yield surface, near the accepted state.
       if (trial % 2 == 1) f = (Mat3::Identity() + 2e-3 * random.uniform(0, 1) * random_deformation(random, 0.3)) * f;
       const Mat3 inverse = point.history().empty() ? Mat3(Mat3::Identity()) : point.plastic_inverse();
       const Mat3 expected = return_mapped_piola(f, inverse, point.plastic_strain(), hardening);
@@ -180,7 +180,7 @@ TEST_CASE("von Mises: the stress in a step is the return-mapped one, also after 
       CHECK((point.piola(f) - found).norm() <= 1e-9 * std::max(found.norm(), bulk * 1e-2));
       CHECK(before - point.value(f) == Approx(dissipated).epsilon(1e-9).margin(1e-9 * before));
       const double kept = point.plastic_strain();
-      CHECK(point.dissipated(f) == 0);  // what does not move does not flow
+      CHECK(point.dissipated(f) == 0);  // no motion, no flow
       point.step_to(f);
       CHECK(point.plastic_strain() == kept);
     }

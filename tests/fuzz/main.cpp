@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr double limit = 60;  // s of processor time for each
 
-// What is wrong with how it ended; "" if nothing is.
+// Returns the fault of the end of a run; "" if it ended well.
 std::string fault(const ForkedResult& result, const Sample& sample, bool damaged) {
   if (result.hung) return fmt::format("took more than {} s of processor time", limit);
   if (result.signal != 0) return fmt::format("ended by signal {}", result.signal);

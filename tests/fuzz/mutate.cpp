@@ -30,7 +30,7 @@ const std::vector<std::string> words = {
     "type", "file", "/dev/zero", "/dev/null", ".", "..", "/", "nowhere.msh", "%", "@", "\\", "$", "`", "<", ">", "</", "\xff\xfe",
     "\xc3", "ASCII", "BINARY", "double", "include: .", "10 m", "1 km/h", "-5 cm", "1 GPa"};
 
-// Where the tokens of one kind begin and end.
+// Ranges of the tokens of one kind.
 using Span = std::pair<size_t, size_t>;
 template <class Belongs>
 std::vector<Span> spans(const std::string& text, const Belongs& belongs) {

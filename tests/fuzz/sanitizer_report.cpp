@@ -14,7 +14,7 @@ bool has_one_of(const std::string& text, const std::array<const char*, N>& parts
   return std::any_of(parts.begin(), parts.end(), [&](const char* part) { return text.find(part) != text.npos; });
 }
 
-// By the first frame that is not of the sanitizer or a standard library: "    #1 0x7f421cbfcb89 in ... (/lib/libgmsh.so+0x5fcb89)".
+// Identified by the first frame that is not of the sanitizer or a standard library: "    #1 0x7f421cbfcb89 in ... (/lib/libgmsh.so+0x5fcb89)".
 bool within_mesh_library(const std::string& report) {
   std::istringstream lines(report);
   for (std::string line; std::getline(lines, line);)

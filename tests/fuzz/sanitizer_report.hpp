@@ -1,4 +1,4 @@
-// What the sanitizers printed in a run of the program.
+// Reports of the sanitizers in a run of the program.
 #pragma once
 
 #include <string>

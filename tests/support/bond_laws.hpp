@@ -19,7 +19,7 @@ inline std::unique_ptr<BondLaw> bond_law(const std::string& yaml,
   return std::unique_ptr<BondLaw>(&dynamic_cast<BondLaw&>(*law.release()));
 }
 
-// One bond per area, and what is done to it.
+// One bond per area, and the work done on it.
 class PulledBond {
  public:
   explicit PulledBond(const BondLaw& law, bool on_contact = false)
@@ -27,12 +27,12 @@ class PulledBond {
     law.initialize(on_contact, history_.data());
   }
 
-  // A step that ends at the opening d and the slip u; without pressure if it is none.
+  // Steps to the opening d and the slip u; pressure: 0 for none.
   const BondSample& step(double d, double u, double h, double pressure = 0) {
     sample_ = law_.at(d, u * u, history_.data(), h);
     const double across = 2 * sample_.by_s * u;
-    // Steps are those of implicit Euler: the force at the end is that of all the way; the mean of
-    // both ends is what was done.
+    // Steps are those of implicit Euler, with the force of their end. The work is that of
+    // the mean of the forces at both ends.
     work_ += (sample_.by_d + before_[0]) / 2 * (d - d_) + (across + before_[1]) / 2 * (u - u_);
     work_of_ends_ += sample_.by_d * (d - d_) + across * (u - u_);
     before_[0] = sample_.by_d, before_[1] = across, d_ = d, u_ = u;
@@ -40,7 +40,7 @@ class PulledBond {
     dissipated_ += change_.dissipated;
     return sample_;
   }
-  // In as many steps of size h to d and u.
+  // Steps to d and u in a number of steps of size h.
   void pull(double d, double u, int steps, double h) {
     const double from = d_, across = u_;
     for (int i = 1; i <= steps && !change_.gone; ++i) {
@@ -55,7 +55,7 @@ class PulledBond {
   double peak() const { return peak_; }                       // of pull() [Pa]
   double peak_across() const { return peak_across_; }
   double work() const { return work_; }                       // J/m^2
-  // The force at the end of each step times its way.
+  // The force at the end of each step times its displacement.
   double work_of_ends() const { return work_of_ends_; }
   double dissipated() const { return dissipated_; }           // J/m^2
   double stored() const { return change_.gone ? 0 : law_.stored(d_, u_ * u_, history_.data()); }

@@ -1,4 +1,4 @@
-// Closed surfaces that are broken in one way each.
+// Closed surfaces with one defect each.
 #pragma once
 
 #include <algorithm>

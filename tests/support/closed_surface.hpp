@@ -11,7 +11,7 @@ bool is_closed_manifold(const std::vector<Triangle>& triangles);
 // V - E + F: 2 for a sphere.
 int euler_characteristic(const Surface& surface);
 
-// By the divergence theorem; positive when the normals point outward.
+// Returns the volume by the divergence theorem; positive if the normals point outward.
 double enclosed_volume(const Mesh& mesh, const std::vector<Triangle>& triangles);
 
 }  // namespace tack

@@ -23,10 +23,10 @@ namespace detail {
 
 using Setting = std::vector<std::pair<std::string, std::string>>;  // keys and values
 
-// With each combination of options; a required field takes the value that a fresh instance has.
+// Returns each combination of options; a required field has the value of a new instance.
 std::vector<Setting> settings_of(const Fields& fields);
 
-// "{type: fang, form: plain, young: 1e5}"; what the extra has too is taken from it.
+// "{type: fang, form: plain, young: 1e5}"; fields of the extra replace those of the component.
 std::string flow_map(const std::string& type, const Setting& setting,
                      const std::map<std::string, std::string>& extra);
 
@@ -36,7 +36,7 @@ bool applies(const std::map<std::string, std::string>& extra, const Fields& fiel
 }  // namespace detail
 
 // `extras`: settings to try on the components that have such fields. A component that no extra
-// makes valid fails the test. Of the kind only those that are a Sort.
+// makes valid fails the test. Components that are no Sort are skipped.
 template <class Base, class Sort = Base>
 std::vector<ComponentVariant> variants(
     const std::vector<std::map<std::string, std::string>>& extras = {{}}) {

@@ -1,5 +1,5 @@
-// Gradient and Hessian of a term as dense matrices, summed stencil by stencil, and the same from
-// differences: what assembly and derivatives are tested against.
+// Gradient and Hessian of a term as dense matrices: summed over stencils, and from
+// finite differences. Tests compare assembly and derivatives with them.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// The heavy ball method: descent that keeps a part of its last step.
+// The heavy ball method: descent that adds a fraction of its last step.
 #include "framework/config/field.hpp"
 #include "solvers/minimizers/descent_minimizer.hpp"
 #include "solvers/minimizers/start_preconditioner.hpp"

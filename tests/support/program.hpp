@@ -43,7 +43,7 @@ class Program {
 ProgramResult run_tack(const std::filesystem::path& directory, const Arguments& arguments,
                        const std::string& program = TACK_PROGRAM);
 
-// A whole file; "" if there is none.
+// Returns the text of a file; "" if there is no file.
 std::string file_text(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::string& text);
 bool contains(const std::string& text, const std::string& part);

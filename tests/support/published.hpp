@@ -1,4 +1,4 @@
-// What one term publishes, by names (framework/core/records.hpp).
+// Records that one term publishes, by name (framework/core/records.hpp).
 #pragma once
 
 #include <stdexcept>

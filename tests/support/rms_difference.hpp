@@ -1,4 +1,4 @@
-// How far two configurations (3n) are apart.
+// Root mean square distance of two configurations (3n).
 #pragma once
 
 #include <cmath>

@@ -34,7 +34,7 @@ struct RodBody {
     frames->load_history(history);
     term.load_history(history);
   }
-  // Where a rigid motion by less than half a turn takes x, with frames that turn along.
+  // Returns x after a rigid motion by less than half a turn, with rotated frames.
   VecX moved(const VecX& x, const Mat3& r, const Vec3& d) const {
     VecX y = x;
     for (int v = 0; v < body.vertex_count; ++v) vertex(y, v) = r * vertex(x, v) + d;

@@ -1,4 +1,4 @@
-// A scratch folder that disappears with the test, and a look at what a call prints.
+// A scratch folder that disappears with the test, and the output of a call.
 #pragma once
 
 #include <fcntl.h>

@@ -1,6 +1,6 @@
-// Matrices of bodies made of springs: lattices of masses, each with springs to all that are next to
-// it. Solids, sheets (one layer) and rods (one row), with what a preconditioner may know about
-// them.
+// Matrices of bodies made of springs: lattices of masses, each with springs to all that are next
+// to it. Solids, sheets (one layer) and rods (one row), with the data that a preconditioner may
+// use about them.
 #pragma once
 
 #include "framework/core/block_matrix.hpp"

@@ -15,7 +15,7 @@ struct StepProblem : TestScene {
 
   VecX configuration(const VecX& unknowns) const;
   double feasible_step(const VecX& from, const VecX& p);
-  // What decides for this minimiser when the step has converged.
+  // Convergence test of this minimiser for the step.
   Convergence convergence(const Minimizer& minimizer);
   // From the start; q is where it ends, and `path` the points from which steps were tried, and the
   // end.

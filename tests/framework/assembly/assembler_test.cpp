@@ -124,7 +124,7 @@ TEST_CASE("assembly: stencils that are summed chunk by chunk", "[assembly]") {
   p.contact.set_vertices(stencils(4, 40, p.random));
   p.check(assembler, matrix);
 
-  // Flags clamp the same stencils as where slots are gathered at once.
+  // Flags clamp the stencils that are clamped when slots are gathered at once.
   std::vector<char> flags(p.dofs.block_count(), 0);
   flags[3] = flags[11] = 1;
   VecX gradient = VecX::Zero(p.dofs.size());
@@ -212,7 +212,7 @@ TEST_CASE("assembly: contact that comes and goes", "[assembly]") {
 TEST_CASE("assembly: vertices that depend on others", "[assembly]") {
   Problem p;
   p.triples.by_ranges();
-  // On held and free ones, in chains, and two that share the block of a third.
+  // Dependent on fixed and free vertices, in chains, and two that share the block of a third vertex.
   p.depend({{3, {{1, 0.25}, {2, 0.75}}},
             {4, {{3, 0.5}, {5, 0.5}}},
             {9, {{7, 0.3}, {8, 0.7}}},
@@ -223,7 +223,7 @@ TEST_CASE("assembly: vertices that depend on others", "[assembly]") {
             {22, {{1, 0.6}, {5, 0.4}, {12, -0.6}, {21, 0.6}}},
             {23, {{1, 0.2}, {5, 0.1}, {12, 0.3}, {21, 0.4}}}});
   PolynomialTerm many = PolynomialTerm(4, stencils(4, 700, p.random)).by_ranges();
-  // Neighbours that touch the same blocks.
+  // Neighbours with equal blocks.
   std::vector<int> same;
   for (int s = 0; s < 200; ++s)
     for (const int v : {20, 22, 23, 26}) same.push_back(v);
@@ -258,7 +258,7 @@ TEST_CASE("degrees of freedom: dependent vertices are updated, and forces on the
   CHECK(p.dofs.block_count() == vertices - 4 - 5);
   CHECK(p.dofs.block(13) == p.dofs.block(12));
   CHECK(p.dofs.mixed(4));
-  CHECK(!p.dofs.moves(9));  // on held ones alone
+  CHECK(!p.dofs.moves(9));  // depends on fixed vertices alone
   VecX x = p.x, q = p.random.vectors(p.dofs.size());
   p.dofs.scatter(q, x);
   CHECK(vertex(x, 7) == vertex(p.x, 7));

@@ -14,7 +14,7 @@ MatX random_symmetric(int n, RandomMotions& random) {
   return a + a.transpose();
 }
 
-// Removes what a translation of all vertices would feel.
+// Removes the components along translations of all vertices.
 MatX translation_invariant(const MatX& a) {
   MatX projector = MatX::Identity(a.rows(), a.cols());
   const int k = static_cast<int>(a.rows()) / 3;

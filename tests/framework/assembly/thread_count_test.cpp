@@ -1,4 +1,4 @@
-// The same input gives the same bits for any number of threads.
+// Equal input gives equal bits for any number of threads.
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
@@ -30,7 +30,7 @@ struct Evaluation {
   int contacts;
 };
 
-// The same, of elements that take several tets together.
+// Solids whose elements group several tets.
 const std::string grouped = [] {
   std::string scene = boxes;
   const auto put = [&](const std::string& before, const std::string& text) { scene.insert(scene.find(before) + before.size(), text); };

@@ -1,4 +1,4 @@
-// Bonds whose site slides along the surface of their anchor: off it, and while they heal.
+// Bonds whose site slides along the opposite surface: sliding off, and healing.
 #include "framework/bond/bond_attachment.hpp"
 
 #include <fmt/format.h>

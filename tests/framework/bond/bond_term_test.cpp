@@ -75,7 +75,7 @@ TEST_CASE("bonds: gradient and Hessian are those of the value, the Hessian's pro
     CHECK((h - differences).norm() < 1e-5 * h.norm());
     CHECK((differences - differences.transpose()).norm() < 1e-8 * h.norm());
     CHECK(total(g).norm() < 1e-12 * g.cwiseAbs().sum());
-    // Held where they act, slipped ones too have no moment.
+    // With frames taken at x, slipped bonds too have no moment.
     bonded.term().lag(x);
     const VecX held = gradient(x);
     CHECK(total_moment(x, held).norm() < 1e-12 * held.cwiseAbs().sum());
@@ -120,7 +120,7 @@ TEST_CASE("bonds that opened by d pull with beta^2 C_N d, slid ones with beta^2 
       CHECK(pull.x() == Approx(-area * b * b * 4e6 * u).margin(1e-12));
       CHECK(std::abs(pull.z()) < 1e-9 * area * 1e3);
     }
-  CHECK(force({0, -2e-4, 0}).norm() < 1e-12);  // what presses is no adhesion
+  CHECK(force({0, -2e-4, 0}).norm() < 1e-12);  // compression is no adhesion
 }
 
 TEST_CASE("bonds resist compression like opening, unless they heal", "[bonds]") {
@@ -165,7 +165,7 @@ TEST_CASE("bonds: a rigid motion of both surfaces changes nothing, also by steps
   const VecX quarter = turned(1.5);
   bonded.term().lag(quarter);
   CHECK(bonded.term().value(quarter) == Approx(value).epsilon(1e-9));
-  // Held at 0, a small turn is wrong by its square only.
+  // With frames taken at 0, the error of a small rotation is of second order.
   bonded.term().lag(apart);
   const double small = std::abs(bonded.term().value(turned(1e-3)) - value), smaller = std::abs(bonded.term().value(turned(1e-4)) - value);
   CHECK(smaller < 0.02 * small);
@@ -180,12 +180,12 @@ TEST_CASE("bonds are history variables: stored bonds have equal values, to the l
   first.scene.world->participants.load_history(history);
   second.scene.world->participants.load_history(history);
   CHECK(second.term().list().size() > 0);
-  CHECK(second.term().value(x) == first.term().value(x));  // h = 0: what is stored
+  CHECK(second.term().value(x) == first.term().value(x));  // h = 0: the stored energy
   for (auto* bonded : {&first, &second}) bonded->scene.world->participants.begin_step({x, 1e-3, 1e-3});
   const VecX y = first.moved("upper", {2e-4, 7e-4, 1e-4});
   CHECK(second.term().value(y) == first.term().value(y));
   CHECK(second.term().forces(y, LawTerm::all) == first.term().forces(y, LawTerm::all));
-  // No new ones are made of what has parted.
+  // Separated surfaces make no new bonds.
   CHECK(second.term().list().size() == first.term().list().size());
 }
 
@@ -204,10 +204,10 @@ TEST_CASE("bonds on contact form once where surfaces meet, and again where they 
   CHECK(bonded.area() == Approx(0.01 * 0.02).epsilon(0.01));
   CHECK(std::abs(bonded.term().value(close)) < 1e-20);
   const int count = bonded.term().list().size();
-  step_to(bonded.moved("upper", {3e-4, -4e-4, 0}));  // what is covered has changed
+  step_to(bonded.moved("upper", {3e-4, -4e-4, 0}));  // the overlap has changed
   CHECK(bonded.term().list().size() == Approx(count).epsilon(0.2));
   CHECK(bonded.area() < 1.2 * 0.01 * 0.02);
-  step_to(bonded.moved("upper", {0, 0.05, 0}));  // far beyond what holds
+  step_to(bonded.moved("upper", {0, 0.05, 0}));  // far beyond the range
   CHECK(bonded.area() == 0);
   step_to(close);
   CHECK(bonded.area() == Approx(0.01 * 0.02).epsilon(0.01));

@@ -9,7 +9,7 @@ using namespace tack;
 
 namespace {
 
-// One stencil of so many vertices, whose Hessian has i + j + 1 everywhere in the block of its vertices i and j.
+// One stencil of a number of vertices. Its Hessian has i + j + 1 everywhere in the block of its vertices i and j.
 class Wide : public Term {
  public:
   explicit Wide(int arity) : Term("wide"), vertices_(arity) { std::iota(vertices_.begin(), vertices_.end(), 0); }

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double fading = 0.02, winding = 0.005;  // in each step, of the stiffness
 
-// k/2 |x_v - X_v|^2 for every vertex of an object, to where it was at rest on object 0. k fades in each step that is kept, and is
+// k/2 |x_v - X_v|^2 for every vertex of an object, to where it was at rest on object 0. k fades in each accepted step, and is
 // wound up by a part of that.
 class TetherTerm : public Term {
  public:
@@ -182,7 +182,7 @@ TEST_CASE("force, energy, flows and field of a term are in all records", "[recor
   CHECK(json["energy"]["dissipated_tethers"].get<double>() == Approx(lost));
   CHECK(json["energy"]["work_winding"].get<double>() == Approx(fed));
 
-  // Frames, and with them what the report reads.
+  // Frames, which the report reads.
   write_file(folder.path() / "page.html", "<html><!--data of the report--></html>");
   ReportSettings settings;
   settings.folders = {root};
@@ -192,7 +192,7 @@ TEST_CASE("force, energy, flows and field of a term are in all records", "[recor
   const std::string html = file_text(folder.path() / "out.html");
   for (const char* name : {"tether_length", "energy_tether", "dissipated_tethers", "work_winding"}) CHECK(contains(html, name));
 
-  // Interrupted and gone on with, all of it is the same.
+  // An interrupted and resumed run has equal records.
   recorded("parts", 7, false);
   recorded("parts", 0, true);
   CHECK(read_json(folder.path() / "parts/summary.json")["energy"] == json["energy"]);

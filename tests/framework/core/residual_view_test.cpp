@@ -161,7 +161,7 @@ TEST_CASE("residual view of contact: energies without a lower bound are in the r
 }
 
 TEST_CASE("residual view of friction and tangential adhesion", "[residual_view][friction]") {
-  // Slips from none to far above 2 eps h = 1e-3 m.
+  // Slips from 0 to far above 2 eps h = 1e-3 m.
   for (const double slip : {0.0, 1e-6, 2e-4, 7e-4, 1e-2}) {
     INFO("slip " << slip);
     Cluster c("area");

@@ -69,7 +69,7 @@ void for_each_energy(const Check& check) {
       try {
         term = energy->make_term(*shape.body, *shape.rest);
       } catch (const InputError&) {
-        continue;  // not for such a body
+        continue;  // not available for such a body
       }
       if (!term || term->dynamic()) continue;
       term->load_history({});
@@ -130,7 +130,7 @@ TEST_CASE("damping of strain: a spin that the integrator continues is not damped
     for (int i = 0; i < shape.body->vertex_count; ++i) vertex(v, i) = spin.cross(Vec3(vertex(x, i)));
     if (shape.rod)
       for (int e = 0; e < shape.rod->frames->count(); ++e) v(3 * shape.rod->frames->twists()[e]) = shape.rod->frames->radius() * spin.dot(shape.rod->frames->tangent(e, x));
-    // As Newmark has it: x' - x = h/2 (v + v'), by a turn of 2 atan(h/2 |spin|).
+    // Newmark: x' - x = h/2 (v + v'), a rotation by 2 atan(h/2 |spin|).
     const EndVelocity velocity{2 / h, x + h / 2 * v};
     auto damping = begun(elastic, x);
     damping->begin_step({x, 0, h, &velocity, &v});
@@ -157,7 +157,7 @@ TEST_CASE("damping of strain: derivatives, projections, and beta K of small stra
     for (const StencilBatch& b : elastic.batches()) rank_one = rank_one || b.rank_one;
     CHECK((exact - differences).norm() <= (rank_one ? 0.05 : 1e-6) * exact.norm());
     for_each_stencil_hessian(*damping, y, Projection::clamp, [&](const MatX& stencil, const int*) { CHECK(smallest_eigenvalue(stencil) >= -1e-10 * stencil.norm()); });
-    // From rest, where nothing is stressed.
+    // From the unstressed rest shape.
     if (dense_gradient(elastic, *shape.rest).norm() > 1e-9 * g.norm()) return;  // but for a rod that wants to be straight
     const auto from_rest = begun(elastic, *shape.rest);
     const MatX k = dense_hessian(elastic, *shape.rest, Projection::none), c = dense_hessian(*from_rest, *shape.rest, Projection::none);

@@ -122,7 +122,7 @@ TEST_CASE("ccd finds the same step in stages as in one search", "[filters]") {
     for (const Vec3& direction : {Vec3(0.3, -1, 0.1), Vec3(1, -0.02, 0), Vec3(0.2, 1, 0)}) {
       Fall whole;
       const VecX p = fall.motion(speed * direction);
-      whole.world.contact->cover(whole.x, p);  // all candidates of the way
+      whole.world.contact->cover(whole.x, p);  // all candidates of the displacement
       const double expected = largest_step("ccd", whole.world, whole.x, p);
       INFO(speed << " " << direction.transpose());
       CHECK(largest_step("ccd", fall.world, fall.x, p) == expected);
@@ -212,7 +212,7 @@ TEST_CASE("ccd stops at the time limit", "[filters]") {
   const FeasibilityContext context{fall.world.contact.get(), fall.world.tets, clock};
   REQUIRE(f->attach(context));
   const int builds = fall.world.contact->broad_phase_builds();
-  CHECK(f->largest_step(fall.x, fall.motion({0, 1000, 0}), 1) == 0);  // free, but nothing was looked at
+  CHECK(f->largest_step(fall.x, fall.motion({0, 1000, 0}), 1) == 0);  // free, but not examined
   CHECK(fall.world.contact->broad_phase_builds() <= builds + 1);      // one stage of many
 }
 

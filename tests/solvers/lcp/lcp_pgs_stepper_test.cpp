@@ -1,4 +1,4 @@
-// Constraints and projected Gauss-Seidel: against closed forms, and what is kept of a run.
+// Constraints and projected Gauss-Seidel: closed forms, and the state of a run.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -20,7 +20,7 @@ constexpr double g = 9.81;
 struct Slope {
   double tangent, mu;
   std::string block = "energies: [{type: neo_hookean, young: 1 MPa, density: 1000}]";
-  double length = 1;  // units are so many metres, and seconds its square root
+  double length = 1;  // unit of length [m]; the unit of time is its square root [s]
   std::string stepper = "sweeps: 1000";
 };
 
@@ -40,7 +40,7 @@ std::string slope(const Slope& s) {
       0.04 * l, 0.1 * l, 0.0205 * l, 0.013 * l, block, 0.001 * l, s.mu);
 }
 
-// Of the block, relative to the unit of length.
+// Height of the block, relative to the unit of length.
 double way_of(TestRun& run, double length = 1) {
   const int block = run.world->index_of("block");
   const Vec3 way = run.world->centre_of_mass(block, run.state().x) - run.world->centre_of_mass(block, run.world->start.x);
@@ -57,13 +57,13 @@ void run_to_end(TestRun& run) {
   }
 }
 
-// The sum of what implicit Euler goes in 50 steps of 10 ms with a constant acceleration.
+// Displacement of implicit Euler in 50 steps of 10 ms with a constant acceleration.
 double slid(const Slope& s) {
   const double angle = std::atan(s.tangent), a = g * (std::sin(angle) - s.mu * std::cos(angle));
   return a * 1e-4 * 50 * 51 / 2;
 }
 
-// A block that hangs from a ceiling by RCC adhesion whose peak is 100 Pa, pulled by a part of it.
+// A block that hangs from a ceiling by RCC adhesion whose peak is 100 Pa, pulled by a fraction of it.
 std::string hang(const std::string& law, double load, const std::string& block = "energies: [{type: neo_hookean, young: 1 MPa, density: DENSITY}]") {
   std::string text = fmt::format(
       "time: {{step: 0.01, duration: 0.4, stepper: {{type: lcp_pgs, sweeps: 1000, tolerance: 1e-8}}}}\n"
@@ -266,7 +266,7 @@ TEST_CASE("contact forces, friction and reactions are the impulses over h", "[lc
   CHECK(friction.x() == Approx(-weight * std::sin(angle)).epsilon(1e-3));
   CHECK((reaction - normal - friction).norm() < 1e-9 * weight);
   CHECK((vector(3) + normal).norm() < 1e-9 * weight);
-  // Nothing is made, and what slides dissipates what it loses.
+  // No energy is gained, and sliding dissipates the loss.
   TestRun sliding(slope({0.55, 0.5}));
   double dissipated = 0, numerics = 0;
   while (!sliding.stepper.finished()) {

@@ -58,7 +58,7 @@ TEST_CASE("backtracking fails on an ascent direction", "[line_search]") {
   CHECK(r.evaluations == 60);
 }
 
-// Close to the minimum the decrease drowns in rounding; the slope still tells.
+// Close to the minimum the decrease is below rounding; the slope is not.
 TEST_CASE("backtracking trusts the slope where the value is lost in round-off", "[line_search]") {
   constexpr double offset = 1e6, noise = 1e-14 * offset * 10;
   Line shallow([](double x) { return offset + 1e-4 * x * x; }, [](double x) { return 2e-4 * x; }, noise);

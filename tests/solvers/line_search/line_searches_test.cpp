@@ -1,4 +1,4 @@
-// What holds for every line search.
+// Properties of every line search.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -50,7 +50,7 @@ TEST_CASE("line searches", "[line_search]") {
     CHECK_FALSE(search(type, climb, 5, 1).found);
   }
   SECTION("trust the slope where the value is all round-off") {
-    // 1e8 swallows the parabola; rounding of the value is far above what a step gains.
+    // 1e8 swallows the parabola; rounding of the value is far above the decrease of a step.
     Line shallow([](double x) { return 1e8 + 1e-10 * x * x; }, [](double x) { return 2e-10 * x; }, 1e-7);
     const LineSearchResult r = search(type, shallow, 1, -1);
     CHECK(r.step == 1);
@@ -59,7 +59,7 @@ TEST_CASE("line searches", "[line_search]") {
 }
 
 TEST_CASE("strong Wolfe: the slope flattens", "[line_search]") {
-  // Far too short a step of a quartic is feasible only up to 1: it goes on to the minimum at 0.8.
+  // Far too short a step of a quartic is feasible only up to 1: the search continues to the minimum at 0.8.
   Line well([](double x) { return std::pow(x - 0.8, 4) + 0.1 * std::pow(x - 0.8, 2); },
             [](double x) { return 4 * std::pow(x - 0.8, 3) + 0.2 * (x - 0.8); });
   const auto wolfe = Registry<LineSearch>::make("strong_wolfe");

@@ -1,4 +1,4 @@
-// Which solver `auto` takes, and when it changes its mind.
+// The solver that `auto` chooses, and when it changes its choice.
 #include <catch2/catch.hpp>
 
 #include "framework/core/linear_solver.hpp"
@@ -31,7 +31,7 @@ BlockMatrix cliques(int groups, int size) {
   return matrix;
 }
 
-// What it says after some systems of the matrix.
+// Returns its description after some systems of the matrix.
 std::string chosen(LinearSolver& solver, const BlockMatrix& matrix, RandomMotions& random, int systems = 1) {
   PhaseClock clock;
   for (int i = 0; i < systems; ++i) {

@@ -1,4 +1,4 @@
-// What an incomplete factor keeps from one system to the next.
+// Data that an incomplete factor stores from one system to the next.
 #include <catch2/catch.hpp>
 
 #include "framework/core/linear_solver.hpp"
@@ -50,6 +50,6 @@ TEST_CASE("large incomplete factors begin with the last shift, and try a smaller
   for (int i = 0; i < 50; ++i) solve(*kept, does_not);
   CHECK((solve(*kept, does_not) == fresh(does_not)));
   solve(*kept, breaks);
-  CHECK((solve(*kept, small) == fresh(small)));  // of another size: nothing is known of it
+  CHECK((solve(*kept, small) == fresh(small)));  // another size has no stored data
   CHECK((solve(*kept, breaks) == fresh(breaks)));
 }

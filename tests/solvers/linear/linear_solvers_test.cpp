@@ -26,7 +26,7 @@ double residual(LinearSolver& solver, const BlockMatrix& matrix, RandomMotions& 
 
 bool direct(const std::string& type) { return type != "lagged_cholesky" && type != "pcg" && type != "auto"; }
 
-// Those that iterate stop where they are told to, in the norm of their preconditioner.
+// Iterative solvers stop at the tolerance, in the norm of their preconditioner.
 constexpr double told = 1e-10;
 double accuracy(const std::string& type) { return direct(type) ? 1e-12 : 10 * told; }
 
@@ -76,7 +76,7 @@ TEST_CASE("linear solvers follow new values and new structures", "[linear]") {
     BlockMatrix matrix = random_spd(60, random);
     CHECK(residual(solver, matrix, random) < small);
     const int analyses = solver.analyses();
-    for (int i = 0; i < 5; ++i) {  // the same structure
+    for (int i = 0; i < 5; ++i) {  // equal structure
       const BlockMatrix other = random_spd(60, random);
       for (int c = 0; c < 60; ++c)
         matrix.block(matrix.column_start[c]) += other.block(other.column_start[c]).diagonal().asDiagonal();
@@ -103,7 +103,7 @@ TEST_CASE("linear solvers refuse matrices that are not positive definite", "[lin
   });
 }
 
-// By default, a kept factor leaves 3% and conjugate gradients 0.1% of the preconditioner's norm.
+// By default, a lagged factor leaves 3% and conjugate gradients 0.1% of the preconditioner's norm.
 TEST_CASE("an inexact iterative solution is corrected to the requested residual", "[linear]") {
   for (const ComponentVariant& v : variants<LinearSolver>()) {
     INFO(v.yaml);
@@ -114,7 +114,7 @@ TEST_CASE("an inexact iterative solution is corrected to the requested residual"
     VecX x, correction, product;
     solver->factorize(matrix, clock);
     solver->solve(random.vectors(matrix.size()), x, clock);
-    for (int c = 0; c < 60; ++c) matrix.block(matrix.column_start[c]).diagonal() *= 1.3;  // a kept factor is old now
+    for (int c = 0; c < 60; ++c) matrix.block(matrix.column_start[c]).diagonal() *= 1.3;  // the lagged factor is outdated now
     const VecX b = random.vectors(matrix.size());
     REQUIRE(solver->factorize(matrix, clock));
     solver->solve(b, x, clock);
@@ -130,7 +130,7 @@ TEST_CASE("an inexact iterative solution is corrected to the requested residual"
     }
     CHECK(residual(matrix, x, b) < 1e-9);
     CHECK(residual(matrix, x, b) <= before);
-    // The next solution is as good as the solver's own tolerance again, no better for what was asked here.
+    // The next solution has the solver's own tolerance again, not that of the correction.
     VecX again;
     solver->solve(b, again, clock);
     CHECK(residual(matrix, again, b) < 0.05);

@@ -105,7 +105,7 @@ TEST_CASE("corrections continue from the last solution", "[linear]") {
     return (of - product).norm() / of.norm();
   };
   CHECK(left(rest) < 0.02);
-  // Another right side begins anew, and so does what was left over once there is another matrix.
+  // Another right-hand side starts again, and so does the residual with another matrix.
   const VecX other = random.vectors(matrix.size());
   solver->correct(other, correction, 1e-6, clock);
   CHECK(left(other) < 1e-4);

@@ -42,7 +42,7 @@ TEST_CASE("subtrees and top are each node once, parents after children", "[linea
     for (int s = 0; s < tree.nodes(); ++s) {
       if (tree.parent[s] < 0) continue;
       CHECK(tree.parent[s] > s);
-      // A child of a subtree's node is in the same subtree.
+      // A child of a subtree's node is in that subtree.
       if (owner[tree.parent[s]] >= 0) CHECK(owner[s] == owner[tree.parent[s]]);
       for (int k = tree.row_start[s] + tree.columns(s); k < tree.row_start[s + 1]; ++k)
         CHECK(tree.rows[tree.row_start[tree.parent[s]] + tree.position[k]] == tree.rows[k]);

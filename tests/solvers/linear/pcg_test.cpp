@@ -93,7 +93,7 @@ TEST_CASE("failed conjugate gradients do not count as a solution", "[linear]") {
     CHECK_FALSE(solve(pcg(name, "tolerance: 1e-10, max_iterations: 2"), matrix, b).x.allFinite());
     const VecX cut = solve(pcg(name, "tolerance: 1e-10, max_iterations: 2, truncate: true"), matrix, b).x;
     CHECK(relative_residual(matrix, cut, b) < 1);
-    // The incomplete factor of this one is complete but for its shift, and sees what it is.
+    // The incomplete factor of this one is complete but for its shift, and detects it.
     const auto solver = component<LinearSolver>(pcg(name, "truncate: true"));
     PhaseClock clock;
     VecX x;
@@ -178,7 +178,7 @@ TEST_CASE("the rows of domains are those of the matrix, and so are their columns
   CHECK(rows.below_row.size() == blocks - static_cast<size_t>(rows.size()));
 }
 
-// Two stiff bodies, hardly held: what moves them as wholes is 1e-6 of what deforms them, and hides in a residual.
+// Two stiff, hardly supported bodies: the stiffness of rigid motions is 1e-6 of that of deformations, so that the residual hides rigid motions.
 TEST_CASE("conjugate gradients solve for the translations of components", "[linear]") {
   RandomMotions random(8);
   const int n = 400;
@@ -208,7 +208,7 @@ TEST_CASE("conjugate gradients solve for the translations of components", "[line
     }
     return worst;
   };
-  CHECK(momentum_error("true") > 0.1);  // nobody said what the parts are
+  CHECK(momentum_error("true") > 0.1);  // the matrix has no components
   matrix.component.assign(200, 0);
   matrix.component.resize(n, 1);
   CHECK(momentum_error("false") > 0.1);

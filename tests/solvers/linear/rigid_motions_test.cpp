@@ -1,4 +1,4 @@
-// Pieces of bodies and their rigid motions as a coarse space: what they are, and what conjugate gradients make of them.
+// Aggregates of bodies and their rigid motions as a coarse space, alone and in conjugate gradients.
 #include "solvers/linear/rigid_motions.hpp"
 
 #include <catch2/catch.hpp>
@@ -46,7 +46,7 @@ TEST_CASE("bodies are divided into aggregates, sheets and rods into small ones",
       CHECK(matrix.component[pieces.column[i]] == part);
     }
   }
-  for (int c = 0; c < matrix.columns(); ++c) CHECK(seen[c] == (matrix.component[c] == 3 ? 0 : 1));  // a body of 8 vertices is none
+  for (int c = 0; c < matrix.columns(); ++c) CHECK(seen[c] == (matrix.component[c] == 3 ? 0 : 1));  // a body of 8 vertices is too small
   const int of_solid = *std::max_element(pieces.of.begin(), pieces.of.begin() + 14 * 14 * 14) + 1;
   CHECK(of_solid >= 8);
   CHECK(of_solid <= 30);
@@ -67,7 +67,7 @@ TEST_CASE("forces of rigid motions of aggregates give back the motions", "[linea
   RigidMotions rigid;
   REQUIRE(rigid.update(matrix));
   rigid.add(forces, found);
-  CHECK((found - motion).norm() < 1e-4 * motion.norm());  // but for the least bit that keeps factors of free bodies definite
+  CHECK((found - motion).norm() < 1e-4 * motion.norm());  // up to the shift that keeps factors of free bodies definite
   rigid.add(forces, found);
   CHECK((found - 2 * motion).norm() < 2e-4 * motion.norm());
 }
@@ -86,7 +86,7 @@ TEST_CASE("rigid motions follow bodies and their matrices", "[linear]") {
     };
     RigidMotions fresh;
     CHECK((added(kept) == added(fresh)));
-    matrix.values[0] *= 2;  // the same pattern
+    matrix.values[0] *= 2;  // equal pattern
     CHECK((added(kept) == added(fresh)));
   }
 }
@@ -110,7 +110,7 @@ TEST_CASE("without positions, large components, or a definite matrix there are n
   CHECK(rigid.update(whole));
 }
 
-// Contrasts of 1e6, of what is nearly free by itself: masses are a thousandth to a millionth of springs.
+// Contrasts of 1e6 between bodies that are nearly free: masses are a thousandth to a millionth of springs.
 TEST_CASE("with rigid motions conjugate gradients take a fraction of the iterations, and are correct", "[linear]") {
   const BlockMatrix matrix = solid_sheet_and_rod();
   RandomMotions random(3);

@@ -19,7 +19,7 @@ TEMPLATE_TEST_CASE("small triangles times vectors", "[linear]", float, double) {
     panel.topRows(n).template triangularView<Eigen::StrictlyUpper>().setZero();
     const Matrix lower = panel.topRows(n);
     const Vector x = Vector::Random(n);
-    Vector y(n + 1);  // what follows is left alone
+    Vector y(n + 1);  // later entries are unchanged
     y << x, TestType(7);
     lower_times(n, storage.data(), height, y.data());
     CHECK((y.head(n) - lower * x).norm() < 1e-6 * x.norm() * lower.norm());

@@ -25,7 +25,7 @@ std::string impact(const std::string& solver, const std::string& duration = "0.0
          "solver: " + solver + "\n";
 }
 
-// Vertices that several unknowns move, or with held directions: an affine box and, on its top, a tied soft one drop askew
+// Vertices that several unknowns move, or with fixed directions: an affine box and, on its top, a tied soft one drop askew
 // onto a floor; a third slides along rails. The affine one is soft, for methods that a stiff one would take too long.
 std::string followers(const std::string& solver) {
   const std::string soft = "energies: [{type: neo_hookean, young: 1e5, poisson: 0.3, density: 1000}]";
@@ -45,7 +45,7 @@ std::string followers(const std::string& solver) {
          "solver: " + solver + "\n";
 }
 
-// A thick soft rod that is bent at rest, twisted by its script at one end, with a particle that hangs on a spring at the other.
+// A thick soft rod that is bent at rest. A prescribed motion twists one end; a particle hangs on a spring at the other.
 std::string rod(const std::string& solver) {
   return "time: {step: 0.01, duration: 0.04}\ngravity: [0, -9.81, 0]\n"
          "objects:\n"
@@ -78,7 +78,7 @@ Outcome outcome(const std::string& scene) {
   return outcome;
 }
 
-// Tolerances that ask for about the same.
+// Tolerances of about equal strictness.
 const std::map<std::string, std::string> tight = {
     {"tolerance", "1e-8"}, {"force_tolerance", "1e-8"}, {"acceleration_tolerance", "1e-4"}, {"max_iterations", "60000"}};
 

@@ -1,4 +1,4 @@
-// What a direction that some solver found is worth.
+// Error control of a direction of a solver.
 #include "solvers/minimizers/direction_check.hpp"
 
 #include <catch2/catch.hpp>
@@ -46,7 +46,7 @@ struct Judged {
   int solves = 0;
 };
 
-// The verdict on what `linear` takes for the Newton direction, with a tolerance [m/s].
+// Returns the norm for the approximate Newton direction of `linear`, with a tolerance [m/s].
 Judged judged(LinearSolver& linear, double tolerance) {
   StepProblem step(approaching);
   const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: " + std::to_string(tolerance) + "}");

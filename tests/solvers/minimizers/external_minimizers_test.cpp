@@ -91,7 +91,7 @@ TEST_CASE("external minimizers: a gradient that lies", "[minimizer]") {
     Told told(bowl, [](const Vec3& q) { return Vec3(-bowl_slope(q)); });
     VecX q = start;
     const MinimizerResult result = minimize(yaml, told, q);
-    // A method that stumbles on a lower value may take it; none claims to have converged elsewhere.
+    // A method may accept a lower value; no method claims convergence elsewhere.
     CHECK((result.status == MinimizerStatus::line_search_failed || result.status == MinimizerStatus::iteration_limit ||
            q.norm() < 1e-6));
     CHECK(bowl(q) <= bowl(start));

@@ -1,5 +1,5 @@
 // Scenes in which a point looks like the minimum and is not: a direction is short because it is wrong, or
-// because what pushes is too stiff to move anything far.
+// because a stiff force moves nothing far.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -30,7 +30,7 @@ contact:
   pairs: [{between: [block, floor], adhesion: {type: fang, critical_strain: 0.01}}]
 )");
 
-// A block that is shot at a plate a hundredth as thick as the way it would go in the step.
+// A block that is shot at a plate a hundredth as thick as its displacement in the step.
 const std::string shot = R"(
 time: {step: 0.01, duration: 0.01}
 objects:
@@ -99,7 +99,7 @@ TEST_CASE("minimizers: none passes through a thin plate", "[minimizer]") {
     CHECK(problem.path.size() > 1);
     const auto& surface = problem.world->contact->surface();
     for (size_t i = 0; i < problem.path.size(); ++i) {
-      // The plate is wider than the block's way: between two points on its upper side there is no crossing.
+      // The plate is wider than the block's path: between two points on its upper side there is no crossing.
       for (int y = 1; y < problem.q.size(); y += 3) REQUIRE(problem.path[i](y) > 0);
       REQUIRE(find_intersections(surface.mesh, problem.configuration(problem.path[i]),
                                  problem.world->contact->colliding(), 1).empty());
@@ -185,7 +185,7 @@ TEST_CASE("minimizers: a lack of time ends them at a feasible point", "[minimize
 }
 
 TEST_CASE("minimizers: quasi-static steps", "[minimizer]") {
-  // A bar without inertia that bends under gravity and is pulled: all linear forces are rest.
+  // A bar without inertia that bends under gravity and is pulled: all linear forces belong to the rest.
   const auto positions = [](const std::string& type) {
     TestRun s("time: {step: 1, duration: 1, integrator: quasi_static}\ngravity: [0, -1, 0]\n"
                  "solver: {type: " + type + ", force_tolerance: 1e-8, max_iterations: 5000}\n"
@@ -206,7 +206,7 @@ TEST_CASE("minimizers: quasi-static steps", "[minimizer]") {
 
 TEST_CASE("minimizers: a plate with a prescribed motion", "[minimizer]") {
   // The plate would go through the block: it walks, with a pull that gradient methods find hard. It also moves
-  // aside: pressed straight down, the block may give way to either side.
+  // aside: pressed straight down, the block may buckle to either side.
   const auto positions = [](const std::string& type) {
     TestRun s("time: {step: 1, duration: 2, integrator: quasi_static}\n"
                  "solver: {type: " + type + ", force_tolerance: 1e-8}\n"

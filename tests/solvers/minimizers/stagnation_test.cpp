@@ -1,4 +1,4 @@
-// Forces that fall are waited for, those that crawl where nothing moves are not.
+// Falling force residuals continue a minimisation; stagnating residuals without motion end it.
 #include "solvers/minimizers/stagnation.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@ using namespace tack;
 
 namespace {
 
-// After how many of at most 100 iterations of that norm, whose residual falls by that factor each, it is given up; 0: never.
+// Returns after how many of at most 100 iterations stagnation is found; 0: never. norm: of each step; factor: by which the residual falls in each.
 int given_up(double norm, double factor) {
   Stagnation crawl;
   double residual = 1e4;
@@ -21,7 +21,7 @@ int given_up(double norm, double factor) {
 TEST_CASE("falling force residuals continue the minimisation", "[minimizers][crawl]") {
   CHECK(given_up(1e-6, 0.5) == 0);
   CHECK(given_up(1e-6, 0.9) == 0);  // to 0.48 within the window
-  CHECK(given_up(0.5, 1.0) == 0);   // what still moves by a tolerance is no crawl
+  CHECK(given_up(0.5, 1.0) == 0);   // motion by a tolerance is no stagnation
 }
 
 TEST_CASE("pins the window of stagnation: forces that do not halve within 8 small steps are given up", "[minimizers][crawl]") {

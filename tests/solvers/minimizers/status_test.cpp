@@ -102,7 +102,7 @@ TEST_CASE("statuses of minimizers", "[minimizer]") {
     CHECK(e.result.status == MinimizerStatus::iteration_limit);
     CHECK(e.result.iterations == 2);
     CHECK(e.values <= 20);
-    CHECK(e.q.norm() < Vec3(1, 2, 3).norm());  // what was gained is kept
+    CHECK(e.q.norm() < Vec3(1, 2, 3).norm());  // the decrease stays
   }
   SECTION("line search failed: the slope lies") {
     const Curve liar = {[](double x) { return x; }, [](double) { return -1.0; }, [](double) { return 1.0; }};
@@ -116,7 +116,7 @@ TEST_CASE("statuses of minimizers", "[minimizer]") {
   SECTION("factorization failed") {
     const Curve broken = {bowl.value, bowl.slope, [](double) { return std::nan(""); }};
     const MinimizerStatus status = minimize(type, broken).result.status;
-    // External methods factorise nothing that is ours: they go on unjudged, and never converge.
+    // External methods use no factorisation: without a convergence test they never converge.
     const bool external = type == "nlopt" || type.rfind("ceres", 0) == 0;
     if (external) CHECK(status != MinimizerStatus::converged);
     else CHECK(status == MinimizerStatus::factorization_failed);
@@ -170,14 +170,14 @@ TEST_CASE("an indefinite Hessian leads on to a minimum, not to a claim of one", 
   }
 }
 
-// As a projected Hessian is where much of it was clamped: Newton's steps alone would take 0.95 of the way each.
+// A projected Hessian after much clamping: Newton's steps alone would leave 0.95 of the distance each.
 TEST_CASE("steps of Hessians that are too stiff are extrapolated within the feasible length", "[minimizer]") {
   const std::string type = GENERATE("projected_newton", "newton_pcg");
   const Curve stiff = {[](double x) { return x * x / 2; }, [](double x) { return x; }, [](double) { return 20.0; }};
   const Ended free = minimize(type, stiff);
   CHECK(free.result.status == MinimizerStatus::converged);
   CHECK(free.result.iterations < 5);
-  // What blocks a step blocks what would prolong it.
+  // An obstacle that blocks a step blocks its extrapolation.
   const double never_whole = 0.2;
   const Ended blocked = minimize(type, stiff, never_whole, 10);
   CHECK(blocked.result.status == MinimizerStatus::iteration_limit);
