@@ -21,7 +21,7 @@ constexpr int enough_cells = 8;
 constexpr double slender = 10;       // the diagonal over 2 V / A, which is the thickness of a plate and half that of a bar
 constexpr double patch_width = 4;    // in units of 2 V / A
 constexpr double least_strain = 1e-6;  // root of the mean square
-constexpr double bends = 0.8;        // share of bending
+constexpr double bends = 0.8;        // fraction of bending
 constexpr const char* of_linear = "with 1, 2, 4, 8 cells across a bar bends by 0.22, 0.50, 0.79, 0.93 of what it should "
                                   "(0.04, 0.10, 0.29, 0.58 at a Poisson's ratio of 0.49)";
 constexpr const char* of_patches = "with 1, 2, 4, 8 cells across a bar bends by 0.32, 0.61, 0.85, 0.95 of what it should";

@@ -4,8 +4,8 @@
 //     Poisson's ratio 0.49   0.04, 0.10, 0.29, 0.58
 // Composite tets (Elements) do not lock. Only the run shows whether a body bends: over a patch that
 // is a few thicknesses wide, the strain of bending has zero mean, that of stretching, shearing and
-// compression is its mean. The share of bending is the mean square strain less the squared means of
-// the patches.
+// compression is its mean. The fraction of bending is the mean square strain less the squared means
+// of the patches.
 #pragma once
 
 #include <string>

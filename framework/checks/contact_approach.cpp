@@ -141,9 +141,9 @@ std::map<ContactApproach::Objects, std::vector<PressedPoint>> ContactApproach::z
     for (int i = 0; i < static_cast<int>(c.vertices.size()); ++i) {
       const bool own = i < c.own;
       const int side = own == (c.object == objects.first) ? 0 : 1;
-      const double share = own ? c.coefficients[i] : -c.coefficients[i];
-      p.rest[side] += share * vertex(rest, c.vertices[i]);
-      p.now[side] += share * vertex(x, c.vertices[i]);
+      const double weight = own ? c.coefficients[i] : -c.coefficients[i];
+      p.rest[side] += weight * vertex(rest, c.vertices[i]);
+      p.now[side] += weight * vertex(x, c.vertices[i]);
     }
     zones[objects].push_back(p);
   });

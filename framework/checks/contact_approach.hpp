@@ -1,7 +1,7 @@
 // Warnings about barriers that took much of the approach of curved bodies. Where curved elastic
 // surfaces meet, as in Hertz contact, their approach determines the force and the contact area. A
 // barrier approaches by a fraction of contact.distance before it carries the pressure, as if both
-// bodies were softer. Only the run shows the share:
+// bodies were softer. Only the run shows the fraction:
 //  * Approach of the barrier: the mean of contact.distance less the gap, weighted with the force.
 //  * Approach of the surfaces: 7.6 times the root mean square of their loss of height towards each
 //    other where they press. For a sphere of radius R in contact over a radius a, the height over

@@ -142,19 +142,19 @@ class Warnings {
       const std::string& name = world_.bodies[i].name;
       const double size = world_.bodies[i].surface_triangles.empty() ? m.size : element_size(world_.bodies[i], world_.rest);
       if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, WarningKind::process_zone))
-        tell(i, WarningKind::process_zone, fmt::format(
+        warn(i, WarningKind::process_zone, fmt::format(
             "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
             "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, zone, name));
       const double length = std::pow(bending_stiffness(i) * 2 * adhesion.work_of_adhesion / std::pow(adhesion.peak_traction, 2), 0.25);
       if (length > 0 && size > (1 + 1e-6) * length / 2 && first_time(i, WarningKind::bending_length))
-        tell(i, WarningKind::bending_length, fmt::format(
+        warn(i, WarningKind::bending_length, fmt::format(
             "elements of '{}' ({:.3g} m) are larger than a half of the length over which it bends where its adhesion '{}' - '{}' "
             "lets go ((2 B W / sigma^2)^(1/4) = {:.3g} m, B its bending stiffness per width): the force of peeling is not "
             "resolved; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, length, name));
       if (m.gap_change > range / 4 && first_time(i, WarningKind::coarse_curvature))
-        tell(i, WarningKind::coarse_curvature, fmt::format(
+        warn(i, WarningKind::coarse_curvature, fmt::format(
             "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
             "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",
             name, world_.bodies[a].name, world_.bodies[b].name, m.size, m.gap_change, range, name));
@@ -176,11 +176,11 @@ class Warnings {
     const std::string& name = world_.bodies[i].name;
     if (!world_.bodies[i].movable) return;
     if (m.size > 0 && distance > m.size)
-      tell(i, WarningKind::contact_distance, fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
+      warn(i, WarningKind::contact_distance, fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
                                    "to a half of them or less",
                                    distance, name, m.size));
     if (m.thickness > 0 && range > m.thickness)
-      tell(i, WarningKind::self_contact_range, fmt::format("the contact of '{}' with itself has a range ({:.3g} m) above its thickness "
+      warn(i, WarningKind::self_contact_range, fmt::format("the contact of '{}' with itself has a range ({:.3g} m) above its thickness "
                                    "({:.3g} m); lower the range, or name the pair with contact: false",
                                    name, range, m.thickness));
   }
@@ -200,7 +200,7 @@ class Warnings {
       Eigen::Index at = 0;
       const double largest = force.size() > 0 ? force.cwiseAbs().maxCoeff(&at) : 0;
       if (!(largest > 0)) continue;
-      tell(i, WarningKind::self_contact_force, fmt::format(
+      warn(i, WarningKind::self_contact_force, fmt::format(
           "'{}' starts with contact forces on itself (up to {:.3g} N, at its vertex {}): it will deform by itself; "
           "lower contact.distance or the range of its adhesion below the gaps between its parts",
           world_.bodies[i].name, largest, world_.index_in_body(static_cast<int>(at / 3))));
@@ -244,7 +244,7 @@ class Warnings {
     }
     for (const auto& [worst, kind] : {std::pair(&squeezed, WarningKind::squeezed_object), std::pair(&thrown, WarningKind::thrown_object)})
       if (worst->count > 0)
-        tell(worst->lighter, kind, fmt::format("{}{}; leave more than contact.distance between them, or lower it", worst->line,
+        warn(worst->lighter, kind, fmt::format("{}{}; leave more than contact.distance between them, or lower it", worst->line,
                                                worst->count > 1 ? fmt::format(" (and so {} more pairs)", worst->count - 1) : ""));
   }
 
@@ -263,7 +263,7 @@ class Warnings {
   // of its copies (fill.hpp).
   bool first_time(int object, WarningKind kind) { return told_.emplace(object, kind).second; }
 
-  void tell(int object, WarningKind kind, std::string line) { lines_.add(scene_.objects[object], kind, std::move(line)); }
+  void warn(int object, WarningKind kind, std::string line) { lines_.add(scene_.objects[object], kind, std::move(line)); }
 
   const SceneConfig& scene_;
   World& world_;

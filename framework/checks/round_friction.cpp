@@ -76,10 +76,10 @@ class RoundFriction {
       if (!body.movable || rolls(scene_.objects[i])) continue;
       if (body.section && body.section->circular()) {
         const auto rods = components_of(body.edges);
-        tell(i, "rod", static_cast<int>(std::count_if(rods.begin(), rods.end(), [&](const auto& rod) { return free(rod); })), rods.size() > 1);
+        warn(i, "rod", static_cast<int>(std::count_if(rods.begin(), rods.end(), [&](const auto& rod) { return free(rod); })), rods.size() > 1);
       }
       if (body.radius > 0)
-        tell(i, "particle", static_cast<int>(std::count_if(body.points.begin(), body.points.end(), [&](int v) { return !led_[v]; })),
+        warn(i, "particle", static_cast<int>(std::count_if(body.points.begin(), body.points.end(), [&](int v) { return !led_[v]; })),
              body.points.size() > 1);
     }
     std::vector<Warning> warnings;
@@ -102,7 +102,7 @@ class RoundFriction {
   }
 
   // several: some of the object can touch others of it.
-  void tell(int i, const std::string& kind, int loose, bool several) {
+  void warn(int i, const std::string& kind, int loose, bool several) {
     if (loose == 0) return;
     const PairTable& pairs = world_.contact->pairs();
     double mu = 0;
@@ -113,9 +113,9 @@ class RoundFriction {
     }
     if (partner < 0) return;
     Line line{kind, remedy(i, kind), world_.bodies[i].name, partner, mu};
-    for (Line& told : lines_)
-      if (told.kind == line.kind && told.remedy == line.remedy && told.partner == partner && told.mu == mu) {
-        ++told.more;
+    for (Line& earlier : lines_)
+      if (earlier.kind == line.kind && earlier.remedy == line.remedy && earlier.partner == partner && earlier.mu == mu) {
+        ++earlier.more;
         return;
       }
     lines_.push_back(std::move(line));

@@ -37,7 +37,7 @@ bool begins_number(const std::string& text, size_t at) {
 }
 
 // A token of an expression: a name, a number with its unit, or another character.
-struct Piece {
+struct Token {
   enum Kind { name, number, other } kind;
   std::string text;  // a number without its unit
   std::string unit = "";
@@ -83,24 +83,24 @@ size_t end_of_unit(const std::string& text, size_t at, const Known& known) {
 }
 
 template <class Known>
-std::vector<Piece> pieces_of(const std::string& text, const Known& known) {
-  std::vector<Piece> pieces;
+std::vector<Token> tokens_of(const std::string& text, const Known& known) {
+  std::vector<Token> tokens;
   for (size_t at = 0; at < text.size();) {
     if (begins_name(text[at])) {
       const size_t end = end_of_name(text, at);
-      pieces.push_back({Piece::name, text.substr(at, end - at)});
+      tokens.push_back({Token::name, text.substr(at, end - at)});
       at = end;
     } else if (begins_number(text, at)) {
       const size_t end = end_of_number(text, at), unit = end_of_unit(text, end, known);
       size_t start = end;
       while (start < unit && text[start] == ' ') ++start;
-      pieces.push_back({Piece::number, text.substr(at, end - at), text.substr(start, unit - start)});
+      tokens.push_back({Token::number, text.substr(at, end - at), text.substr(start, unit - start)});
       at = unit;
     } else {
-      pieces.push_back({Piece::other, std::string(1, text[at++])});
+      tokens.push_back({Token::other, std::string(1, text[at++])});
     }
   }
-  return pieces;
+  return tokens;
 }
 
 // Returns the exponent of a base unit in a formula, from the ratio of its values when that unit is
@@ -132,13 +132,13 @@ struct Parameters::Written : std::map<std::string, const Value*> {};
 bool Parameters::named_in(const std::string& text) const {
   if (numbers_.empty()) return false;
   const auto known = [this](const std::string& name) { return numbers_.contains(name); };
-  const std::vector<Piece> pieces = pieces_of(text, known);
+  const std::vector<Token> tokens = tokens_of(text, known);
   try {  // numbers with units stay numbers
     to_si(text, units::any);
     return false;
   } catch (const InputError&) {
   }
-  return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) { return piece.kind == Piece::name && known(piece.text); });
+  return std::any_of(tokens.begin(), tokens.end(), [&](const Token& token) { return token.kind == Token::name && known(token.text); });
 }
 
 Parameters::Number Parameters::number_of(const std::string& expression) const {
@@ -156,13 +156,13 @@ Parameters::Number Parameters::number_of(const std::string& expression) const {
     values.push_back(number.si);
     dimensions.push_back(number.dimension);
   };
-  for (const Piece& piece : pieces_of(expression, known)) {
-    if (piece.kind == Piece::name && known(piece.text)) add(piece.text, numbers_.at(piece.text));
-    else if (piece.kind == Piece::number && !piece.unit.empty())
-      add(fmt::format("_number_{}", variables.size()), {to_si(piece.text + " " + piece.unit, units::any), base_dimension(piece.unit)});
-    else if (piece.kind == Piece::name && !Formula::knows(piece.text))
-      throw InputError(fmt::format("'{}' is no parameter{}", piece.text, suggestion(piece.text, names(), "parameters")));
-    else text += piece.text;
+  for (const Token& token : tokens_of(expression, known)) {
+    if (token.kind == Token::name && known(token.text)) add(token.text, numbers_.at(token.text));
+    else if (token.kind == Token::number && !token.unit.empty())
+      add(fmt::format("_number_{}", variables.size()), {to_si(token.text + " " + token.unit, units::any), base_dimension(token.unit)});
+    else if (token.kind == Token::name && !Formula::knows(token.text))
+      throw InputError(fmt::format("'{}' is no parameter{}", token.text, suggestion(token.text, names(), "parameters")));
+    else text += token.text;
   }
   const Formula formula(text, variables);
   Number number{formula(values), {}};
@@ -207,10 +207,10 @@ std::string Parameters::inserted(const std::string& formula, const std::vector<s
   for (size_t at = 0; at < formula.size();) {
     const bool name = begins_name(formula[at]);
     const size_t end = name ? end_of_name(formula, at) : begins_number(formula, at) ? end_of_number(formula, at) : at + 1;
-    const std::string piece = formula.substr(at, end - at);
-    const bool ours = name && numbers_.contains(piece) && !(own && own->find(piece));
-    if (ours && taken(piece)) throw InputError(fmt::format("'{}' is a variable of this formula, and a parameter of the scene; give the parameter another name", piece));
-    text += ours ? "(" + Value::number(numbers_.at(piece).si).text + ")" : piece;
+    const std::string token = formula.substr(at, end - at);
+    const bool ours = name && numbers_.contains(token) && !(own && own->find(token));
+    if (ours && taken(token)) throw InputError(fmt::format("'{}' is a variable of this formula, and a parameter of the scene; give the parameter another name", token));
+    text += ours ? "(" + Value::number(numbers_.at(token).si).text + ")" : token;
     at = end;
   }
   return text;
@@ -246,8 +246,8 @@ void Parameters::settle(const Written& written, const std::string& name, std::ve
   open.push_back(name);
   const auto known = [&](const std::string& other) { return written.contains(other); };
   if (!written_number(value.text))
-    for (const Piece& piece : pieces_of(value.text, known))
-      if (piece.kind == Piece::name && known(piece.text)) settle(written, piece.text, open);
+    for (const Token& token : tokens_of(value.text, known))
+      if (token.kind == Token::name && known(token.text)) settle(written, token.text, open);
   open.pop_back();
   try {
     numbers_[name] = number_of(value.text);

@@ -66,11 +66,11 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   summary_.stiffness = used_stiffness(world());
   summary_.meeting_groups = meeting_names(world());
   if (settings.profile) profiler_.emplace(world(), *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0);
-  const auto tell = [this](int iteration, double residual, double, double) {
+  const auto report_iteration = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
     if (settings_.control) settings_.control->iteration(iteration, residual);
   };
-  StepObservers observers{tell, tell, {}};
+  StepObservers observers{report_iteration, report_iteration, {}};
   if (gradients_) simulation_.observe_solved([this](const SolvedStep& step) { gradients_->follow_solve(step); });
   if (profiler_)
     observers.steps = [this](const VecX& x, const VecX& p, double feasible) { profiler_->tried(x, p, feasible); };
@@ -182,10 +182,10 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
   if (elements.empty()) return;
   const int step = simulation_.state().step;
   const double time = simulation_.state().time;
-  std::vector<Remeshing> told;
+  std::vector<Remeshing> remeshings;
   for (const NewElements& e : elements) {
     const Body& body = world().bodies[e.body];
-    told.push_back({body.name, step, time, e.before, e.after, static_cast<int>(body.tets.size()), static_cast<int>(e.mesh.mesh.tets.size()), 0});
+    remeshings.push_back({body.name, step, time, e.before, e.after, static_cast<int>(body.tets.size()), static_cast<int>(e.mesh.mesh.tets.size()), 0});
   }
   update_lowest_quality();
   warn_of_coarse_elements();
@@ -199,7 +199,7 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
     throw SimulationError(fmt::format("after objects were meshed anew (t = {:.6g} s): {}", time, error.what()));
   }
   recorder.emplace(experiment_.output, experiment_.time, monitors_->probes, world(), folder_, clock_, time);
-  for (Remeshing& r : told) {
+  for (Remeshing& r : remeshings) {
     r.lost = lost;
     progress_.message(fmt::format("object '{}' meshed anew after step {}, t = {:.6g} s: lowest mean ratio {:.3g}, was {:.3g}; {} tets, were {}", r.object, r.step, r.time,
                                   r.after, r.before, r.tets_after, r.tets_before));

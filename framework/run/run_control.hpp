@@ -1,5 +1,5 @@
 // Progress of a run, with pause and stop, for other threads. The running thread calls begin, step,
-// iteration, hold and end; any thread may call the others.
+// iteration, wait_while_paused and end; any thread may call the others.
 #pragma once
 
 #include <condition_variable>
