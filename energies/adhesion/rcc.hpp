@@ -1,7 +1,7 @@
-// Base of both forms of Raous-Cangemi-Cocou adhesion (the paper, eq. 5 and 6): a bond stores k
-// beta^2 / 2 with its pull k = C_N d^2 + C_T |u|^2 [J/m^2] and its intensity beta, which it
-// remembers. As long as beta < 0.01 and does not grow a bond is none, so that its place bonds anew,
-// unstressed, when it is pressed again.
+// Base of both forms of Raous-Cangemi-Cocou adhesion (the paper, eq. 5 and 6). A bond stores the
+// energy k beta^2 / 2 with k = C_N d^2 + C_T |u|^2 [J/m^2]. Its intensity beta is the history
+// variable. A bond with beta < 0.01 that does not grow has failed; its site forms a new, unstressed
+// bond under pressure.
 #pragma once
 
 #include <cmath>

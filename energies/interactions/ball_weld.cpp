@@ -30,7 +30,7 @@ class Weld : public PointJoint {
   void build(InteractionBuilder& builder) const override {
     JointPoints points(builder, ends_);
     points.joined(ends_.at);
-    for (int i = 0; i < 3; ++i) points.joined(ends_.at + points.reach() * Vec3::Unit(i));
+    for (int i = 0; i < 3; ++i) points.joined(ends_.at + points.spacing() * Vec3::Unit(i));
     points.finish();
   }
 };

@@ -26,8 +26,8 @@ class Hinge : public Interaction {
     if (axis_.norm() == 0) throw InputError(fmt::format("hinge '{}' has an axis without a direction; give it one", builder.name()));
     const Vec3 axis = axis_.normalized();
     JointPoints points(builder, ends_);
-    const Vec3 arm = ends_.at + points.reach() * across(axis)[0];
-    const int a = points.joined(ends_.at), b = points.joined(ends_.at + points.reach() * axis);
+    const Vec3 arm = ends_.at + points.spacing() * across(axis)[0];
+    const int a = points.joined(ends_.at), b = points.joined(ends_.at + points.spacing() * axis);
     const int from = points.of_other(arm), turned = points.of_object(arm);
     const double effort = joint_strength(builder.world(), points.object(), points.other());
     points.finish();

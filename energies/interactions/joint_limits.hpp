@@ -13,7 +13,8 @@
 
 namespace tack {
 
-// The coordinate as the formula of a term has it: near that one.
+// Returns the coordinate in the number type of a formula, with the whole turns that bring it
+// nearest to `near`.
 template <class Coordinate, class T>
 T joint_coordinate(const std::array<Eigen::Matrix<T, 3, 1>, Coordinate::arity>& x, double offset,
                    double near) {

@@ -98,7 +98,7 @@ struct MechanicsKeys {
     f.optional_object("position_motor", position_motor, "position motor");
   }
 
-  // effort: what limits exert at half of their margin unless told.
+  // effort: default of the force or moment of limits at half of their margin.
   void build(InteractionBuilder& builder, const std::array<int, Coordinate::arity>& vertices,
              double effort) const {
     const auto coordinate = std::make_shared<JointCoordinate<Coordinate>>(

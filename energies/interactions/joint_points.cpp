@@ -21,13 +21,13 @@ std::vector<std::string> JointEnds::objects() const { return to.empty() ? std::v
 
 JointPoints::JointPoints(InteractionBuilder& builder, const JointEnds& ends) : builder_(builder), ends_(ends), object_(builder.body(ends.object)) {
   const auto size = [&](int i) { return extent_of(builder.world().bodies[i], builder.rest()).diagonal().norm(); };
-  reach_ = size(object_) / 2;
+  spacing_ = size(object_) / 2;
   joint_.bodies = {object_};
   if (ends.to.empty()) return;
   other_ = builder.body(ends.to);
   if (other_ == object_) throw InputError(fmt::format("joint '{}' joins '{}' to itself; choose another object", builder.name(), ends.to));
   joint_.bodies.push_back(other_);
-  reach_ = std::min(reach_, size(other_) / 2);
+  spacing_ = std::min(spacing_, size(other_) / 2);
 }
 
 bool JointPoints::affine(int body) const { return body >= 0 && !builder_.world().bodies[body].frame.empty(); }

@@ -20,9 +20,9 @@ class JointPoints {
  public:
   JointPoints(InteractionBuilder& builder, const JointEnds& ends);
 
-  // Returns the distance between the points that hold a body: half of the size of the smaller body
-  // [m].
-  double reach() const { return reach_; }
+  // Returns the distance between the attachment points of a body: half of the size of the smaller
+  // body [m].
+  double spacing() const { return spacing_; }
   int object() const { return object_; }
   int other() const { return other_; }  // -1: space
   int of_object(const Vec3& at);        // returns a vertex that moves with the object
@@ -30,7 +30,7 @@ class JointPoints {
   // Joins both at a position; returns the vertex there.
   int joined(const Vec3& at);
   Joint& joint() { return joint_; }
-  // Adds the joint. Its key `contact`: true keeps contact between the two.
+  // Adds the joint. With `contact`, the two objects stay in contact with each other.
   void finish();
 
  private:
@@ -39,7 +39,7 @@ class JointPoints {
   InteractionBuilder& builder_;
   const JointEnds& ends_;
   int object_, other_ = -1;
-  double reach_;
+  double spacing_;
   Joint joint_;
 };
 

@@ -49,9 +49,9 @@ class Slider : public Interaction {
     if (axis_.norm() == 0) throw InputError(fmt::format("slider '{}' has an axis without a direction; give it one", builder.name()));
     const Vec3 axis = axis_.normalized();
     JointPoints points(builder, ends_);
-    const double reach = points.reach();
+    const double spacing = points.spacing();
     const std::array<Vec3, 2> sides = across(axis);
-    const std::array<Vec3, 4> at = {ends_.at, ends_.at + reach * axis, ends_.at + reach * sides[0], ends_.at + reach * sides[1]};
+    const std::array<Vec3, 4> at = {ends_.at, ends_.at + spacing * axis, ends_.at + spacing * sides[0], ends_.at + spacing * sides[1]};
     std::array<int, 4> own, others;
     for (int i = 0; i < 4; ++i) own[i] = points.of_object(at[i]), others[i] = points.of_other(at[i]);
     for (int i = 1; i < 4; ++i) points.joint().relations.push_back({{own[i], 1.0}, {own[0], -1.0}, {others[i], -1.0}, {others[0], 1.0}});
@@ -63,11 +63,11 @@ class Slider : public Interaction {
     } else {
       auto line = std::make_unique<OnLineTerm>();
       const double strength = joint_strength(builder.world(), points.object(), points.other());  // N m, at a strain of 1e-4
-      line->add({own[0], others[0], others[1]}, {stiffness_.value_or(strength / (tolerated_affine_strain * reach * reach))});
+      line->add({own[0], others[0], others[1]}, {stiffness_.value_or(strength / (tolerated_affine_strain * spacing * spacing))});
       points.joint().play = [term = line.get()](const VecX& x) { return term->off(x); };
       builder.add(std::move(line));
     }
-    const double effort = joint_strength(builder.world(), points.object(), points.other()) / reach;
+    const double effort = joint_strength(builder.world(), points.object(), points.other()) / spacing;
     points.finish();
     mechanics_.build(builder, {moved, others[0], others[1]}, effort);
   }

@@ -1,4 +1,4 @@
-// How a load varies in time and space.
+// Profile of a load in time and space.
 #pragma once
 
 #include <cmath>

@@ -1,12 +1,11 @@
 // Von Mises plasticity on a St. Venant-Kirchhoff solid in Hencky strain, for several tets side by
 // side. F is the trial deformation F_tr = F Fp^-1, Fp that of the start of the step, e = ln s its
-// Hencky strain, n = |dev e|. Within the yield surface 2 mu n <= sqrt(2/3) (sigma_y + H a), a the
-// accumulated plastic strain, i.e. n <= limit,
+// Hencky strain, n = |dev e|, a the accumulated plastic strain. The yield surface is
+// 2 mu n = sqrt(2/3) (sigma_y + H a), i.e. n = limit. Below it
 //     psi = mu n^2 + K/2 (tr e)^2,
-// and beyond it the deviatoric part goes on with the slope that it has there, rising by 2 mu' per
-// strain,
-//     psi = mu limit^2 + 2 mu limit r + mu' r^2 + K/2 (tr e)^2,   r = n - limit,   mu' = mu H / (3
-//     mu + H).
+// and beyond it the deviatoric slope continues and rises by 2 mu' per strain,
+//     psi = mu limit^2 + 2 mu limit r + mu' r^2 + K/2 (tr e)^2,
+//     r = n - limit,   mu' = mu H / (3 mu + H).
 // psi is the minimum of elastic energy and plastic work over all plastic flows,
 //     mu (n - g)^2 + K/2 (tr e)^2 + w (sigma_y + H (a + w/2)),   w = sqrt(2/3) g,
 // so that its stress is the return-mapped stress. The yield surface bounds Kirchhoff's stress.
@@ -40,8 +39,8 @@ struct VonMisesLanes {
   PrincipalDerivatives derivatives(const PackVec3& s) const {
     const Strain e = strain(s);
     const PackMask yields = e.norm > limit;
-    // tau = K tr e + c dev e, dtau/de = K + c (1 - 1/3) + w dev e dev e^T; c is the secant, w what
-    // it falls by.
+    // tau = K tr e + c dev e, dtau/de = K + c (1 - 1/3) + w dev e dev e^T; c: secant stiffness, w:
+    // its decrease.
     const Pack norm = select(yields, e.norm, 1);
     const Pack c =
         select(yields, 2 * (lame.mu * limit + hardened * (e.norm - limit)) / norm, 2 * lame.mu);

@@ -70,13 +70,13 @@ class RodTerm : public Term, public ResidualView, public StrainView {
   struct Pair {
     std::array<int, 2> edge;         // in the frames
     std::array<bool, 2> backwards;   // against the direction in which it is stored
-    bool second_from_end;            // the second is followed from b to v
+    bool second_from_end;            // true: the second edge leads from b to v
     std::array<double, 2> turned;    // rotation of the directors [rad]
     Mat3 root;                       // of the stiffness C = root^T root (see BendTwist) [J^1/2]
-    Vec3 rest;                       // likewise
+    Vec3 rest;                       // strains at rest (see BendTwist)
   };
   int pair_count() const { return static_cast<int>(pairs_.size()); }
-  // From other strains than those at rest; null: from those.
+  // strains: reference strains; null: those at rest.
   double value_of(const VecX& x, const double* strains) const;
   void derivatives_of(const VecX& x, const double* strains, Projection projection, double* gradient,
                       double* hessian) const;

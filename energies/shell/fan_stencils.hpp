@@ -30,9 +30,10 @@ class FanStencils final : public StencilRanges {
   StencilBatch batch() const { return {shape_.arity(), count_, vertices_.data()}; }
   int edge_count() const { return shape_.edge_count * count_; }
 
-  // Without moments at `rest`, and not where they are flat.
+  // Sets the angles without moments to those at `rest`; initially, the flat sheet has no moments.
   void set_rest(const VecX& rest);
-  // turns: of each dihedral edge of each fan, whole turns at x beyond what the angle tells.
+  // turns: per dihedral edge of each fan, the whole turns at x in addition to the angle in (-pi,
+  // pi].
   void begin_step(const VecX& x, const double* turns);
   void turns(const VecX& x, double* turns) const;
 

@@ -55,8 +55,8 @@ class CompositeTets {
                   inverse(composite_samples * std::min(p * pack_width + l, count() - 1) + k));
   }
 
-  // At x, of the tets first .. first + n, from their first nodes: exact differences, however far
-  // from the origin. Further lanes repeat the last one.
+  // Returns the nodes of the tets first .. first + n at x, relative to their first nodes:
+  // differences are exact far from the origin. Further lanes repeat the last tet.
   CompositeNodes at(int first, int n, const VecX& x) const;
   CompositePoints points(int pack, const CompositeNodes& x) const;
   PackMat3 part(int pack, int s, const CompositeNodes& x) const;
@@ -69,7 +69,7 @@ class CompositeTets {
   std::vector<CompositeTet> nodes_;
   std::vector<PackMat3> shape_, turned_;  // of pack_width tets each; the last lanes repeat the last
                                           // tet. turned_: of each sample, or empty
-  std::vector<Pack> volume_;              // likewise [m^3]
+  std::vector<Pack> volume_;              // of pack_width tets each [m^3]
 };
 
 }  // namespace tack

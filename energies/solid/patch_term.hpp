@@ -16,8 +16,8 @@
 
 namespace tack {
 
-// A type of its own, so that no function is shared with linear tets: the linker would keep one for
-// both, compiled for either.
+// A separate type, so that no function is shared with linear tets: the linker would keep one copy,
+// compiled for one of the two.
 template <class Shape>
 struct PatchShape : Shape {};
 

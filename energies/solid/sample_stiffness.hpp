@@ -44,7 +44,7 @@ class SampleStiffness {
   std::array<PackMat3, 3> same_, column_;
 };
 
-// Adds a pressure to the derivatives of a density: those of p J, J = s_0 s_1 s_2, at p held.
+// Adds the derivatives of p J, J = s_0 s_1 s_2, with a constant pressure p, to those of a density.
 inline void add_pressure(PrincipalDerivatives& d, const PackVec3& s, const Pack& pressure) {
   const PackVec3 cofactor(s(1) * s(2), s(0) * s(2), s(0) * s(1));
   for (int i = 0; i < 3; ++i) {

@@ -51,7 +51,7 @@ class Assembler {
   struct Group {
     std::vector<const Term*> terms;
     std::vector<PlacedBatch> batches;
-    std::vector<const Term*> batch_terms;  // whose they are
+    std::vector<const Term*> batch_terms;  // the term of each batch
     std::vector<int> first_gradient, first_hessian;  // per term
     std::vector<double> gradient_slots, hessian_slots;  // of the stencils, then of the reduced ones
     size_t own_gradient_slots = 0;

@@ -38,7 +38,7 @@ struct FormulaOf {
                 "core/term.hpp says how many vertices a stencil may have");
   static_assert(Scalars >= 0 && Scalars <= Arity);
   static constexpr int arity = Arity, scalars = Scalars;
-  static constexpr bool stored = true;     // redefined where it stands for what a step dissipates
+  static constexpr bool stored = true;     // redefine as false for dissipation
   template <class T>
   using Positions = std::array<Eigen::Matrix<T, 3, 1>, Arity>;
 };

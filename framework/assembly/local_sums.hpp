@@ -52,7 +52,7 @@ class LocalSums {
   const DofMap* dofs_ = nullptr;
   int batches_ = 0;
   std::vector<Chunk> chunks_;
-  // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is held
+  // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is fixed
   std::vector<int> sum_of_;
   std::vector<double> sums_;   // 9 each
   std::vector<BlockKey> targets_;

@@ -1,5 +1,5 @@
 // Factors of the terms in a potential. The factor of dynamic terms (contact) may differ, because
-// integrators treat contact forces in their own way.
+// integrators treat contact forces differently.
 #pragma once
 
 #include "framework/core/term.hpp"

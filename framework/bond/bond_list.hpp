@@ -1,7 +1,7 @@
 // The bonds of a configuration with their history variables, and their storage in a history: one
 // array per type of law, one entry per bond. The key of an entry is (vertex of the site, object of
-// the anchor). The entry holds the position of the bond on the meshes, valid in another scene with
-// the same meshes, and its history variables.
+// the attachment point). The entry holds the position of the bond on the meshes, valid in another
+// scene with the same meshes, and its history variables.
 #pragma once
 
 #include <vector>

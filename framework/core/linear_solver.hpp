@@ -59,7 +59,7 @@ class LinearSolver : public Component {
 
   /// Approximate factors, for solvers that can trade accuracy for speed:
   ///   allow_approximation()  a preconditioner calls it once
-  ///   exact()                true if the last factor solves to double precision all the same
+  ///   exact()                true if the last factor solves to double precision nevertheless
   ///   sharpen()              requests exact factors from now on; false if that changes nothing
   virtual void allow_approximation() {}
   virtual bool exact() const { return true; }

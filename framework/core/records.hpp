@@ -101,7 +101,7 @@ struct FlowRecord {
   /// Writes the amount of each column for the step to x [J]. Called before the step is committed,
   /// so that lagged quantities are still those of the step.
   std::function<void(const VecX& x, double* amounts)> amounts = {};
-  /// Calls share(vertices, energy) for each stencil: the dissipation of the step to x minus the fed
+  /// Calls visit(vertices, energy) for each stencil: the dissipation of the step to x minus the fed
   /// energy [J]. None: all stencils of the term count as connected (Term::visit_energies).
   std::function<void(const VecX& x, const EnergyVisitor& visit)> visit_energies = {};
   const Term* term = nullptr;  // the publishing term

@@ -1,11 +1,10 @@
 // A term as least squares: P(x) = constant + 1/2 |r(x)|^2 + rest(x), for methods of Gauss-Newton
-// type. The rest is what has no residual: linear potentials, and stencils of negative weight, whose
-// energy has no lower bound. Its force is the difference between the gradient of the term and J^T
-// r, and a method that uses the view holds that difference at a point.
+// type. The rest contains energies without residuals: linear potentials, and stencils of negative
+// weight, whose energy has no lower bound. Its force is the gradient of the term minus J^T r.
+// Methods that use the view keep this force constant at its value at one point.
 //
-// Like Term, a view computes all its stencils in one call. They are those of the term's present
-// stencils (of the configuration to which the contact system was last moved), and stay the same
-// however x is varied.
+// Like Term, a view computes all its stencils in one call. They are the current stencils of the
+// term, at the configuration to which the contact system was last moved, and do not change with x.
 #pragma once
 
 #include <string>
@@ -31,7 +30,7 @@ class ResidualView {
   virtual std::vector<ResidualBatch> residual_batches() const = 0;
   /// Writes the residuals [J^1/2] of all stencils, batch by batch, and unless `jacobian` is null,
   /// for each stencil a row-major matrix [J^1/2 / m] of residuals x (3 arity). False where the
-  /// energy is not finite; what was written is void then.
+  /// energy is not finite; the written values are void then.
   virtual bool residuals(const VecX& x, double* r, double* jacobian) const = 0;
 };
 

@@ -92,7 +92,7 @@ class Term : public StepParticipant {
 
   /// Returns true if the value is a stored energy, false if it represents dissipation of a step.
   virtual bool stores() const { return true; }
-  /// Calls share(vertices, energy) for each stencil at x and returns true; the energies add up to
+  /// Calls visit(vertices, energy) for each stencil at x and returns true; the energies add up to
   /// the value. Returns false if the term does not offer it: the energy balance of groups of bodies
   /// (stepping/group_balance.hpp) then counts all stencils of the term as connected.
   virtual bool visit_energies(const VecX& /*x*/, const EnergyVisitor& /*visit*/) const {

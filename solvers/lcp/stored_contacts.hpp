@@ -1,4 +1,4 @@
-// History of contacts from step to step: the side of the surface, the gap that is kept and the
+// History of contacts from step to step: the side of the surface, the gap of the constraint and the
 // force. Entries are keyed by (point, object), with several entries where a point is near several
 // features of the object, and by pairs of edges.
 #pragma once
@@ -14,7 +14,7 @@ struct StoredPoint {
   int point, object;
   int triangle;        // of the mesh: the nearest one
   double side;         // 1: in front of the triangle; -1: behind it; 0: none (beside a boundary)
-  double gap;  // gap that is kept [m]: the margin, or less for a contact that started closer
+  double gap;  // gap of the constraint [m]: the margin, or less for a contact that started closer
   double depth;        // depth behind the side it belongs to; 0 in front [m]
   Vec3 force;          // on the point [N]
 };
