@@ -70,11 +70,11 @@ void CodimensionalWeights::find_fan(int triangle, int corner) {
       const int a = mesh_.triangles[t][side], b = mesh_.triangles[t][(side + 1) % 3];
       const int other = a == corner || b == corner ? neighbour_across(t, side) : -1;
       if (other < 0) continue;
-      const Vec3 normal = fan_[k].normal, turned = normal_along(other, normal);
+      const Vec3 normal = fan_[k].normal, other_normal = normal_along(other, normal);
       int at = 0;
       while (at < static_cast<int>(fan_.size()) && fan_[at].triangle != other) ++at;
-      if (at == static_cast<int>(fan_.size())) fan_.push_back({other, turned, 1});
-      fan_edges_.push_back({k, at, sharpness(t, side, normal, turned)});
+      if (at == static_cast<int>(fan_.size())) fan_.push_back({other, other_normal, 1});
+      fan_edges_.push_back({k, at, sharpness(t, side, normal, other_normal)});
     }
   }
   for (bool changed = true; changed;) {
@@ -249,8 +249,8 @@ std::vector<TriangleWeight>& CodimensionalWeights::find(int vertex_index, std::s
     for (int i = 0; i < n; ++i) {
       const double membership = memberships_[static_cast<size_t>(n) * k + i];
       if (!(membership > 0)) continue;
-      const double part = 1 - rise(seed.scaled_distance / membership / nearest_[i], 1, 1 + seed_distance_margin);
-      weights_[i].weight = std::max(weights_[i].weight, membership * seed.strength * part);
+      const double psi = 1 - rise(seed.scaled_distance / membership / nearest_[i], 1, 1 + seed_distance_margin);
+      weights_[i].weight = std::max(weights_[i].weight, membership * seed.strength * psi);
     }
   }
   return weights_;

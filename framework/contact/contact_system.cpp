@@ -67,10 +67,10 @@ void ContactSystem::load_history(const History& history) {
       for (int b = a + 1; b < pairs_.objects(); ++b)
         if (pairs_.point(a, b).by_overlap && ((*all)[a * pairs_.objects() + b] != 0) != pairs_.finer(a, b)) previous_coarse_pairs_->emplace_back(a, b);
   }
-  if (const auto turned = history.find(coarse_pairs_name); turned != history.end()) {
+  if (const auto pairs = history.find(coarse_pairs_name); pairs != history.end()) {
     previous_coarse_pairs_.emplace();
-    for (int i = 0; i < turned->second.entries(); ++i)
-      previous_coarse_pairs_->emplace_back(static_cast<int>(turned->second.values[2 * i]), static_cast<int>(turned->second.values[2 * i + 1]));
+    for (int i = 0; i < pairs->second.entries(); ++i)
+      previous_coarse_pairs_->emplace_back(static_cast<int>(pairs->second.values[2 * i]), static_cast<int>(pairs->second.values[2 * i + 1]));
   }
   const auto sides = history.find(sides_name);
   if (sides == history.end()) return;

@@ -22,8 +22,8 @@ void ContactTerm::publish(Records& records) const {
     });
   };
   records.add(std::move(force));
-  for (const auto& [name, part] : {std::pair{"barrier", LawTerm::barrier}, {"adhesion", LawTerm::adhesion}})
-    records.add(EnergyRecord{name, EnergyKind::contact, [this, part = part](const VecX& x) { return term_value(x, part); }});
+  for (const auto& [name, term] : {std::pair{"barrier", LawTerm::barrier}, {"adhesion", LawTerm::adhesion}})
+    records.add(EnergyRecord{name, EnergyKind::contact, [this, term = term](const VecX& x) { return term_value(x, term); }});
 }
 
 }  // namespace tack

@@ -53,13 +53,13 @@ struct FrameKernels {
 };
 
 template <int V, int... At>
-DistanceFrame<V> embed(const DistanceFrame<sizeof...(At)>& part) {
+DistanceFrame<V> embed(const DistanceFrame<sizeof...(At)>& frame) {
   constexpr std::array<int, sizeof...(At)> at{At...};
-  DistanceFrame<V> out{Eigen::Matrix<double, V, 1>::Zero(), part.residual, part.along,
-                       Eigen::Matrix<double, 3, V>::Zero(), part.free};
+  DistanceFrame<V> out{Eigen::Matrix<double, V, 1>::Zero(), frame.residual, frame.along,
+                       Eigen::Matrix<double, 3, V>::Zero(), frame.free};
   for (int i = 0; i < int(at.size()); ++i) {
-    out.weights[at[i]] = part.weights[i];
-    out.duals.col(at[i]) = part.duals.col(i);
+    out.weights[at[i]] = frame.weights[i];
+    out.duals.col(at[i]) = frame.duals.col(i);
   }
   return out;
 }

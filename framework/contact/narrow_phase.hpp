@@ -83,8 +83,8 @@ class NarrowPhase {
   const BroadPhase& broad_phase_;
   FreeVertices free_;
   PointGroups groups_;
-  std::vector<GroupPatches> patches_;        // of the start of this step, by key
-  std::vector<GroupPatches> later_patches_;  // of groups that came later, likewise
+  std::vector<GroupPatches> patches_;        // of groups at the start of this step, by key
+  std::vector<GroupPatches> later_patches_;  // of later groups, by key
   VertexQuadrature quadrature_;
   InteriorPatches interior_patches_;  // of the samples of the overlap
   RodOverlaps rods_;                  // of this step

@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// A piece of a triangle that lies opposite a triangle of the other object, its seed triangle.
+// A part of a triangle that lies opposite a triangle of the other object, its seed triangle.
 struct OverlapFacet {
   int triangle, seed_triangle;
   double area;      // projected towards the seed triangle [m^2]

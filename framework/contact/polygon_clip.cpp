@@ -46,32 +46,32 @@ void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& lagged, cons
   }
 }
 
-std::vector<ClipPolygon> clip_by_lines(const VecX& x, const Triangle& own, const std::array<Vec3, 3>& piece,
+std::vector<ClipPolygon> clip_by_lines(const VecX& x, const Triangle& own, const std::array<Vec3, 3>& subtriangle,
                                  const std::vector<ClipLine>& lines) {
-  std::vector<ClipPolygon> faces = {{{piece[0], -1, false}, {piece[1], -1, false}, {piece[2], -1, false}}}, parts;
+  std::vector<ClipPolygon> clipped = {{{subtriangle[0], -1, false}, {subtriangle[1], -1, false}, {subtriangle[2], -1, false}}}, polygons;
   for (int k = 0; k < static_cast<int>(lines.size()); ++k) {
     const auto height = [&](const Vec3& inside) { return (point_inside(x, own, inside) - lines[k].at).dot(lines[k].outward); };
-    parts.clear();
-    for (const ClipPolygon& face : faces) {
-      ClipPolygon within, beyond;
-      for (size_t i = 0; i < face.size(); ++i) {
-        const ClipCorner &p = face[i], &q = face[(i + 1) % face.size()];
+    polygons.clear();
+    for (const ClipPolygon& polygon_before : clipped) {
+      ClipPolygon inside, outside;
+      for (size_t i = 0; i < polygon_before.size(); ++i) {
+        const ClipCorner &p = polygon_before[i], &q = polygon_before[(i + 1) % polygon_before.size()];
         const double from = height(p.inside), to = height(q.inside);
-        (from <= 0 ? within : beyond).push_back(p);
+        (from <= 0 ? inside : outside).push_back(p);
         if ((from <= 0) == (to <= 0)) continue;
         const Vec3 at = p.inside + from / (from - to) * (q.inside - p.inside);
         // The polygon that the boundary leaves continues along the line; the polygon that it enters
         // continues along the old edge.
-        ClipPolygon &left = from <= 0 ? within : beyond, &entered = from <= 0 ? beyond : within;
+        ClipPolygon &left = from <= 0 ? inside : outside, &entered = from <= 0 ? outside : inside;
         left.push_back({at, k, from > 0});
-        entered.push_back({at, p.line, p.beyond});
+        entered.push_back({at, p.line, p.outside});
       }
-      for (ClipPolygon* part : {&within, &beyond})
-        if (part->size() > 2) parts.push_back(std::move(*part));
+      for (ClipPolygon* polygon : {&inside, &outside})
+        if (polygon->size() > 2) polygons.push_back(std::move(*polygon));
     }
-    std::swap(faces, parts);
+    std::swap(clipped, polygons);
   }
-  return faces;
+  return clipped;
 }
 
 }  // namespace tack

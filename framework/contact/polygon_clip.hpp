@@ -1,4 +1,4 @@
-// Polygon clip: divides a part of a triangle by the boundary lines of the opposite surface. A line
+// Polygon clip: divides a subtriangle by the boundary lines of the opposite surface. A line
 // is the intersection of the triangle with the plane through an edge of the other surface,
 // perpendicular to the triangle of that edge. The resulting convex polygons overlap as a whole or
 // not at all, so that overlap areas are continuous in the positions.
@@ -18,9 +18,9 @@ struct ClipLine {
 };
 
 struct ClipCorner {
-  Vec3 inside;  // barycentric coordinates
-  int line;     // the line of the edge that begins here; -1: none
-  bool beyond;  // whether the polygon lies on the outward side of that line
+  Vec3 inside;   // barycentric coordinates
+  int line;      // the line of the edge that begins here; -1: none
+  bool outside;  // whether the polygon lies on the outward side of that line
 };
 using ClipPolygon = std::vector<ClipCorner>;
 
@@ -30,10 +30,10 @@ void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& lagged,
                     const SurfaceRegion* region, int triangle, const Vec3& p,
                     std::vector<ClipLine>& lines);
 
-// Returns the polygons of a part of the triangle `own`. piece: barycentric coordinates of the
-// corners of the part.
+// Returns the polygons of a subtriangle of the triangle `own`. subtriangle: barycentric coordinates
+// of its corners.
 std::vector<ClipPolygon> clip_by_lines(const VecX& x, const Triangle& own,
-                                       const std::array<Vec3, 3>& piece,
+                                       const std::array<Vec3, 3>& subtriangle,
                                        const std::vector<ClipLine>& lines);
 
 }  // namespace tack

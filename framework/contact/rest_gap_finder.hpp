@@ -14,7 +14,7 @@ namespace tack {
 struct RestShape {
   // search_radius: per object, the largest distance of a gap to itself [m].
   RestShape(const ContactSurface& surface, const PairTable& pairs,
-            const std::vector<double>& reach);
+            const std::vector<double>& search_radius);
 
   const ContactSurface& surface;
   const PairTable& pairs;

@@ -104,9 +104,9 @@ void RestGaps::add_laws(PairTable& pairs) {
   }
   for (int law = 0; law < laws_; ++law)
     for (const double level : levels_) {
-      const PairLaw whole = pairs.laws()[law];
-      const bool cut = own[law] && level < whole.offset() + whole.barrier_range();
-      cut_down_.push_back(cut ? pairs.add_cut_down(law, whole.from_rest(level)) : law);
+      const PairLaw original = pairs.laws()[law];
+      const bool cut = own[law] && level < original.offset() + original.barrier_range();
+      cut_down_.push_back(cut ? pairs.add_cut_down(law, original.from_rest(level)) : law);
     }
   for (const PairLaw& law : pairs.laws()) ranges_.push_back(law.range());
 }

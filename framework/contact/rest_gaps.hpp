@@ -77,11 +77,11 @@ class RestGaps {
   const ContactSurface& surface_;
   int laws_;                           // of the table, without those cut down
   std::vector<double> search_radius_;  // per object: of its laws with itself [m]; 0: it has none
-  Keys point_gaps_, edge_gaps_;        // pairs with a gap between, closer at rest than the reach
-  std::vector<double> levels_;         // distances, ascending [m]; empty: no gap at rest
-  std::vector<int> level_of_point_;    // per global vertex; -1: none
-  std::vector<int> cut_down_;          // per law and level
-  std::vector<double> ranges_;         // per law of the table [m]
+  Keys point_gaps_, edge_gaps_;  // pairs with a gap between, closer at rest than the search radius
+  std::vector<double> levels_;   // distances, ascending [m]; empty: no gap at rest
+  std::vector<int> level_of_point_;  // per global vertex; -1: none
+  std::vector<int> cut_down_;        // per law and level
+  std::vector<double> ranges_;       // per law of the table [m]
 };
 
 }  // namespace tack

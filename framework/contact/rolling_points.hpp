@@ -46,7 +46,7 @@ struct RollingGroup {
 // Contact points on which friction acts at one configuration.
 struct FrictionPoints {
   ContactPoints sliding;              // at which nothing turns
-  std::vector<RollingGroup> rolling;  // ascending by (places, numbers)
+  std::vector<RollingGroup> rolling;  // ascending by (vector_count, scalar_count)
 };
 
 // Splits contact points into those without and with rotations. x: positions for the tangents of

@@ -123,10 +123,10 @@ void SurfaceOverlap::choose_sides(const std::vector<GroupPatches>& groups, Integ
   const CollisionMesh& mesh = surface_.mesh;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     const int object = mesh.vertex_object[mesh.triangles[t][0]];
-    const int lead = mesh.triangles[t][0];
-    const auto first = std::lower_bound(groups.begin(), groups.end(), lead,
+    const int corner = mesh.triangles[t][0];
+    const auto first = std::lower_bound(groups.begin(), groups.end(), corner,
                                         [](const GroupPatches& g, int point) { return g.point < point; });
-    for (auto group = first; group != groups.end() && group->point == lead; ++group) {
+    for (auto group = first; group != groups.end() && group->point == corner; ++group) {
       const PairRole& role = pairs_.point(object, group->object);
       if (!role.by_overlap) continue;
       const auto at = corners(groups, t, group->object);
@@ -184,8 +184,8 @@ void SurfaceOverlap::evaluate_chunk(const TriangleChunk& chunk, const BroadPhase
       const double range_twice = 2 * role.range_max();
       Result& found = other.found[chunk.index];
       const auto at = corners(groups, t, other.object);
-      const bool whole = overlaps_fully(groups, t, at) && has_one_law(groups, t, other.object, at), small = 2 * lagged_.area(t) <= range_twice * range_twice;
-      if (whole && (small || role.bonds || has_uniform_gap(t, at, groups, role.range_max()))) {
+      const bool full = overlaps_fully(groups, t, at) && has_one_law(groups, t, other.object, at), small = 2 * lagged_.area(t) <= range_twice * range_twice;
+      if (full && (small || role.bonds || has_uniform_gap(t, at, groups, role.range_max()))) {
         add_full_triangle(t, range_twice, role.bonds, at, groups, found);
         found.known.push_back(t);
         continue;

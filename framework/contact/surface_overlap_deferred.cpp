@@ -89,10 +89,10 @@ std::vector<int> SurfaceOverlap::subdivide(const std::vector<int>& indices_of_ce
     TriangleSubdivision subdivision(surface_.mesh, lagged_);
     for (int i = first; i < last; ++i) {
       DeferredCell& w = deferred_[indices_of_cells[i]];
-      const std::vector<FacedRegion> parts = faced_regions(w.triangle, w.object, std::span(nearby_triangles_).subspan(w.begin, w.end - w.begin));
+      const std::vector<FacedRegion> regions = faced_regions(w.triangle, w.object, std::span(nearby_triangles_).subspan(w.begin, w.end - w.begin));
       w.end = w.begin;  // no longer deferred
       const TriangleSubdivision::Request request{w.triangle, w.object, pairs_.point(own(w.triangle), w.object).range_max(), w.depth};
-      for (const FacedRegion& faced : parts)
+      for (const FacedRegion& faced : regions)
         if (w.cell == TriangleSubdivision::all) {
           std::vector<TriangleSubdivision::SkippedCell> none;
           subdivision.subdivide(request, faced.triangles, faced.region_or_null(), {}, found[c].interior_points, found[c].facets, none);

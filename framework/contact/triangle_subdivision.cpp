@@ -16,7 +16,7 @@ constexpr int clip_lines_max = 6;     // boundary lines that clip one subtriangl
 constexpr double distance_tolerance_relative = 1e-9;  // far above rounding
 
 using Corners = std::array<Vec3, 3>;
-const Corners whole = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+const Corners unit_triangle = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 
 Corners midpoints_of(const Corners& c) { return {(c[0] + c[1]) / 2, (c[1] + c[2]) / 2, (c[2] + c[0]) / 2}; }
 
@@ -55,13 +55,13 @@ void TriangleSubdivision::subdivide(const Request& request, const std::vector<in
   begin(request, region, out, facets);
   nearby_ = nearby;
   skipped_ = &skipped;
-  subdivide_to_cells(whole, 0, 0, facing);
+  subdivide_to_cells(unit_triangle, 0, 0, facing);
 }
 
 void TriangleSubdivision::subdivide_cell(const Request& request, int cell, const std::vector<int>& facing, const SurfaceRegion* region, std::vector<InteriorPoint>& out,
                                    OverlapFacets& facets) {
   begin(request, region, out, facets);
-  Corners c = whole;
+  Corners c = unit_triangle;
   for (int below = request.depth - 1; below >= 0; --below) c = children_of(c)[cell >> 2 * below & 3];
   add_interior_point(c, cell, triangles_near(c, facing));
 }
@@ -170,34 +170,34 @@ bool TriangleSubdivision::clip(const Corners& c, const CornerOverlaps& overlaps,
   // The shift puts corners on the boundary inside, and a boundary along an edge of the subtriangle
   // is found.
   for (ClipLine& line : lines_) line.at += slack_ / 2 * line.outward;
-  for (const ClipPolygon& face : clip_by_lines(lagged_.x(), mesh_.triangles[triangle_], c, lines_)) {
-    const Vec3 first = position(face[0].inside);
+  for (const ClipPolygon& polygon : clip_by_lines(lagged_.x(), mesh_.triangles[triangle_], c, lines_)) {
+    const Vec3 first = position(polygon[0].inside);
     double area = 0;
     Vec3 middle = Vec3::Zero(), mean = Vec3::Zero();
-    for (const ClipCorner& corner : face) mean += corner.inside / static_cast<double>(face.size());
-    for (size_t i = 1; i + 1 < face.size(); ++i) {
-      const double area_of_part = (position(face[i].inside) - first).cross(position(face[i + 1].inside) - first).norm() / 2;
+    for (const ClipCorner& corner : polygon) mean += corner.inside / static_cast<double>(polygon.size());
+    for (size_t i = 1; i + 1 < polygon.size(); ++i) {
+      const double area_of_part = (position(polygon[i].inside) - first).cross(position(polygon[i + 1].inside) - first).norm() / 2;
       area += area_of_part;
-      middle += area_of_part / 3 * (face[0].inside + face[i].inside + face[i + 1].inside);
+      middle += area_of_part / 3 * (polygon[0].inside + polygon[i].inside + polygon[i + 1].inside);
     }
     const Vec3 inside = area > slack_ * slack_ ? Vec3(middle / area) : mean;
     const PointOverlap centre_overlap = overlap_at(inside, near);
     if (!centre_overlap.overlaps) continue;
     add(area * lagged_.cosine(triangle_, centre_overlap.normal), inside, centre_overlap, sum);
-    add_boundary_edges(face);
+    add_boundary_edges(polygon);
   }
   return true;
 }
 
 // Adds the boundary edges of a polygon. Polygons on both sides of a line cancel each other's edges.
-void TriangleSubdivision::add_boundary_edges(const ClipPolygon& face) {
-  for (size_t i = 0; i < face.size(); ++i) {
-    if (face[i].line < 0) continue;
-    const ClipLine& line = lines_[face[i].line];
-    const Vec3 &a = face[i].inside, &b = face[(i + 1) % face.size()].inside;
+void TriangleSubdivision::add_boundary_edges(const ClipPolygon& polygon) {
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    if (polygon[i].line < 0) continue;
+    const ClipLine& line = lines_[polygon[i].line];
+    const Vec3 &a = polygon[i].inside, &b = polygon[(i + 1) % polygon.size()].inside;
     const Vec3 along = position(b) - position(a);
     const double length = along.cross(lagged_.normal(line.triangle)).norm();
-    facets_->boundary_edges.push_back({triangle_, (a + b) / 2, line.triangle, line.side, face[i].beyond ? -length : length});
+    facets_->boundary_edges.push_back({triangle_, (a + b) / 2, line.triangle, line.side, polygon[i].outside ? -length : length});
   }
 }
 

@@ -60,9 +60,9 @@ class QuadratureMaker {
     const PointGroup* before = earlier_groups_.find(group.key());
     if (!before) return false;
     const VertexQuadrature& earlier = earlier_->quadrature;
-    const auto number = before - earlier_->groups.groups.data();
+    const auto index = before - earlier_->groups.groups.data();
     const int shift = group.triangle_begin - before->triangle_begin;
-    for (int k = earlier.group_begin[number]; k < earlier.group_begin[number + 1]; ++k) {
+    for (int k = earlier.group_begin[index]; k < earlier.group_begin[index + 1]; ++k) {
       const VertexQuadraturePoint& point = earlier.points[k];
       begin_point(group, {point.law, point.range, point.area});
       for (int i = point.triangle_begin; i < point.triangle_end; ++i) out_.triangles.push_back(earlier.triangles[i] + shift);
@@ -90,13 +90,13 @@ class QuadratureMaker {
     const std::array point{group.point};
     double nearest = std::numeric_limits<double>::infinity();
     int region_pair = -1;
-    const auto look = [&](const auto& element) {
+    const auto consider = [&](const auto& element) {
       const double squared = squared_distance(corners(x, point), corners(x, element));
       if (squared < nearest) nearest = squared, region_pair = r_.pairs.region_pair(own, group.object, point, element);
     };
-    for (int i = group.triangle_begin; i < group.triangle_end; ++i) look(mesh_.triangles[triangle(i)]);
-    for (int i = group.edge_begin; i < group.edge_end; ++i) look(mesh_.edges[rod(i)]);
-    for (int i = group.other_begin; i < group.other_end; ++i) look(std::array{particle(i)});
+    for (int i = group.triangle_begin; i < group.triangle_end; ++i) consider(mesh_.triangles[triangle(i)]);
+    for (int i = group.edge_begin; i < group.edge_end; ++i) consider(mesh_.edges[rod(i)]);
+    for (int i = group.other_begin; i < group.other_end; ++i) consider(std::array{particle(i)});
     return region_pair;
   }
 

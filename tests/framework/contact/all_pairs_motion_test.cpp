@@ -39,7 +39,7 @@ std::string shape(ObjectKind kind, int cells, bool in_rows) {
   return fmt::format("{{type: points, size: [0.06, 0, 0.06], counts: [4, 1, {}]}}", in_rows ? 2 : 4);
 }
 
-// All of them stiff: bent, a plate would peel.
+// All objects are stiff: a plate that bends would peel.
 std::string material(ObjectKind kind) {
   switch (kind) {
     case ObjectKind::volume: return "energies: [{type: neo_hookean, young: 1e9, poisson: 0.3, density: 100}]";
@@ -62,7 +62,7 @@ struct Stack {
   bool rows() const { return lower == ObjectKind::rod || upper == ObjectKind::rod; }
   bool crossed() const { return lower == ObjectKind::rod && upper == ObjectKind::rod; }
 
-  // The lower one is held; more: what acts on the upper one.
+  // The lower object is fixed. more: loads on the upper one.
   std::string objects(double gap, const std::string& more) const {
     return fmt::format("objects:\n  - {{name: lower, shape: {}, {}, motion: [fixed]}}\n"
                        "  - {{name: upper, shape: {}, {}, place: {{axis: [0, 1, 0], angle: {} deg, translate: [0, {}, 0]}}, {}}}\n",
@@ -91,7 +91,7 @@ double mass(const Stack& stack) {
   return (stack.rows() ? 8 : 16) * 2000 * 4 / 3.0 * M_PI * std::pow(radius, 3);
 }
 
-// Pressed for 0.25 s, then pulled with 0.95 of what holds it until 1 s, and with 1.05 of it from 1.25 s.
+// Presses for 0.25 s, then pulls with 0.95 of the adhesive force until 1 s, and with 1.05 of it from 1.25 s.
 std::string pulled(const Stack& stack, const std::string& select = "all") {
   return fmt::format("loads: [{{type: body_force, value: [0, {}, 0], select: {}, "
                      "ramp: [[0, -0.5], [0.25, -0.5], [0.75, 0.95], [1, 0.95], [1.25, 1.05], [9, 1.05]]}}]",
@@ -122,17 +122,17 @@ void check_pull_off_between(ObjectKind a, ObjectKind b, int m, int n) {
 
 }  // namespace
 
-TEST_CASE("forces pull off what adhesion holds, between all kinds of objects", "[contact][all_pairs]") {
+TEST_CASE("forces separate objects that adhere, between all kinds of objects", "[contact][all_pairs]") {
   for (const ObjectKind a : kinds)
     for (const ObjectKind b : kinds) check_pull_off_between(a, b, 3, 4);
 }
 
-TEST_CASE("forces pull off what adhesion holds, between all kinds of objects, with finer cells", "[contact][all_pairs][nightly]") {
+TEST_CASE("forces separate objects that adhere, between all kinds of objects, with finer cells", "[contact][all_pairs][nightly]") {
   for (const ObjectKind a : kinds)
     for (const ObjectKind b : kinds) check_pull_off_between(a, b, 6, 5);
 }
 
-TEST_CASE("forces pull off what adhesion holds, within one object of each kind", "[contact][all_pairs]") {
+TEST_CASE("forces separate parts of one object that adhere, for each kind of object", "[contact][all_pairs]") {
   for (const ObjectKind kind : {ObjectKind::volume, ObjectKind::sheet, ObjectKind::rod, ObjectKind::particles})
     for (const auto& [m, n] : {std::pair{3, 4}, std::pair{6, 5}}) {
       INFO(name_of(kind) << ", " << m << " and " << n << " cells");
@@ -150,7 +150,7 @@ TEST_CASE("forces pull off what adhesion holds, within one object of each kind",
     }
 }
 
-TEST_CASE("friction holds and slows what is pushed along, between all kinds of objects", "[contact][all_pairs]") {
+TEST_CASE("friction holds or slows objects that are pushed, between all kinds of objects", "[contact][all_pairs]") {
   const double gravity = 10, mu = 0.3;
   for (const ObjectKind a : kinds)
     for (const ObjectKind b : kinds) {

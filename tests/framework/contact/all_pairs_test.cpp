@@ -21,13 +21,13 @@ constexpr double side = 0.1, rod_length = 0.08, radius = 1e-3, peak = 1000, dhat
 enum class ObjectKind { volume, affine, sheet, rod, particles };
 const std::vector<ObjectKind> kinds = {ObjectKind::volume, ObjectKind::affine, ObjectKind::sheet, ObjectKind::rod, ObjectKind::particles};
 
-bool thin(ObjectKind kind) { return kind == ObjectKind::rod || kind == ObjectKind::particles; }
+bool codimensional(ObjectKind kind) { return kind == ObjectKind::rod || kind == ObjectKind::particles; }
 
 std::string name_of(ObjectKind kind) {
   return std::vector<std::string>{"volume", "affine", "sheet", "rod", "particles"}[static_cast<size_t>(kind)];
 }
 
-// Shape, size and material, without braces; of centre y = 0. Particles that meet rods lie in a row along x, as these do.
+// Returns shape, size and material, without braces, with the centre at y = 0. Particles that meet rods lie in a row along x.
 std::string described(ObjectKind kind, int cells, bool in_a_row = false) {
   switch (kind) {
     case ObjectKind::volume:
@@ -69,17 +69,17 @@ struct Pairing {
                        lower == ObjectKind::rod && upper == ObjectKind::rod ? angle : 0.0, y, dhat, integrate);
   }
 
-  // Area that lies opposite [m^2].
+  // Returns the opposite area [m^2].
   double measure() const {
     const auto is = [&](ObjectKind a, ObjectKind b) { return (lower == a && upper == b) || (lower == b && upper == a); };
     const double disc = M_PI * radius * radius, width = 2 * radius;
     if (is(ObjectKind::rod, ObjectKind::rod)) return angle == 0 ? width * rod_length : width * width / std::sin(angle * M_PI / 180);
-    if (lower == ObjectKind::particles || upper == ObjectKind::particles) return (thin(lower) && lower != upper && thin(upper) ? 4 : 16) * disc;
-    return thin(lower) || thin(upper) ? width * rod_length : side * side;
+    if (lower == ObjectKind::particles || upper == ObjectKind::particles) return (codimensional(lower) && lower != upper && codimensional(upper) ? 4 : 16) * disc;
+    return codimensional(lower) || codimensional(upper) ? width * rod_length : side * side;
   }
 };
 
-// The pull at the gap of the peak traction [N].
+// Returns the pull at the gap of the peak traction [N].
 double pull(const Pairing& pairing) {
   TestScene scene(pairing.yaml());
   World& world = *scene.world;
@@ -93,7 +93,7 @@ double pull(const Pairing& pairing) {
 
 }  // namespace
 
-TEST_CASE("a traction pulls on what lies opposite, between all kinds of objects", "[contact][all_pairs]") {
+TEST_CASE("a traction acts on the opposite area, between all kinds of objects", "[contact][all_pairs]") {
   for (const ObjectKind a : kinds)
     for (const ObjectKind b : kinds)
       for (const auto& [m, n] : {std::pair{4, 5}, std::pair{9, 7}})
@@ -105,7 +105,7 @@ TEST_CASE("a traction pulls on what lies opposite, between all kinds of objects"
           }
 }
 
-TEST_CASE("rods carry where their shadows overlap, at any angle and mesh", "[contact][all_pairs]") {
+TEST_CASE("rods carry the overlap of their projections, at any angle and mesh", "[contact][all_pairs]") {
   for (const double angle : {0.0, 5.0, 20.0, 45.0, 90.0, 135.0})
     for (const auto& [m, n] : {std::pair{2, 3}, std::pair{7, 40}, std::pair{60, 60}}) {
       const Pairing pairing{ObjectKind::rod, ObjectKind::rod, m, n, dhat, 0, angle};
@@ -125,7 +125,7 @@ TEST_CASE("the resultant of a law does not depend on offsets, which only move wh
 
 namespace {
 
-// A body thrown down at 10 m/s, half a metre a step, and along the one that is held.
+// A body thrown down at 10 m/s, more than its distance in a step, and along the fixed one.
 std::string thrown(ObjectKind lower, ObjectKind upper) {
   const auto body = [](ObjectKind kind, int points) -> std::string {
     switch (kind) {
@@ -147,7 +147,7 @@ std::string thrown(ObjectKind lower, ObjectKind upper) {
 
 }  // namespace
 
-TEST_CASE("nothing passes at 10 m/s in steps of 10 ms, between all kinds of objects", "[contact][all_pairs]") {
+TEST_CASE("no object passes another at 10 m/s in steps of 10 ms, between all kinds of objects", "[contact][all_pairs]") {
   for (const ObjectKind a : kinds)
     for (const ObjectKind b : kinds) {
       INFO(name_of(a) << " below " << name_of(b));
@@ -174,23 +174,23 @@ TEST_CASE("contact between all kinds of objects has the derivatives of its value
         const auto slope = [&](const VecX& y) { return world.contact->move_to(y), dense_gradient(*world.contact_term, y); };
         // Along a random direction.
         std::mt19937 random(7);
-        std::uniform_real_distribution<double> part(-1, 1);
-        VecX way(world.rest.size());
-        for (double& w : way) w = part(random);
+        std::uniform_real_distribution<double> component(-1, 1);
+        VecX direction(world.rest.size());
+        for (double& w : direction) w = component(random);
         const double step = 1e-9;
-        const VecX x = world.rest + 1e-5 * way;
+        const VecX x = world.rest + 1e-5 * direction;
         const VecX g = slope(x);
-        CHECK((value(x + step * way) - value(x - step * way)) / (2 * step) == Approx(g.dot(way)).epsilon(1e-4));
-        const VecX change = (slope(x + step * way) - slope(x - step * way)) / (2 * step);
-        const VecX product = [&]() -> VecX { world.contact->move_to(x); return dense_hessian(*world.contact_term, x, Projection::none) * way; }();
+        CHECK((value(x + step * direction) - value(x - step * direction)) / (2 * step) == Approx(g.dot(direction)).epsilon(1e-4));
+        const VecX change = (slope(x + step * direction) - slope(x - step * direction)) / (2 * step);
+        const VecX product = [&]() -> VecX { world.contact->move_to(x); return dense_hessian(*world.contact_term, x, Projection::none) * direction; }();
         CHECK((change - product).norm() <= 1e-4 * product.norm());
       }
 }
 
-TEST_CASE("shadows of rods and particles overlap as rectangles and discs do", "[contact][all_pairs]") {
+TEST_CASE("projections of rods and particles overlap as rectangles and discs do", "[contact][all_pairs]") {
   Vec3 centre;
   const std::array<Vec3, 2> a{Vec3(-1, 0, 0), Vec3(1, 0, 0)};
-  // Crossing at right angles, above each other; then side by side with a shift, and one past the end of the other.
+  // Segments that cross at right angles; side by side with a shift; one past the end of the other.
   CHECK(projected_overlap(a, 0.2, {Vec3(0.5, 1, -1), Vec3(0.5, 1, 1)}, 0.3, Vec3::UnitY(), centre) == Approx(0.06));
   CHECK((centre - Vec3(0.5, 0, 0)).norm() <= 1e-12);
   CHECK(projected_overlap(a, 0.2, {Vec3(0, 1, 0.1), Vec3(3, 1, 0.1)}, 0.2, Vec3::UnitY(), centre) == Approx(0.1));
@@ -203,7 +203,7 @@ TEST_CASE("shadows of rods and particles overlap as rectangles and discs do", "[
   CHECK(disc_overlap(1, 1) == Approx(std::sqrt(3) / 2 + M_PI / 3));
 }
 
-TEST_CASE("a rod over the kink of another one carries one overlap, on the way over it and as it bends", "[contact][all_pairs]") {
+TEST_CASE("a rod over the kink of another rod carries one overlap, as it slides over it and as it bends", "[contact][all_pairs]") {
   const double gap = 3 * radius;
   TestScene scene(fmt::format("objects:\n  - {{name: lower, {}}}\n  - {{name: upper, {}, place: {{axis: [0, 1, 0], angle: 90 deg, translate: [0, {}, 0]}}}}\n"
                               "contact:\n  distance: 1e-5\n  pairs: [{{between: [lower, upper], adhesion: {{type: fang, peak_traction: 1000, "
@@ -242,7 +242,7 @@ TEST_CASE("a rod over the kink of another one carries one overlap, on the way ov
   }
 }
 
-TEST_CASE("a start within the offsets is told with its places", "[contact][all_pairs]") {
+TEST_CASE("a start within the offsets is reported with its positions", "[contact][all_pairs]") {
   CHECK_THROWS_WITH(TestScene("objects:\n"
                               "  - {name: net, " + described(ObjectKind::rod, 4) + ", contact_offset: 2 mm, motion: [fixed]}\n"
                               "  - {name: cube, " + described(ObjectKind::affine, 2) + ", place: {translate: [0, 0.0065, 0]}}\n"

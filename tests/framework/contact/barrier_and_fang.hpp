@@ -1,4 +1,4 @@
-// A scene's contact by a barrier and Fang's adhesion, and what these laws are at a distance.
+// Contact of a scene with a barrier and Fang's adhesion, and the values of these laws at a distance.
 #pragma once
 
 #include <fmt/format.h>

@@ -26,6 +26,6 @@ TEST_CASE("lists by arity: all of them, ascending", "[contact]") {
   CHECK(numbers == std::vector{40, 60, 80, 82, 100, 120});
 }
 
-TEST_CASE("lists by arity: others than contact has are refused", "[contact]") {
+TEST_CASE("lists by arity: arities that contact does not have are refused", "[contact]") {
   for (const int arity : {1, 7}) CHECK_THROWS(with_arity(arity, []<int K>() {}));
 }

@@ -16,34 +16,35 @@ using namespace tack;
 
 namespace {
 
-using Way = std::function<VecX(double)>;  // positions, of a part of the way from 0 to 1
+using Path = std::function<VecX(double)>;  // positions along a path from 0 to 1
 
-// The energy of contact, with the areas of that place.
+// Returns the energy of contact, with the areas at x.
 double energy(const World& world, const VecX& x) {
   world.contact->begin_step({x});
   world.contact->move_to(x);
   return world.contact_term->value(x);
 }
 
-// The largest difference over a millionth of the way, relative to the largest value: where it changes most, halved again and again.
-double largest_jump(const World& world, const Way& way, int steps) {
-  struct Part {
+// Returns the largest difference over a millionth of the path, relative to the largest value, by
+// bisection of the intervals with the largest differences.
+double largest_jump(const World& world, const Path& path, int steps) {
+  struct Interval {
     double change, from, to, at_from, at_to;
   };
-  std::vector<Part> parts;
-  double largest = 0, before = energy(world, way(0));
+  std::vector<Interval> intervals;
+  double largest = 0, before = energy(world, path(0));
   for (int i = 1; i <= steps; ++i) {
-    const double now = energy(world, way(double(i) / steps));
-    parts.push_back({std::abs(now - before), double(i - 1) / steps, double(i) / steps, before, now});
+    const double now = energy(world, path(double(i) / steps));
+    intervals.push_back({std::abs(now - before), double(i - 1) / steps, double(i) / steps, before, now});
     largest = std::max(largest, std::abs(now));
     before = now;
   }
-  std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.change > b.change; });
-  parts.resize(std::min<size_t>(parts.size(), 5));
+  std::sort(intervals.begin(), intervals.end(), [](const Interval& a, const Interval& b) { return a.change > b.change; });
+  intervals.resize(std::min<size_t>(intervals.size(), 5));
   double jump = 0;
-  for (Part& p : parts) {
+  for (Interval& p : intervals) {
     while (p.to - p.from > 1e-6) {
-      const double middle = (p.from + p.to) / 2, value = energy(world, way(middle));
+      const double middle = (p.from + p.to) / 2, value = energy(world, path(middle));
       if (std::abs(value - p.at_from) > std::abs(value - p.at_to)) p.to = middle, p.at_to = value;
       else p.from = middle, p.at_from = value;
     }
@@ -52,8 +53,8 @@ double largest_jump(const World& world, const Way& way, int steps) {
   return largest > 0 ? jump / largest : 0;
 }
 
-// Something thin of width 2 mm beside a body, with adhesion that reaches 2 mm.
-std::string beside(const std::string& body, bool rod) {
+// A rod or a particle of width 2 mm beside a body, with adhesion of a range of 2 mm.
+std::string beside_body(const std::string& body, bool rod) {
   const std::string thin = rod ? "shape: {type: segment, length: 8 mm, edges: 2}, rod: {radius: 1 mm}, "
                                  "energies: [{type: elastic_rod, young: 1e7, density: 1000}]"
                                : "shape: {type: points, size: [0, 0, 0], counts: [1, 1, 1]}, particle: {radius: 1 mm}, "
@@ -70,26 +71,26 @@ std::string sheet(const std::string& shape) {
 }
 
 struct Pair {
-  Pair(const std::string& body, bool rod) : scene(beside(body, rod)), world(*scene.world), moved(world.rest) {
+  Pair(const std::string& body, bool rod) : scene(beside_body(body, rod)), world(*scene.world), moved(world.rest) {
     const auto& object = world.contact->surface().mesh.vertex_object;
-    for (size_t v = 0; v < object.size(); ++v) (object[v] == world.body_index("body") ? of_body : of_thin).push_back(static_cast<int>(v));
+    for (size_t v = 0; v < object.size(); ++v) (object[v] == world.body_index("body") ? body_vertices : codimensional_vertices).push_back(static_cast<int>(v));
   }
-  // The thin object there, turned by the vector of an angle.
+  // Returns positions with the codimensional object at a point, turned by a rotation vector.
   VecX placed(VecX x, const Vec3& at, const Vec3& turn) const {
     const Mat3 r = turn.norm() > 0 ? Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() : Mat3::Identity();
-    for (const int v : of_thin) vertex(x, v) = at + r * (Vec3(vertex(world.rest, v)) - Vec3(0.1, 0, 0));
+    for (const int v : codimensional_vertices) vertex(x, v) = at + r * (Vec3(vertex(world.rest, v)) - Vec3(0.1, 0, 0));
     return x;
   }
 
   TestScene scene;
   const World& world;
   VecX moved;
-  std::vector<int> of_body, of_thin;
+  std::vector<int> body_vertices, codimensional_vertices;
 };
 
 }  // namespace
 
-TEST_CASE("the far side of a plate is not felt by rods and particles, whatever its thickness and mesh", "[contact][thin]") {
+TEST_CASE("the far side of a plate exerts no force on rods and particles, whatever its thickness and mesh", "[contact][codimensional]") {
   for (const bool rod : {false, true})
     for (const int cells : {1, 7})
       for (const double thickness : {5e-3, 1e-3, 2e-4}) {
@@ -102,7 +103,7 @@ TEST_CASE("the far side of a plate is not felt by rods and particles, whatever i
       }
 }
 
-TEST_CASE("over the very edge of a face all of it counts, however numbers are rounded", "[contact][thin]") {
+TEST_CASE("over the edge of a face the whole tributary area counts, whatever the rounding", "[contact][codimensional]") {
   RandomMotions random(7);
   const Pair pair(solid("{type: box, size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}"), false);
   const PairLaw& law = pair.world.contact->pairs().laws()[pair.world.contact->pairs().codimensional(0, 1).law];
@@ -111,7 +112,7 @@ TEST_CASE("over the very edge of a face all of it counts, however numbers are ro
     const Vec3 turn = random.vector();
     const Mat3 r = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
     VecX x = pair.world.rest;
-    for (const int v : pair.of_body) vertex(x, v) = r * Vec3(vertex(pair.world.rest, v));
+    for (const int v : pair.body_vertices) vertex(x, v) = r * Vec3(vertex(pair.world.rest, v));
     for (const double aside : {-1e-9, 0.0, 1e-9}) {
       const Vec3 at(random.uniform(-4e-3, 4e-3), 0.005 + gap, 0.005 + aside);
       INFO(trial << " " << aside);
@@ -122,7 +123,7 @@ TEST_CASE("over the very edge of a face all of it counts, however numbers are ro
 
 namespace {
 
-// A way around a body in its middle at changing distances, of which `surface` knows the nearest point to one outside.
+// A path around a body at the centre, at changing distances. surface: returns the nearest surface point to a point outside.
 struct Passing {
   explicit Passing(RandomMotions& random)
       : from(random.vector().normalized()), to((from + 0.5 * random.vector()).normalized()), turn(random.vector()), turned(turn + random.vector()),
@@ -137,9 +138,9 @@ struct Passing {
   std::array<double, 2> gaps;  // m
 };
 
-bool apart(const World& world, const Way& way, int steps) {
+bool apart(const World& world, const Path& path, int steps) {
   for (int i = 0; i <= steps; ++i) {
-    const VecX x = way(double(i) / steps);
+    const VecX x = path(double(i) / steps);
     world.contact->begin_step({x});
     if (!(world.contact->smallest_gaps(x).between_objects > 2e-4)) return false;
   }
@@ -150,7 +151,7 @@ constexpr int steps = 150;
 
 }  // namespace
 
-TEST_CASE("rods and particles pass over plates, edges and corners without a jump", "[contact][thin]") {
+TEST_CASE("rods and particles pass over plates, edges and corners without a jump", "[contact][codimensional]") {
   RandomMotions random(3);
   struct Body {
     std::string yaml;
@@ -164,32 +165,32 @@ TEST_CASE("rods and particles pass over plates, edges and corners without a jump
       int compared = 0;
       for (int trial = 0; trial < 40; ++trial) {
         const Passing passing(random);
-        const Way way = [&](double s) { return passing.at(pair, pair.world.rest, s, surface); };
-        if (!apart(pair.world, way, steps)) continue;
+        const Path path = [&](double s) { return passing.at(pair, pair.world.rest, s, surface); };
+        if (!apart(pair.world, path, steps)) continue;
         ++compared;
         INFO((half.y() > 0 ? "box " : "sheet ") << rod << " " << trial);
-        CHECK(largest_jump(pair.world, way, steps) < 1e-3);
+        CHECK(largest_jump(pair.world, path, steps) < 1e-3);
       }
       CHECK(compared > 5);
     }
 }
 
-TEST_CASE("what crumples beside rods and particles makes no energy jump", "[contact][thin]") {
+TEST_CASE("surfaces that crumple beside rods and particles cause no jump of the energy", "[contact][codimensional]") {
   RandomMotions random(5);
   for (const bool rod : {false, true}) {
     const Pair pair(solid("{type: sphere, radius: 5 mm, cells: 4}"), rod);
     int compared = 0;
     for (int trial = 0; trial < 60; ++trial) {
       VecX crumpled = VecX::Zero(pair.world.rest.size());
-      for (const int v : pair.of_body) vertex(crumpled, v) = 0.0015 * random.vector();
+      for (const int v : pair.body_vertices) vertex(crumpled, v) = 0.0015 * random.vector();
       const Passing passing(random);
-      const Way way = [&](double s) {
+      const Path path = [&](double s) {
         return passing.at(pair, pair.world.rest + s * crumpled, s, [](const Vec3& p) { return Vec3(0.005 * p.normalized()); });
       };
-      if (!apart(pair.world, way, steps)) continue;
+      if (!apart(pair.world, path, steps)) continue;
       ++compared;
       INFO(rod << " " << trial);
-      CHECK(largest_jump(pair.world, way, steps) < 1e-3);
+      CHECK(largest_jump(pair.world, path, steps) < 1e-3);
     }
     CHECK(compared > 5);
   }

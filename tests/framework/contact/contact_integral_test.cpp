@@ -37,7 +37,7 @@ const char* material = "energies: [{type: neo_hookean, young: 1e5}]";
 // phi' of barrier and adhesion at a distance [Pa].
 double traction(double distance, bool adhesive = true) { return laws_at(distance, adhesive).slope; }
 
-// The force of the lower body on the upper one [N], downwards positive.
+// Returns the force of the lower body on the upper one [N], positive downwards.
 Vec3 force_between(const Box& upper, const Box& lower, const std::string& pair) {
   TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
                   contact("between: [upper, lower]" + pair));
@@ -148,7 +148,7 @@ TEST_CASE("contact integral: a tilted plate over a coarse ground that integrates
   }
 }
 
-TEST_CASE("contact integral: what is out of range as a step begins is divided when it comes near", "[contact]") {
+TEST_CASE("contact integral: triangles out of range at the start of a step are subdivided when they come near", "[contact]") {
   const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005, 2.4e-3, -0.005}};
   const Box ground{{0.04, 0.01, 0.04}, {8, 1, 8}, {-0.0185, -0.01, -0.018}};
   TestScene scene("objects:\n" + cube.yaml("upper", material) + ground.yaml("lower", material) +
@@ -195,7 +195,7 @@ TEST_CASE("contact integral: plates that overlap in part", "[contact]") {
     }
 }
 
-TEST_CASE("contact integral: thin plates are seen once", "[contact]") {
+TEST_CASE("contact integral: thin plates count once", "[contact]") {
   const double expected = 4e-4 * traction(gap);
   for (const double thickness : {0.5e-3, 0.2e-3, 0.1e-3})
     for (const std::string integrate : {"automatic", "upper", "lower", "both"}) {
@@ -224,21 +224,21 @@ TEST_CASE("contact integral: a stretched plate adheres per present area, whichev
   }
 }
 
-TEST_CASE("contact integral: what slides without friction feels nothing along its way", "[contact]") {
-  for (const double height : {0.8e-3, 0.55e-3})  // above the range of guards
+TEST_CASE("contact integral: a body that slides without friction has no lateral force", "[contact]") {
+  for (const double height : {0.8e-3, 0.55e-3})  // above the range of safety barriers
     for (const double cell : {5e-3, 2.5e-3})
-      for (const double way : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+      for (const double path : {0.0, 0.2, 0.4, 0.6, 0.8}) {
         const int n = static_cast<int>(std::round(0.04 / cell));
-        const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005 + way * cell, height, -0.005 + 0.3 * way * cell}};
+        const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005 + path * cell, height, -0.005 + 0.3 * path * cell}};
         const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n}, {-0.02, -0.01, -0.02}};
-        INFO("gap " << height << ", ground cells " << cell << ", way " << way);
+        INFO("gap " << height << ", ground cells " << cell << ", way " << path);
         const Vec3 f = force_between(cube, ground, "");
         CHECK(f.y() < 0.0);
         CHECK(std::hypot(f.x(), f.z()) < 0.02 * std::abs(f.y()));
       }
 }
 
-// Without adhesion both sides press, by the sizes of their cells.
+// Without adhesion both sides carry pressure, with weights by their areas per vertex.
 TEST_CASE("contact integral: plates press per area, whatever the sizes of their cells", "[contact]") {
   for (const int upper : {2, 6, 16})
     for (const int lower : {1, 6, 9}) {
@@ -253,7 +253,7 @@ TEST_CASE("contact integral: plates press per area, whatever the sizes of their 
 
 namespace {
 
-// A strip of the given thickness that is folded once, its two legs at a gap: where a point of the flat strip is.
+// A strip that is folded once, with a gap between its two legs. at() maps points of the flat strip.
 struct Fold {
   double length = 0.04, width = 0.01, thickness = 4e-3, opening;  // m
 
@@ -269,7 +269,7 @@ struct Fold {
   }
 };
 
-// The force that pulls the outer half of the upper leg down, over the expected one.
+// Returns the force that pulls the outer half of the upper leg down, over the expected one.
 double fold_force(double opening, double cell) {
   const Fold fold{.opening = opening};
   const int n = static_cast<int>(std::round(fold.length / cell)), m = static_cast<int>(std::round(fold.width / cell));
@@ -324,7 +324,7 @@ namespace {
 
 // Work of the contact forces along a closed path of the upper body, over the work of adhesion of
 // the overlap. Each segment of the path is a time step with re-evaluated areas and orientations.
-double work_on_closed_way(const Box& upper, const Box& lower, const std::string& pair, double overlap) {
+double work_on_closed_path(const Box& upper, const Box& lower, const std::string& pair, double overlap) {
   TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
                   contact("between: [upper, lower]" + pair + sticks));
   World& world = *scene.world;
@@ -352,13 +352,13 @@ double work_on_closed_way(const Box& upper, const Box& lower, const std::string&
 
 }  // namespace
 
-TEST_CASE("contact integral: nothing is gained on a closed way", "[contact]") {
+TEST_CASE("contact integral: no energy is gained on a closed path", "[contact]") {
   for (const double cell : {5e-3, 1.25e-3}) {
     const int n = static_cast<int>(std::round(0.04 / cell));
     const Box cube{{0.01, 0.01, 0.01}, {4, 4, 4}, {-0.005, 1.2e-3, -0.005}};
     const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n}, {-0.02 + 0.3 * cell, -0.01, -0.02 + 0.4 * cell}};
     INFO("ground cells " << cell);
-    CHECK(std::abs(work_on_closed_way(cube, ground, "", 1e-4)) < 1e-3);
+    CHECK(std::abs(work_on_closed_path(cube, ground, "", 1e-4)) < 1e-3);
   }
 }
 

@@ -47,13 +47,13 @@ Sums sums(const ContactPoints& points) {
   return s;
 }
 
-// The vector from what a point faces to the point.
+// Returns the vector from the opposite point to the point.
 template <int K>
 Vec3 separation(const ContactPoint<K>& c, const VecX& x) {
   return c.moved(x, VecX::Zero(x.size()));
 }
 
-// All that a contact point says of itself is so, at x.
+// Checks the fields of a contact point at x.
 void check_points(const ContactPoints& points, const World& world, const VecX& x) {
   const auto& object = world.contact->surface().mesh.vertex_object;
   for_each_record(points, [&]<int K>(const ContactPoint<K>& c) {
@@ -116,7 +116,7 @@ TEST_CASE("contact points: between plates that do not match, one for each vertex
         vertices.insert(c.point);
       });
       const Sums s = sums(points);
-      CHECK(s.count == (upper + 1) * (upper + 1));  // whatever each of them sees
+      CHECK(s.count == (upper + 1) * (upper + 1));  // whatever the features of each
       CHECK(vertices.size() == static_cast<size_t>(s.count));
       const double pressing = world.contact_term->force_between(world.rest, LawTerm::barrier, {1, 0}).y();
       CHECK(pressing > 0);
@@ -126,8 +126,8 @@ TEST_CASE("contact points: between plates that do not match, one for each vertex
   }
 }
 
-// A plate that hangs over the rim of another: where that runs across its triangles, samples are its points.
-TEST_CASE("contact points: samples stand for what is covered of triangles across a rim", "[contact]") {
+// A plate that hangs over the boundary of another: triangles across the boundary have interior points.
+TEST_CASE("contact points: interior points represent the overlap of triangles across an overlap boundary", "[contact]") {
   for (const int upper : {1, 3, 6}) {
     INFO("cells " << upper);
     TestScene scene(fmt::format(
@@ -153,14 +153,14 @@ TEST_CASE("contact points: samples stand for what is covered of triangles across
         at += c.coefficients[i] * vertex(world.rest, c.vertices[i]);
       }
       CHECK(at.y() == Approx(0.0057).epsilon(1e-9));
-      CHECK((at.x() >= 0.013 - 1e-9 && at.x() <= 0.05 + 1e-9));  // on what is covered
+      CHECK((at.x() >= 0.013 - 1e-9 && at.x() <= 0.05 + 1e-9));  // in the overlap
     });
     CHECK(samples > 0);
     CHECK(sums(points).area == Approx(0.037 * 0.06).epsilon(1e-6));
   }
 }
 
-TEST_CASE("contact points: rods that cross have one, between two edges", "[contact]") {
+TEST_CASE("contact points: crossing rods have one contact point, between two edges", "[contact]") {
   const double radius = 1e-3, gap = 1e-4, angle = 50 * M_PI / 180;
   const auto rod = [&](const char* name, int edges, double turned, double y) {
     return fmt::format("  - {{name: {}, shape: {{type: segment, length: 0.08, edges: {}}}, rod: {{radius: {}}},\n"
@@ -182,7 +182,7 @@ TEST_CASE("contact points: rods that cross have one, between two edges", "[conta
 }
 
 // Two sheets of one object come close: each faces its own object.
-TEST_CASE("contact points: what touches itself faces its own object", "[contact]") {
+TEST_CASE("contact points: points of a body that touches itself face their own object", "[contact]") {
   const TemporaryFolder folder;
   const auto file = folder.path() / "sheets.obj";
   std::ofstream(file) << "v 0 0 0\nv 0 0 0.1\nv 0.1 0 0.1\nv 0.1 0 0\nf 1 2 3\nf 1 3 4\n"

@@ -1,5 +1,5 @@
-// Rotations of rods and particles as friction feels them: directions by which a rotation moves the
-// point of contact, against cross products.
+// Rotations of rods and particles by friction: directions by which a rotation moves the contact
+// point, against cross products.
 #include "framework/contact/contact_spins.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ using namespace tack;
 
 namespace {
 
-// The motion of the point of contact by values of the numbers.
+// Returns the motion of the contact point by values of the scalar dofs.
 Vec3 motion(const ContactSpins::Columns& columns, const VecX& numbers) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < columns.count; ++i) sum += numbers[columns.numbers[i]] * columns.directions[i];
@@ -67,7 +67,7 @@ TEST_CASE("a rod that turns about its tangent moves its point of contact by R n 
   }
 }
 
-TEST_CASE("a vertex between two edges has half of each rotation, so that one rotation of both is whole", "[contact][spins]") {
+TEST_CASE("a vertex between two edges has half of each rotation, so that equal rotations of both sum up to one", "[contact][spins]") {
   ContactSpins spins(3);
   spins.add_rod({0, 1}, 7, 2);
   spins.add_rod({1, 2}, 8, 2);
@@ -90,7 +90,7 @@ TEST_CASE("vertices where more than two edges meet, and triangles, do not turn",
   CHECK(columns.count == 0);
 }
 
-TEST_CASE("columns of one number are summed, and more than there is room for are refused", "[contact][spins]") {
+TEST_CASE("columns of one scalar dof are summed, and more columns than the capacity are refused", "[contact][spins]") {
   ContactSpins::Columns columns;
   columns.add(3, Vec3::UnitX());
   columns.add(3, Vec3::UnitY());

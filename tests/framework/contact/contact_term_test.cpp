@@ -93,8 +93,8 @@ TEST_CASE("contact: projected stencils are positive semi-definite", "[contact]")
 TEST_CASE("contact: forces and moments add up to zero", "[contact]") {
   for (const std::string& weights : weightings) {
     Cluster c(weights);
-    for (const LawTerm part : {LawTerm::all, LawTerm::barrier, LawTerm::adhesion}) {
-      const VecX force = c.term().forces(c.x, part);
+    for (const LawTerm term : {LawTerm::all, LawTerm::barrier, LawTerm::adhesion}) {
+      const VecX force = c.term().forces(c.x, term);
       const double scale = force.cwiseAbs().sum();
       CHECK(scale > 0);
       CHECK(total(force).norm() <= 1e-12 * scale);
@@ -103,12 +103,12 @@ TEST_CASE("contact: forces and moments add up to zero", "[contact]") {
   }
 }
 
-TEST_CASE("contact: parts and pairs add up to the whole", "[contact]") {
+TEST_CASE("contact: law terms and pairs add up to the total", "[contact]") {
   Cluster c(weightings[0]);
   const VecX all = c.term().forces(c.x, LawTerm::all);
-  const VecX parts = c.term().forces(c.x, LawTerm::barrier) + c.term().forces(c.x, LawTerm::adhesion);
+  const VecX terms = c.term().forces(c.x, LawTerm::barrier) + c.term().forces(c.x, LawTerm::adhesion);
   CHECK((all + dense_gradient(c.term(), c.x)).norm() <= 1e-12 * all.norm());
-  CHECK((all - parts).norm() <= 1e-12 * all.norm());
+  CHECK((all - terms).norm() <= 1e-12 * all.norm());
   CHECK(c.term().value(c.x) == Approx(c.term().term_value(c.x, LawTerm::barrier) +
                                       c.term().term_value(c.x, LawTerm::adhesion)));
   VecX pairs = VecX::Zero(all.size());
@@ -121,7 +121,7 @@ TEST_CASE("contact: parts and pairs add up to the whole", "[contact]") {
   CHECK((action + reaction).norm() <= 1e-12 * all.norm());
 }
 
-TEST_CASE("contact: nothing within reach, nothing happens", "[contact]") {
+TEST_CASE("contact: objects out of range exert no force", "[contact]") {
   Cluster c(weightings[0]);
   for (int v = 27; v < 81; ++v) vertex(c.x, v) += Vec3(v < 54 ? 5 : -5, 0, 0);
   c.system().move_to(c.x);

@@ -33,7 +33,7 @@ std::unique_ptr<NormalLaw> prepared_law() {
 
 }  // namespace
 
-TEST_CASE("the documented law fits on a page and may be copied beside the one that is tested") {
+TEST_CASE("the documented law fits on a page, and a copy may be registered beside it") {
   const std::string page = file_text(TACK_SOURCE_DIR "/docs/extending.md");
   const size_t begin = page.find("```cpp\n"), end = page.find("```\n", begin + 7);
   REQUIRE(end != std::string::npos);

@@ -12,7 +12,7 @@
 
 using namespace tack;
 
-TEST_CASE("contact integral: within a step the energy is one function, whoever comes near when", "[contact]") {
+TEST_CASE("contact integral: within a step the energy is one function, whichever triangles come near at any time", "[contact]") {
   // A sheet, tilted about its left edge, comes down on another one, across whose mesh its own lies.
   const double side = 0.04, height = 1.2e-3;
   for (const auto& [cells, other] : {std::pair(8, 11), std::pair(20, 13), std::pair(7, 30)})
@@ -56,7 +56,7 @@ TEST_CASE("contact integral: within a step the energy is one function, whoever c
       }
 }
 
-TEST_CASE("contact integral: what is near a held part of a sheet changes nothing suddenly when the rest moves", "[contact]") {
+TEST_CASE("contact integral: fixed vertices of a sheet cause no jump when the other vertices move", "[contact]") {
   // Two equal sheets, vertex over vertex, the left halves held: what a held vertex is nearest to is now an edge that moves at its other end, now the held
   // vertex itself.
   const auto sheet = [](const char* name, double y) {

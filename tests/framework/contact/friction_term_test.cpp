@@ -61,7 +61,7 @@ TEST_CASE("friction term: gradient and Hessian are those of the value", "[fricti
   }
 }
 
-TEST_CASE("friction term: the closed-form projection is the numerical one", "[friction]") {
+TEST_CASE("friction term: the closed-form projection is equal to the numerical one", "[friction]") {
   for (const double slip : slips) {
     Cluster c(0.5, slip);
     for (const Projection projection : {Projection::clamp, Projection::absolute}) {
@@ -81,7 +81,7 @@ TEST_CASE("friction term: the closed-form projection is the numerical one", "[fr
   }
 }
 
-TEST_CASE("friction term: moving all, start included, changes nothing", "[friction]") {
+TEST_CASE("friction term: a common translation, start included, changes nothing", "[friction]") {
   Cluster c(0.5, 7e-4);
   const double value = c.term().value(c.x);
   const VecX gradient = dense_gradient(c.term(), c.x);
@@ -92,7 +92,7 @@ TEST_CASE("friction term: moving all, start included, changes nothing", "[fricti
   CHECK((dense_gradient(c.term(), c.x + shift) - gradient).norm() <= 1e-9 * gradient.norm());
 }
 
-TEST_CASE("friction term: forces add up to zero, and parts and pairs to the whole", "[friction]") {
+TEST_CASE("friction term: forces add up to zero, and terms and pairs to the total", "[friction]") {
   Cluster c(0.5, 7e-4);
   const VecX all = c.term().forces(c.x, TangentialTerm::all);
   CHECK(all.norm() > 0);
@@ -115,7 +115,7 @@ TEST_CASE("friction term: the slip of a step is measured in eps h", "[friction]"
   CHECK((force - half.term().forces(shorter, TangentialTerm::all)).norm() <= 1e-12 * force.norm());
 }
 
-TEST_CASE("friction term: what lagging anew would change", "[friction]") {
+TEST_CASE("friction term: the residual is the change of forces by another lag", "[friction]") {
   Cluster c(0.5, 7e-4);
   CHECK(c.term().residual(c.start) == 0);  // no slip, no force
   c.system().move_to(c.x);
@@ -133,7 +133,7 @@ TEST_CASE("friction term: what lagging anew would change", "[friction]") {
   CHECK(c.term().residual(c.x) == 0);
 }
 
-TEST_CASE("friction term: two objects are held anew, or by other normal forces, and the others are not", "[friction]") {
+TEST_CASE("friction term: contact points and normal forces of two objects are replaced, and those of others are kept", "[friction]") {
   Cluster c(0.5, 7e-4);
   const auto between = [&](int a, int b, TangentialTerm part = TangentialTerm::all) { return c.term().forces(c.x, part, ObjectPair{a, b}); };
   const auto differ = [](const VecX& f, const VecX& g) { return (f - g).norm() / f.norm(); };

@@ -28,7 +28,7 @@ bool first_chosen(const PairTable& pairs, IntegrationSides::Overlap first, Integ
 
 }  // namespace
 
-TEST_CASE("integration sides: the side that captures more, the finer one where both capture as much", "[contact]") {
+TEST_CASE("integration sides: the side with the larger overlap, or the finer one if both are about equal", "[contact]") {
   const PairTable pairs = pair_by_overlap();
   CHECK(first_chosen(pairs, {}, {}));
   CHECK(first_chosen(pairs, {1, 2}, {0.8, 200}));
@@ -38,7 +38,7 @@ TEST_CASE("integration sides: the side that captures more, the finer one where b
   CHECK(first_chosen(pairs, {1, 8}, {1, 8}));
 }
 
-TEST_CASE("pins the overlap, seven tenths of the other side's, down to which an integration side is kept", "[contact]") {
+TEST_CASE("pins the overlap, seven tenths of the other side's, down to which a secondary side is kept", "[contact]") {
   const PairTable pairs = pair_by_overlap();
   const IntegrationSides::Pairs second = {{0, 1}};
   CHECK_FALSE(first_chosen(pairs, {1, 8}, {0.75, 8}, second));

@@ -19,7 +19,7 @@ double area_towards(const SurfaceAt& s, int v, const Vec3& n) {
 
 }  // namespace
 
-TEST_CASE("areas and normals of the lagged surface are those of the positions that it holds, not of rest", "[contact][lagged]") {
+TEST_CASE("areas and normals of the lagged surface are those of its positions, not of rest", "[contact][lagged]") {
   SurfaceBuilder builder;
   builder.add_triangle({0, 0, 0}, {2, 0, 0}, {0, 3, 0}, 0);
   SurfaceAt s(builder);
@@ -103,7 +103,7 @@ TEST_CASE("lagged areas and cosines do not depend on rotation and translation", 
   }
 }
 
-TEST_CASE("the cell of a vertex is the mean of the cells of the triangles that face the direction", "[contact][lagged]") {
+TEST_CASE("the area per vertex at a vertex is the mean over the triangles that face the direction", "[contact][lagged]") {
   // Three triangles at the origin: two of them face downwards, with areas 1/2 and 2.
   SurfaceBuilder builder;
   const int o = builder.add_vertex({0, 0, 0}, 0), a = builder.add_vertex({1, 0, 0}, 0), b = builder.add_vertex({0, 1, 0}, 0);

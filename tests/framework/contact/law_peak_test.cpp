@@ -1,4 +1,4 @@
-// The largest traction of laws of the gap.
+// Largest traction of traction-separation laws.
 #include "framework/contact/law_peak.hpp"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ LawPeak peak_of(const std::string& yaml, double* last = nullptr) {
 
 }  // namespace
 
-TEST_CASE("peaks of laws of the gap are found, at kinks and between places", "[law_peak]") {
+TEST_CASE("peaks of traction-separation laws are found, at kinks and between grid points", "[law_peak]") {
   double last = 0;
   const LawPeak fang = peak_of("{type: fang, peak_traction: 2e4, peak_distance: 1.2345 mm, range: 5 mm}", &last);
   CHECK(fang.gap == Approx(1.2345e-3).epsilon(1e-6));
@@ -32,7 +32,7 @@ TEST_CASE("peaks of laws of the gap are found, at kinks and between places", "[l
   CHECK(smooth.traction == Approx(16 / (9 * std::sqrt(3.0)) / 1e-3).epsilon(1e-6));
 }
 
-TEST_CASE("what only pushes has no peak", "[law_peak]") {
+TEST_CASE("a law that only repels has no peak", "[law_peak]") {
   const auto barrier = component<BarrierLaw>("{type: clamped_log}");
   barrier->prepare({.contact_distance = 1e-3, .softer_young = 1e6});
   CHECK(largest_traction(*barrier).traction == 0);

@@ -14,7 +14,7 @@ using namespace tack;
 
 namespace {
 
-// Everything that a list of contacts holds, bit by bit.
+// Returns all values of a list of contacts, for comparison bit by bit.
 std::vector<double> written_out(const ContactSet& set) {
   std::vector<double> all = set.mollifier_threshold;
   for_each_kind(set, [&](auto kind, const auto& stencils, const double*) {
@@ -29,7 +29,7 @@ std::vector<double> written_out(const ContactSet& set) {
 }
 
 // The boxes of three_boxes above a sheet.
-std::string crowd(const std::string& contact) {
+std::string boxes_over_sheet(const std::string& contact) {
   return three_boxes(3) +
          "  - {name: sheet, shape: {type: grid, size: [0.4, 0.4], cells: [6, 6]}, place: {translate: [0.05, -0.055, 0]}, "
          "motion: [fixed]}\n"
@@ -39,13 +39,13 @@ std::string crowd(const std::string& contact) {
 
 }  // namespace
 
-TEST_CASE("contacts are the same whether or not anything is known of the distances of candidates", "[contact]") {
+TEST_CASE("contacts do not depend on the distance bounds of candidates", "[contact]") {
   for (const char* contact : {"weights: area, safety_barrier: 1, ", "weights: area, ", "weights: pair, "}) {
-    TestScene scene(crowd(contact));
+    TestScene scene(boxes_over_sheet(contact));
     const ContactSystem& system = *scene.world->contact;
     RandomMotions random(23);
     BroadPhase broad_phase(system.surface().mesh, system.colliding());
-    NarrowPhase culled(system.surface(), system.pairs(), broad_phase), whole(system.surface(), system.pairs(), broad_phase);
+    NarrowPhase culled(system.surface(), system.pairs(), broad_phase), unbounded(system.surface(), system.pairs(), broad_phase);
     const double range = system.range(), skin = range;
     size_t contacts = 0, known = 0;
     VecX x = scene.world->rest;
@@ -66,7 +66,7 @@ TEST_CASE("contacts are the same whether or not anything is known of the distanc
           contacts += set.size();
           return written_out(set);
         };
-        REQUIRE(found(culled, broad_phase.candidates()) == found(whole, unknown));
+        REQUIRE(found(culled, broad_phase.candidates()) == found(unbounded, unknown));
       }
       x = scene.world->rest + 0.002 * random.vectors(x.size());
     }
@@ -88,7 +88,7 @@ TEST_CASE("edges of a rod that are close at rest do not count as overlapping", "
   CHECK(contact.smallest_gaps(scene.world->rest).between_objects == Approx(0.3e-3));
 }
 
-TEST_CASE("the smallest gap of different objects leaves out what an object has to itself", "[contact]") {
+TEST_CASE("the smallest gap of different objects leaves out gaps within one object", "[contact]") {
   // A plate of 0.4 mm is closer to itself than to the floor.
   TestScene scene("objects:\n  - {name: floor, shape: {type: box, size: [0.1, 0.01, 0.1]}, place: {translate: [0, -6 mm, 0]}, motion: [fixed]}\n"
                   "  - {name: plate, shape: {type: box, size: [20 mm, 0.4 mm, 20 mm], cells: [10, 1, 10]}, energies: [{type: neo_hookean, young: 1 MPa}]}\n"
@@ -106,8 +106,8 @@ TEST_CASE("the smallest gap of different objects leaves out what an object has t
 }
 
 // A mat of fine edges over a floor of two triangles.
-TEST_CASE("pairs of edges that do not adhere guard as what the smaller side carries, however coarse the other is", "[contact]") {
-  const auto [contact_keys, most_uneven] = GENERATE(table<std::string, double>(
+TEST_CASE("pairs of edges that do not adhere have an area limited by the smaller edge, however coarse the other is", "[contact]") {
+  const auto [contact_keys, area_ratio_max] = GENERATE(table<std::string, double>(
       {{"", 16}, {", weights: pair", 1e99}, {", pairs: [{between: [floor, mat], adhesion: {type: fang, peak_traction: 1 kPa}}]", 1e99}, {", pairs: [{between: [mat, mat], adhesion: {type: fang, peak_traction: 1 kPa}}]", 16}}));
   CAPTURE(contact_keys);
   TestScene scene("objects:\n  - {name: floor, shape: {type: box, size: [4, 0.5, 4]}, place: {translate: [0, -0.2505, 0]}, motion: [fixed]}\n"
@@ -124,7 +124,7 @@ TEST_CASE("pairs of edges that do not adhere guard as what the smaller side carr
     const double a = areas.at({s.vertices[0], s.vertices[1]}), b = areas.at({s.vertices[2], s.vertices[3]});
     const double least = std::min(a, b), most = std::max(a, b);
     coarse += most > 16 * least;
-    CHECK(s.weight == Approx(0.25 * (least + std::min(most, most_uneven * least))));
+    CHECK(s.weight == Approx(0.25 * (least + std::min(most, area_ratio_max * least))));
     CHECK(s.weight > 0);
   }
   CHECK(coarse > 10);

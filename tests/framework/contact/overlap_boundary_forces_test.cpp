@@ -37,7 +37,7 @@ struct Places {
     world.participants.begin_step({x, 0, 1e-3});
     world.participants.move_to(x);
   }
-  // With the areas of x itself.
+  // With the areas at x.
   double energy(const VecX& x) {
     begin(x);
     return world.contact_term->value(x);
@@ -61,7 +61,7 @@ VecX random_direction(Eigen::Index n) {
 
 }  // namespace
 
-TEST_CASE("rim: the forces are minus the gradient of the energy with areas taken anew", "[contact][rim]") {
+TEST_CASE("overlap boundary: the forces are minus the gradient of the energy with re-evaluated areas", "[contact][overlap_boundary]") {
   for (const auto& [shift, angle] : {std::pair(0.0043, 0.0), std::pair(0.0101, 0.3), std::pair(0.0017, 0.7)})
     for (const std::array<int, 2> cells : {std::array{6, 5}, std::array{2, 7}}) {
       Places p(plates(shift, angle, cells));
@@ -73,7 +73,7 @@ TEST_CASE("rim: the forces are minus the gradient of the energy with areas taken
     }
 }
 
-TEST_CASE("rim: no net force and no moment", "[contact][rim]") {
+TEST_CASE("overlap boundary: no net force and no moment", "[contact][overlap_boundary]") {
   Places p(plates(0.0072, 0.4, {6, 5}));
   p.begin(p.world.rest);
   const VecX f = Published(*p.world.overlap_boundary_term).forces(p.world.rest);
@@ -87,7 +87,7 @@ TEST_CASE("rim: no net force and no moment", "[contact][rim]") {
   CHECK(moment.norm() < 1e-10 * side * f.norm());
 }
 
-TEST_CASE("rim: the lateral force is that of the energy per length, wherever the rim runs", "[contact][rim]") {
+TEST_CASE("overlap boundary: the lateral force is that of the energy per length, wherever the boundary runs", "[contact][overlap_boundary]") {
   for (const double shift : {0.0021, 0.0033334, 0.005, 0.0066, 0.008, 0.0101, 0.0163})
     for (const std::array<int, 2> cells : {std::array{6, 5}, std::array{3, 10}}) {
       Places p(plates(shift, 0, cells));
@@ -99,8 +99,8 @@ TEST_CASE("rim: the lateral force is that of the energy per length, wherever the
     }
 }
 
-TEST_CASE("rim: areas change by no more than what moves", "[contact][rim]") {
-  // Where lines of the meshes meet, and aside.
+TEST_CASE("overlap boundary: areas change by no more than the swept area", "[contact][overlap_boundary]") {
+  // Where lines of the meshes meet, and beside.
   for (const double shift : {side / 6, 0.4 * side, side / 2, 0.0071})
     for (const std::array<int, 2> cells : {std::array{6, 5}, std::array{2, 10}}) {
       Places p(plates(shift, 0, cells));
@@ -112,7 +112,7 @@ TEST_CASE("rim: areas change by no more than what moves", "[contact][rim]") {
     }
 }
 
-TEST_CASE("rim: a closed way does no work", "[contact][rim]") {
+TEST_CASE("overlap boundary: a closed path does no work", "[contact][overlap_boundary]") {
   const auto way = [](const char* frames) {
     return std::string(", motion: [{type: keyframes, select: {type: face, direction: [0, 1, 0]}, frames: [") + frames + "]}]";
   };
@@ -126,7 +126,7 @@ TEST_CASE("rim: a closed way does no work", "[contact][rim]") {
     scene.replace(scene.find(lower), lower.size(), "     motion: [fixed]}\n");
     TestRun run("time: {step: 5 ms, duration: 0.7}\nsolver: {type: projected_newton, tolerance: 1e-4}\n" + scene);
     EnergyFlows sum;
-    double pulled = 0;  // what the rim did while it ran over the face
+    double pulled = 0;  // work of the overlap-boundary forces while the boundary crosses the face
     for (int i = 0; i < 140; ++i) {
       const EnergyFlows flows = run.step().flows;
       sum += flows;

@@ -36,7 +36,7 @@ std::array<Vec3, 2> angular_momenta(const World& world, const State& state) {
 
 // The forces have no moment where they are taken (rim_forces_test); held through a step they have one by what the bodies move along each other
 // meanwhile, as integrators have their own.
-TEST_CASE("rim: what two free bodies turn together by shrinks with the step", "[contact][rim]") {
+TEST_CASE("overlap boundary: the common rotation of two free bodies shrinks with the step", "[contact][overlap_boundary]") {
   for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {
     const auto drift = [&](double h) {
       TestRun run(scene(integrator, h));

@@ -7,7 +7,7 @@ using namespace tack;
 
 namespace {
 
-// Objects with so many vertices each.
+// Returns objects with the given numbers of vertices.
 ContactSurface surface_of(const std::vector<int>& vertices) {
   ContactSurface surface;
   for (int object = 0; object < static_cast<int>(vertices.size()); ++object)

@@ -40,16 +40,16 @@ struct Plates {
   }
 };
 
-// The pull of the upper plate on the lower one, along the plates' normal and across it [N].
+// Returns the pull of the upper plate on the lower one, along the normal of the plates and across it [N].
 struct Pull {
   double normal, tangential;
 };
-Pull pull(const Plates& plates, LawTerm part = LawTerm::all) {
+Pull pull(const Plates& plates, LawTerm term = LawTerm::all) {
   TestScene scene(plates.yaml());
   World& world = *scene.world;
   world.contact->move_to(world.rest);
   const Vec3 force =
-      world.contact_term->force_between(world.rest, part,
+      world.contact_term->force_between(world.rest, term,
                                         {world.body_index("lower"), world.body_index("upper")});
   const Vec3 normal = Eigen::AngleAxisd(plates.angle, plates.axis.normalized()) * Vec3::UnitY();
   return {force.dot(normal), (force - force.dot(normal) * normal).norm()};
@@ -86,13 +86,13 @@ TEST_CASE("parallel plates: turned in space", "[contact]") {
   CHECK(p.tangential <= 1e-9 * expected);
 }
 
-TEST_CASE("parallel plates: the parts add up", "[contact]") {
+TEST_CASE("parallel plates: the law terms add up", "[contact]") {
   const Plates plates{.lower_cells = 6, .upper_cells = 7, .gap = 0.7e-3};
   CHECK(pull(plates, LawTerm::barrier).normal == Approx(area * slope("barrier", 0.7e-3)).epsilon(1e-6));
   CHECK(pull(plates, LawTerm::adhesion).normal == Approx(area * slope("adhesion", 0.7e-3)).epsilon(1e-6));
 }
 
-TEST_CASE("parallel plates of equal outline: any side may integrate", "[contact]") {
+TEST_CASE("parallel plates of equal outline: either side may integrate", "[contact]") {
   const double expected = area * slope("adhesion", 1.3e-3);
   for (const std::string integrate : {"lower", "upper", "both", "finer"}) {
     INFO(integrate);

@@ -10,7 +10,8 @@ using namespace tack;
 
 namespace {
 
-// Grains in a pan under a sheet, a block, a rod and a particle. Far away a fixed box: what leaves a fixed object's place is searched for all.
+// Grains in a pan under a sheet, a block, a rod and a particle. A motion of the fixed box far away
+// causes a search of all objects.
 const std::string heap =
     "time: {step: 0.01, duration: 1}\n"
     "objects:\n"
@@ -46,7 +47,7 @@ void check_same(const Stencils& found, const Stencils& wanted) {
 
 }  // namespace
 
-TEST_CASE("contacts after a search for some objects are those after a search for all") {
+TEST_CASE("contacts after a search of some objects are those after a search of all") {
   TestScene some(heap), all(heap);
   ContactSystem &partly = *some.world->contact, &wholly = *all.world->contact;
   VecX x = some.world->rest;
@@ -54,15 +55,15 @@ TEST_CASE("contacts after a search for some objects are those after a search for
   partly.begin_step({x});
   wholly.begin_step({x});
   std::mt19937 random(5);
-  std::uniform_real_distribution<double> part(-1, 1);
+  std::uniform_real_distribution<double> component(-1, 1);
   size_t most = 0, samples = 0;
   for (int move = 0; move < 30; ++move) {
-    // One to three objects move by more than a box has room for, and nothing else does.
+    // One to three objects leave their fat AABBs; all others stay inside.
     for (int k = 0; k <= move % 3; ++k) {
       const size_t object = 2 + random() % (some.world->bodies.size() - 2);
-      const Vec3 way = 1.5e-3 * Vec3(part(random), part(random), part(random));
+      const Vec3 displacement = 1.5e-3 * Vec3(component(random), component(random), component(random));
       const Body& body = some.world->bodies[object];
-      for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) vertex(x, v) += way;
+      for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) vertex(x, v) += displacement;
     }
     partly.move_to(x);
     VecX y = x;

@@ -41,7 +41,7 @@ class Random {
 };
 
 // The unit square in the plane y = 0 with n x n cells: nodes moved within the plane, diagonals and
-// the order of vertices by chance. `lift` maps the flat sheet to its place.
+// the order of vertices by chance. `lift` maps the flat sheet to its positions.
 template <class Lift>
 Sheet random_sheet(int n, Random& random, const Lift& lift) {
   Sheet s;
@@ -110,7 +110,7 @@ TEST_CASE("a point over a flat sheet counts it once", "[contact]") {
   }
 }
 
-TEST_CASE("also over its vertices and edges, and one feature is enough", "[contact]") {
+TEST_CASE("a point over a vertex or an edge of a flat sheet counts it once, by one feature", "[contact]") {
   Random random;
   Sheet sheet = flat_sheet(6, random);
   PointFeatures features;
@@ -134,7 +134,7 @@ TEST_CASE("also over its vertices and edges, and one feature is enough", "[conta
 // A valley or a ridge along z at x = 1/2, whose sides rise or fall with the given slope. Where the
 // closest point of both sides is not the line between them, they are separate pieces up to the
 // distance of the line: phi(d_1) + phi(d_2) - phi(d_line). Otherwise, as over a blunt ridge, phi(d).
-TEST_CASE("valleys and ridges: closed forms, no jumps on the way across", "[contact]") {
+TEST_CASE("valleys and ridges: closed forms, no jumps on a path across", "[contact]") {
   Random random;
   for (const double slope : {1.0, 0.2, -0.2, -1.0, -3.0}) {
     for (const int n : {2, 6, 12}) {
@@ -163,7 +163,7 @@ TEST_CASE("valleys and ridges: closed forms, no jumps on the way across", "[cont
   }
 }
 
-// Three walls that meet in a corner, seen from inside it.
+// Three walls that meet in a corner, with points inside it.
 TEST_CASE("a concave corner: pieces minus edges plus the vertex", "[contact]") {
   Sheet s;
   s.add(Vec3::Zero());

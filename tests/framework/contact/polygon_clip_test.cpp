@@ -68,14 +68,14 @@ std::vector<ClipLine> lines_at(const SurfaceAt& s, int triangle, const Vec3& p) 
 
 }  // namespace
 
-TEST_CASE("a polygon clip without lines returns the piece itself", "[contact][clip]") {
+TEST_CASE("a polygon clip without lines returns the subtriangle itself", "[contact][clip]") {
   const auto polygons = clip_by_lines(unit_right, own, whole_triangle, {});
   REQUIRE(polygons.size() == 1);
   REQUIRE(polygons[0].size() == 3);
   for (int i = 0; i < 3; ++i) {
     CHECK(polygons[0][i].inside == whole_triangle[i]);
     CHECK(polygons[0][i].line == -1);
-    CHECK_FALSE(polygons[0][i].beyond);
+    CHECK_FALSE(polygons[0][i].outside);
   }
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("a line that misses the triangle, or only touches it, leaves it whole"
   }
 }
 
-TEST_CASE("polygons of random lines divide any piece, and each lies on one side of every line", "[contact][clip]") {
+TEST_CASE("polygons of random lines divide any subtriangle, and each lies on one side of every line", "[contact][clip]") {
   RandomPoints random(1);
   for (int trial = 0; trial < 300; ++trial) {
     const VecX x = positions(random.point(1), random.point(1), random.point(1));
@@ -127,7 +127,7 @@ TEST_CASE("polygons of random lines divide any piece, and each lies on one side 
   }
 }
 
-TEST_CASE("edges of polygons along a line carry its number and the side of the polygon", "[contact][clip]") {
+TEST_CASE("edges of polygons along a line carry its index and the side of the polygon", "[contact][clip]") {
   RandomPoints random(2);
   for (int trial = 0; trial < 200; ++trial) {
     const VecX x = positions(random.point(1), random.point(1), random.point(1));
@@ -142,8 +142,8 @@ TEST_CASE("edges of polygons along a line carry its number and the side of the p
         const ClipLine& l = lines[p[i].line];
         CHECK(std::abs((a - l.at).dot(l.outward)) < 1e-12);
         CHECK(std::abs((b - l.at).dot(l.outward)) < 1e-12);
-        if (const double height = (centre - l.at).dot(l.outward); std::abs(height) > 1e-9) CHECK(p[i].beyond == (height > 0));
-        balance[p[i].line] += (p[i].beyond ? -1 : 1) * (b - a).norm();
+        if (const double height = (centre - l.at).dot(l.outward); std::abs(height) > 1e-9) CHECK(p[i].outside == (height > 0));
+        balance[p[i].line] += (p[i].outside ? -1 : 1) * (b - a).norm();
       }
     }
     // Every segment of a line bounds one polygon on each side, so that no facet of the overlap gains what another does not lose.

@@ -16,12 +16,12 @@ using namespace tack;
 
 namespace {
 
-// A shape with gaps D to itself at rest, which all but close as `closed` goes to 1.
+// A shape with gaps D to itself at rest, which nearly close as `closed` goes to 1.
 struct CloseShape {
   std::string name, shape, body;
   double gap;                                           // D [m]
   std::function<Vec3(const Vec3& rest, double closed)> squeezed;
-  std::function<Vec3(const Vec3& rest)> slid = {};      // where one side goes along the other [m]
+  std::function<Vec3(const Vec3& rest)> slid = {};      // positions with one side slid along the other [m]
 
   // offset: of one side [m]
   std::string yaml(double offset, double distance) const {
@@ -76,7 +76,7 @@ std::vector<CloseShape> close_shapes() {
   return all;
 }
 
-// Nothing of the offset o of a side is left beyond 0.95 of the gap.
+// The offset o of a side is at most 0.95 of the gap.
 double room(const CloseShape& shape, double offset) { return 1 - std::min(2 * offset / shape.gap, 0.95); }
 
 struct Close {
@@ -93,7 +93,7 @@ struct Close {
 
 }  // namespace
 
-TEST_CASE("what is close to itself at rest has no force there, and presses when it is pressed shut", "[contact][rest]") {
+TEST_CASE("a body that is close to itself at rest has no force there, and presses when its gap is closed", "[contact][rest]") {
   for (const CloseShape& shape : close_shapes())
     for (const double offset : {0.0, 0.4, 0.6})  // of a side, in gaps: with the last, the two overlap
       for (const double reach : {0.1, 3.0}) {
@@ -115,7 +115,7 @@ TEST_CASE("what is close to itself at rest has no force there, and presses when 
       }
 }
 
-TEST_CASE("what is close to itself at rest never passes through itself, and keeps what is left of its offset", "[contact][rest]") {
+TEST_CASE("a body that is close to itself at rest never passes through itself, and keeps its reduced offset", "[contact][rest]") {
   PhaseClock clock;
   for (const CloseShape& shape : close_shapes())
     for (const double offset : {0.0, 0.4, 0.6}) {
@@ -135,7 +135,7 @@ TEST_CASE("what is close to itself at rest never passes through itself, and keep
     }
 }
 
-TEST_CASE("forces of what was close to itself at rest are the derivatives of one energy as it slides", "[contact][rest]") {
+TEST_CASE("forces of a body that is close to itself at rest are the derivatives of one energy as it slides", "[contact][rest]") {
   for (const CloseShape& shape : close_shapes())
     if (shape.slid)
       for (const double offset : {0.0, 0.4}) {

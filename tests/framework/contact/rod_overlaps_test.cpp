@@ -45,7 +45,7 @@ struct Rods {
   double crossing = 0, first = 0, second = 0;  // m^2
 };
 
-// A segment in the plane of a height, of that length, turned by an angle about its centre.
+// Returns a segment at a height, of a length, turned by an angle about its centre.
 Segment flat(double length, double angle, double height, const Vec3& centre = Vec3::Zero()) {
   const Vec3 half = length / 2 * Vec3(std::cos(angle), std::sin(angle), 0), at = centre + Vec3(0, 0, height);
   return {Vec3(at - half), Vec3(at + half)};
@@ -58,7 +58,7 @@ double shadow(const Segment& a, double wa, const Segment& b, double wb, const Ve
 
 }  // namespace
 
-TEST_CASE("the shadows of crossing edges have the parallelogram in common, centred at the crossing", "[contact][rods]") {
+TEST_CASE("the projections of crossing edges have the parallelogram in common, centred at the crossing", "[contact][rods]") {
   for (const double degrees : {20.0, 45.0, 90.0, 135.0}) {
     const double angle = degrees / 180 * M_PI;
     Vec3 centre;
@@ -69,7 +69,7 @@ TEST_CASE("the shadows of crossing edges have the parallelogram in common, centr
   }
 }
 
-TEST_CASE("the shadows of parallel edges have the common length times the common width in common", "[contact][rods]") {
+TEST_CASE("the projections of parallel edges have the common length times the common width in common", "[contact][rods]") {
   const Vec3 z = Vec3::UnitZ();
   CHECK(shadow(flat(2, 0, 0), 0.01, flat(1, 0, 0.1, {0.7, 0, 0}), 0.02, z) == Approx(0.8 * 0.01));
   CHECK(shadow(flat(2, 0, 0), 0.1, flat(2, 0, 0.1, {0, 0.06, 0}), 0.1, z) == Approx(2 * 0.04));
@@ -80,7 +80,7 @@ TEST_CASE("the shadows of parallel edges have the common length times the common
   CHECK(shadow(flat(2, 0, 0), 0.1, flat(2, 0, 0.1, {0, 5, 0}), 0.1, z) == 0);
 }
 
-TEST_CASE("the common shadow is symmetric, and independent of direction, rotation and translation", "[contact][rods]") {
+TEST_CASE("the common area is symmetric, and independent of direction, rotation and translation", "[contact][rods]") {
   RandomPoints random(1);
   int some = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -95,16 +95,16 @@ TEST_CASE("the common shadow is symmetric, and independent of direction, rotatio
     CHECK(shadow({a[1], a[0]}, wa, b, wb, n) == Approx(area).margin(1e-12));
     CHECK(shadow(a, wa, b, wb, -n) == Approx(area).margin(1e-12));
     CHECK(shadow(turned(a), wa, turned(b), wb, r * n) == Approx(area).margin(1e-9));
-    // Moving an edge along the view changes nothing.
+    // Moving an edge along the projection changes nothing.
     CHECK(shadow(a, wa, {Vec3(b[0] + 0.7 * n), Vec3(b[1] + 0.7 * n)}, wb, n) == Approx(area).margin(1e-9));
-    // The shadows of two halves add up to that of the whole.
+    // The areas of two halves add up to that of the edge.
     const Vec3 middle = 0.3 * a[0] + 0.7 * a[1];
     CHECK(shadow({a[0], middle}, wa, b, wb, n) + shadow({middle, a[1]}, wa, b, wb, n) == Approx(area).margin(1e-9));
   }
   CHECK(some > 50);
 }
 
-TEST_CASE("the common shadow of random edges is that of points by brute force", "[contact][rods]") {
+TEST_CASE("the common area of random edges is that of points by brute force", "[contact][rods]") {
   RandomPoints random(2);
   const auto in_shadow = [](const Vec3& p, const Segment& s, double width, const Vec3& n) {
     const auto flatten = [&](const Vec3& q) { return Vec3(q - n.dot(q) * n); };
@@ -170,7 +170,7 @@ TEST_CASE("pins the angles between which nearly parallel rods carry the parallel
   }
 }
 
-TEST_CASE("rods beyond twice the range, and those whose shadows do not meet, have no overlap", "[contact][rods]") {
+TEST_CASE("rods beyond twice the range, and rods whose projections do not meet, have no overlap", "[contact][rods]") {
   for (const double height : {2 * range * 1.001, 1.0}) {
     const Rods crossing(flat(1, 0, 0), 2, 0.002, flat(1, 1, height), 2, 0.003), parallel(flat(1, 0, 0), 2, 0.002, flat(1, 0, height), 2, 0.003);
     for (const Rods* rods : {&crossing, &parallel}) CHECK(rods->crossing + rods->first + rods->second == 0);
@@ -178,7 +178,7 @@ TEST_CASE("rods beyond twice the range, and those whose shadows do not meet, hav
   CHECK(Rods(flat(1, 0, 0), 2, 0.002, flat(1, 1, 2 * range * 0.999), 2, 0.003).crossing > 0);
 }
 
-TEST_CASE("the overlap of rods is equal if the two change places", "[contact][rods]") {
+TEST_CASE("the overlap of rods is equal if the two are exchanged", "[contact][rods]") {
   for (const double angle : {0.0, 0.04, 0.7}) {
     const Rods one(flat(1, 0, 0), 3, 0.002, flat(1, angle, 0.004), 4, 0.003), other(flat(1, angle, 0.004), 4, 0.003, flat(1, 0, 0), 3, 0.002);
     CHECK(one.crossing == Approx(other.crossing));

@@ -125,7 +125,7 @@ TEST_CASE("rolling friction: a rod and a ball roll down a slope, or slide and tu
   }
 }
 
-TEST_CASE("rolling friction: what is thrown flat rolls in the end, with 2/3 and 5/7 of its speed", "[rolling]") {
+TEST_CASE("rolling friction: a rod and a ball thrown along the floor roll in the end, with 2/3 and 5/7 of their speed", "[rolling]") {
   TestRun run(on_floor(rod(", velocity: [0.3, 0, 0]") + ball(", velocity: [0.3, 0, 0]") + ball(", velocity: [0.3, 0, 0], spin: [0, 0, 60]", "back", "[0, 5.983 mm, 0.3]"), 0, 0.3));
   run_until(run, 0.3);
   CHECK(speed(run, 1).x() == Approx(0.2).epsilon(0.01));
@@ -150,7 +150,7 @@ TEST_CASE("rolling friction: balls that collide off their centres keep momentum 
   CHECK((orbital() + spin(0) + spin(1) - whole).norm() < 0.01 * exchanged);
 }
 
-TEST_CASE("rolling friction: what is held does not turn, and what cannot roll is refused", "[rolling]") {
+TEST_CASE("rolling friction: fixed objects do not turn, and objects that cannot roll are refused", "[rolling]") {
   TestRun run(on_floor(ball(", motion: [fixed]", "still", "[0, 5.983 mm, 0]") + ball(", velocity: [0.1, 0, 0]", "ball", "[0, 16.5 mm, 0]"), 0, 0.3));
   run_until(run, 0.05);
   CHECK(angular_velocity(run, 1).norm() == 0);

@@ -1,5 +1,5 @@
-// Formulas of contact stencils: the chain rule to a point inside a triangle, and second derivatives
-// of a distance by its frame.
+// Formulas of contact stencils: the chain rule of an interior point, and second derivatives of a
+// distance by its frame.
 #include <catch2/catch.hpp>
 #include <Eigen/Geometry>
 #include <cmath>
@@ -30,7 +30,7 @@ MatX hessian_of(const DistanceFrame<K>& f) {
   return h;
 }
 
-// The same by differences of the distance.
+// Returns the Hessian of the distance by differences.
 template <int K, class Squared>
 MatX hessian_by_differences(const std::array<Vec3, K>& at, const Squared& squared) {
   const double h = 1e-4;
@@ -78,7 +78,7 @@ TEST_CASE("the weights of a frame sum up to zero, and give the shortest vector",
   }
 }
 
-TEST_CASE("derivatives by a point inside a triangle become those by its corners", "[contact][chain]") {
+TEST_CASE("derivatives by an interior point become those by the corners of its triangle", "[contact][chain]") {
   RandomPoints random(3);
   const std::array<Vec3, 3> own = {random.point(0.2), Vec3(Vec3(1, 0, 0) + random.point(0.2)), Vec3(Vec3(0, 1, 0) + random.point(0.2))};
   const std::array<Vec3, 3> other = {Vec3(-1, -1, -1), Vec3(2, -1, -1.1), Vec3(-1, 2, -0.9)};

@@ -53,7 +53,8 @@ struct Batch {
         StencilEnergy<Kind>::derivatives(x, stencils[i], law[i], gap[i], thresholds[i], g, exact);
         load_blocks<Kind::arity>(hessian.data() + slots * i, fast);
         const double scale = exact.norm();
-        // A sample's Hessian is that of its point, projected: semi-definite and above, but not its own projection.
+        // The Hessian of an interior point is the projected one of the point: semi-definite and an upper
+        // bound, but not its own projection.
         if constexpr (is_interior<Kind>) {
           REQUIRE(smallest_eigenvalue(fast) >= -1e-12 * scale);
           REQUIRE(smallest_eigenvalue(fast - exact) >= -1e-9 * scale);
@@ -90,7 +91,7 @@ TEST_CASE("projected stencils: points and points, lines, planes", "[contact]") {
   CHECK(changed > 1000);
 }
 
-TEST_CASE("projected stencils: edges that cross, and whose ends are closest", "[contact]") {
+TEST_CASE("projected stencils: edges that cross, and edges whose ends are closest", "[contact]") {
   RandomStencils random(6);
   int changed = 0, ends = 0;
   for (int trial = 0; trial < 20; ++trial) {
@@ -113,7 +114,7 @@ TEST_CASE("projected stencils: mollified edges among others", "[contact]") {
   CHECK(Batch<EdgeEdgeKind>(random, 0.1, corners).check(1e-9) > 10);
 }
 
-TEST_CASE("projected stencils: points inside triangles", "[contact]") {
+TEST_CASE("projected stencils: interior points", "[contact]") {
   RandomStencils random(8);
   CHECK(Batch<InteriorKind<PointPointKind>>(random, 0, [&](int) { return points<4>(random); }).check(1e-9) > 5);
   CHECK(Batch<InteriorKind<PointEdgeKind>>(random, 0, [&](int) { return points<5>(random); }).check(1e-9) > 5);

@@ -51,7 +51,7 @@ struct Overlap {
     if (setup.by_overlap) overlap->choose_sides(groups, *sides);
     overlap->evaluate(*sides, *broad_phase, groups);
   }
-  // Of the side that integrates.
+  // Returns the area of the patches of the secondary side.
   double area_at_vertices() const {
     double sum = 0;
     for (const GroupPatches& g : groups)
@@ -150,7 +150,7 @@ TEST_CASE("deferred triangles are subdivided when they may have come into range,
   const double at_vertices = overlap.area_at_vertices();
   CHECK(overlap.overlap->interior_points().empty());
   CHECK(at_vertices < 0.9 * common(setup));
-  // No motion, too little motion, and a motion of both together divide nothing.
+  // No motion, too little motion, and a common motion subdivide no triangle.
   CHECK(overlap.overlap->subdivide_approached(overlap.x).empty());
   CHECK(overlap.overlap->subdivide_approached(overlap.shifted({0, 0, -0.49 * range})).empty());
   CHECK(overlap.overlap->subdivide_approached(moved(overlap.x, Mat3::Identity(), {3, 2, 1})).empty());

@@ -25,7 +25,7 @@ struct Plates {
   std::string pairs = {};
   double unit = 1, shift = 0, height = gap;
   std::string shape = "box";  // or sheet
-  std::string more = {};      // of the upper one
+  std::string more = {};      // loads and motions of the upper one
 
   std::string yaml() const {
     const auto plate = [&](const char* name, int n, double x, double y, const std::string& rest) {
@@ -58,7 +58,7 @@ double cells_below_zero(int cells) { return cells / 2 / double(cells); }
 
 }  // namespace
 
-TEST_CASE("parts: a half that adheres pulls with half the force, whatever the meshes, the unit and the side that is named", "[contact][parts]") {
+TEST_CASE("regions: a half that adheres pulls with half the force, whatever the meshes, the unit and the side that is named", "[contact][regions]") {
   for (const double unit : {1e-3, 1.0, 1e3})
     for (const char* shape : {"box", "sheet"})
       for (const std::array<int, 2> cells : {std::array{4, 4}, std::array{4, 6}, std::array{10, 4}, std::array{7, 4}, std::array{4, 7}}) {
@@ -77,7 +77,7 @@ TEST_CASE("parts: a half that adheres pulls with half the force, whatever the me
       }
 }
 
-TEST_CASE("parts: what is beside them has the law of the whole, and the one that says more holds", "[contact][parts]") {
+TEST_CASE("regions: the surface outside has the law of the object, and the more specific entry holds", "[contact][regions]") {
   const std::string left = "{between: [" + half("upper", "x", 1) + ", lower], " + law(1, 3000) + "}", all = "{between: [upper, lower], " + law(1, 1000) + "}",
                     corner = "{between: [" + half("upper", "x", 1) + ", " + half("lower", "z", 1) + "], " + law(1, 5000) + "}", any = "{between: [\"*\", \"*\"], " + law(1, 7000) + "}";
   const double unit_force = pull({.pairs = all});
@@ -86,11 +86,11 @@ TEST_CASE("parts: what is beside them has the law of the whole, and the one that
   CHECK(pull({.pairs = any + ", " + left}) == Approx((0.5 * 7 + 0.5 * 3) * unit_force).epsilon(1e-6));
   // A pair of two named objects is more specific than a pair of one object and all.
   CHECK(pull({.pairs = "{between: [" + half("upper", "x", 1) + ", \"*\"], " + law(1, 3000) + "}, " + all}) == Approx(unit_force).epsilon(1e-9));
-  // Only the general contact beside a part that adheres, and a part without adhesion in what adheres.
+  // The general contact beside a region that adheres, and a region without adhesion in an object that adheres.
   CHECK(pull({.pairs = all + ", {between: [" + half("upper", "x", 1) + ", lower], friction: {mu: 0.1}}"}) == Approx(0.5 * unit_force).epsilon(1e-6));
 }
 
-TEST_CASE("parts: a seam is a rim: its forces are minus the gradient of the energy with areas taken anew", "[contact][parts][rim]") {
+TEST_CASE("regions: an interface is an overlap boundary: its forces are minus the gradient of the energy with re-evaluated areas", "[contact][regions][overlap_boundary]") {
   for (const std::array<int, 2> cells : {std::array{6, 5}, std::array{3, 8}})
     for (const double shift : {0.0021, 0.0071})
       for (const std::string& pairs : {"{between: [upper, " + half("lower", "x", 1) + "], " + law(1) + "}",
@@ -107,13 +107,13 @@ TEST_CASE("parts: a seam is a rim: its forces are minus the gradient of the ener
         std::mt19937 generator(1);
         std::uniform_real_distribution<double> component(-1, 1);
         const VecX d = VecX::NullaryExpr(x.size(), [&] { return component(generator); });
-        // Off the lines of the meshes, which meet.
+        // Beside the lines of the meshes.
         for (int v = 0; v < world.bodies[0].vertex_count; ++v) x(3 * v + 2) += 0.00013;
         begin(x);
         const VecX f = world.contact_term->forces(x, LawTerm::all) + Published(*world.overlap_boundary_term).forces(x);
         const double step = 1e-8, slope = (energy(x + step * d) - energy(x - step * d)) / (2 * step);
         CHECK(-f.dot(d) == Approx(slope).epsilon(4e-3).scale(0.6 * 0.02));
-        // As a whole, upwards of the seam: the energy of the strip that comes under it.
+        // The total is the energy of the strip that comes under the interface.
         if (world.adhesion.size() > 1) continue;
         begin(x);
         const double depth = -world.contact_term->laws(LawTerm::all)[world.contact->pairs().point(0, 1, 0).law].at(gap).value;
@@ -123,8 +123,8 @@ TEST_CASE("parts: a seam is a rim: its forces are minus the gradient of the ener
       }
 }
 
-// A slab that slides on a floor, with friction under half of its width: about the line along which it slides nothing turns it.
-TEST_CASE("parts: friction under half of a block slows it by half", "[contact][parts]") {
+// A slab that slides on a floor, with friction under half of its width, without a moment about the direction of sliding.
+TEST_CASE("regions: friction under half of a block slows it by half", "[contact][regions]") {
   const auto deceleration = [](double unit, const std::string& pairs) {
     TestRun run(fmt::format("time: {{step: 5 ms, duration: 1}}\ngravity: [0, {1}, 0]\nsolver: {{tolerance: {2}}}\nobjects:\n"
                             "  - {{name: block, shape: {{type: box, size: [{3}, {4}, {3}], cells: [8, 1, 8]}}, place: {{translate: [0, {5}, 0]}}, body: {{type: affine, density: 1000}}, velocity: [{0}, 0, 0]}}\n"
@@ -146,7 +146,7 @@ TEST_CASE("parts: friction under half of a block slows it by half", "[contact][p
   }
 }
 
-TEST_CASE("parts: bonds are made where they are named, by the law that holds there, and are kept by a state", "[contact][parts][bonds]") {
+TEST_CASE("regions: bonds form where an entry names them, by its law, and are kept by a state", "[contact][regions][bonds]") {
   const std::string rcc = "adhesion: {type: rcc, normal_stiffness: 1e8, tangential_stiffness: 5e7, work_of_adhesion: ";
   const std::string left = "{between: [" + half("upper", "x", 1) + ", lower], " + rcc + "1}, bond_distance: 0.1 mm}";
   const std::string right = "{between: [{object: upper, select: {type: formula, where: 'x > -1e-6'}}, " + half("lower", "z", 1) + "], " + rcc + "2}, bond_distance: 0.1 mm}";
@@ -174,8 +174,8 @@ TEST_CASE("parts: bonds are made where they are named, by the law that holds the
     }
 }
 
-// Who is above the part is held, who is above the rest falls.
-TEST_CASE("parts: particles and rods adhere to a part of a surface", "[contact][parts]") {
+// Objects above the region adhere, objects above the rest fall.
+TEST_CASE("regions: particles and rods adhere to a region of a surface", "[contact][regions]") {
   for (const char* what : {"shape: {type: points, size: [0.01, 0, 0], counts: [2, 1, 1]}, particle: {radius: 1 mm}, energies: [{type: particle, density: 1000}]",
                            "shape: {type: segment, length: 0.01, edges: 1}, rod: {radius: 1 mm}, energies: [{type: elastic_rod, young: 1 GPa, density: 1000}]"}) {
     INFO(what);

@@ -1,4 +1,4 @@
-// The slip laws against the paper's formulas, on each side of where they change.
+// Slip laws against the formulas of the paper, on each side of their kinks.
 #include "framework/contact/tangential_law.hpp"
 
 #include <catch2/catch.hpp>

@@ -45,7 +45,7 @@ double common_area(const Corners3& c, const Vec2& lo, const Vec2& hi) {
 }
 double whole_area(const Corners3& c) { return (c[1] - c[0]).cross(c[2] - c[0]).norm() / 2; }
 
-// What a triangle has in common with object 1.
+// The overlap of a triangle with object 1.
 struct Subdivision {
   std::vector<InteriorPoint> points;
   OverlapFacets facets{};
@@ -92,7 +92,7 @@ Corners3 random_triangle(RandomPoints& random, const Vec3& centre, double tilt) 
     Corners3 c;
     for (Vec3& p : c) p = centre + random.point(0.6).cwiseProduct(Vec3(1, 1, 0));
     if ((c[1] - c[0]).cross(c[2] - c[0]).z() > 0) std::swap(c[0], c[1]);
-    // No slivers: their views are those of larger triangles.
+    // No slivers: their patches are those of larger triangles.
     const double longest = std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
     if (whole_area(c) < 0.25 * longest * longest) continue;
     const Mat3 r = Eigen::AngleAxisd(random.uniform(-tilt, tilt), Vec3(random.direction().cwiseProduct(Vec3(1, 1, 0)).normalized())).toRotationMatrix();
@@ -229,14 +229,14 @@ TEST_CASE("the overlap with an L is that of its squares but for one cell at its 
   CHECK(within > 0);
 }
 
-TEST_CASE("only what is nearer than twice the range overlaps", "[contact][subdivision]") {
+TEST_CASE("only surfaces nearer than twice the range overlap", "[contact][subdivision]") {
   for (const double range : {0.049, 0.051}) {
     const Subdivision d = Scene(right_triangle).rectangle({1, 1}, {-1, -1, 0}, 3, 3).subdivide(range, 2);
     CHECK(d.area() == Approx(range < 0.05 ? 0 : 0.5));
   }
 }
 
-TEST_CASE("a triangle that faces away has no overlap, one of a sheet has", "[contact][subdivision]") {
+TEST_CASE("a triangle that faces away has no overlap, unless it is of a sheet", "[contact][subdivision]") {
   const Corners3 up = {right_triangle[0], right_triangle[2], right_triangle[1]};
   for (const bool sheet : {false, true}) CHECK(Scene(up, sheet).rectangle({1, 1}, {-1, -1, 0}, 3, 3).subdivide(0.2, 2).area() == Approx(sheet ? 0.5 : 0));
 }
@@ -279,7 +279,7 @@ TEST_CASE("skipped cells are out of range, and subdivided later they complete th
   CHECK(skipped > 20);
 }
 
-TEST_CASE("the depth of cells is the least for which they have the size, from one division on", "[contact][subdivision]") {
+TEST_CASE("the depth of cells is the least, from one on, at which they have at most the size", "[contact][subdivision]") {
   for (const double area : {0.5, 2.0, 1e-6})
     for (const double ratio : {0.03, 0.11, 0.3, 0.7}) {
       const double side = std::sqrt(2 * area), size = ratio * side;

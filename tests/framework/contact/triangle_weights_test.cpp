@@ -38,7 +38,7 @@ TriangleWeight triangle(const Vec3& a, const Vec3& b, const Vec3& c, bool two_si
 
 }  // namespace
 
-TEST_CASE("a particle above a surface has the weight one on its triangles within range, whatever the mesh", "[contact][thin]") {
+TEST_CASE("a particle above a surface has the weight one on its triangles within range, whatever the mesh", "[contact][codimensional]") {
   RandomPoints random(1);
   for (const int cells : {1, 3, 12})
     for (const double height : {1e-3, 0.1, 0.25}) {
@@ -53,7 +53,7 @@ TEST_CASE("a particle above a surface has the weight one on its triangles within
     }
 }
 
-TEST_CASE("a particle behind a solid has no weight, one behind a sheet has all of it", "[contact][thin]") {
+TEST_CASE("a particle behind a solid has no weight, one behind a sheet has all of it", "[contact][codimensional]") {
   for (const bool sheet : {false, true}) {
     Particle p({0.03, -0.02, -0.1});
     p.builder.add_rectangle({3, 3}, 1, {-1, -1, 0}, 2, 2, true, sheet);
@@ -61,7 +61,7 @@ TEST_CASE("a particle behind a solid has no weight, one behind a sheet has all o
   }
 }
 
-TEST_CASE("the weight falls smoothly from one over a boundary to zero at half a width past it", "[contact][thin]") {
+TEST_CASE("the weight falls smoothly from one over a boundary to zero at half a width past it", "[contact][codimensional]") {
   for (const double past : {0.0, 0.25, 0.5, 0.9, 1.0, 1.5})
     for (const int cells : {1, 5}) {
       Particle p({1 + past * radius, 0.13, 0.2});  // well in front: height over distance is above 1/2
@@ -73,7 +73,7 @@ TEST_CASE("the weight falls smoothly from one over a boundary to zero at half a 
     }
 }
 
-TEST_CASE("pins the height over distance, one half, from which a surface is wholly in front of a point", "[contact][thin]") {
+TEST_CASE("pins the height over distance, one half, from which a surface is wholly in front of a point", "[contact][codimensional]") {
   // Past a boundary by a small part of the radius, so that the weight is that of the height alone.
   for (const double ratio : {0.1, 0.25, 0.45, 0.55}) {
     const double past = 1e-3 * radius, height = past * ratio / std::sqrt(1 - ratio * ratio);
@@ -85,7 +85,7 @@ TEST_CASE("pins the height over distance, one half, from which a surface is whol
   }
 }
 
-TEST_CASE("weights do not depend on rotation, translation, or the order of triangles", "[contact][thin]") {
+TEST_CASE("weights do not depend on rotation, translation, or the order of triangles", "[contact][codimensional]") {
   RandomPoints random(2);
   for (int trial = 0; trial < 20; ++trial) {
     Particle p(Vec3(Vec3(0, 0, 0.15) + random.point(0.1)));
@@ -100,7 +100,7 @@ TEST_CASE("weights do not depend on rotation, translation, or the order of trian
   }
 }
 
-TEST_CASE("a particle in a hollow has the whole weight on each face that is equally near", "[contact][thin]") {
+TEST_CASE("a particle in a hollow has the whole weight on each face that is equally near", "[contact][codimensional]") {
   Particle p({0.1, 0.2, 0.1});
   p.builder.add_rectangle({2, 2}, 1, {0, -1, 0}, 1, 2);
   const int wall = p.builder.add_grid({2, 2}, 1, [](double u, double v) { return Vec3(0, 2 * u - 1, v); });
@@ -111,7 +111,7 @@ TEST_CASE("a particle in a hollow has the whole weight on each face that is equa
   CHECK(std::max_element(weights.begin() + wall, weights.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; })->weight == Approx(1));
 }
 
-TEST_CASE("adjacent triangles are one patch on flat surfaces and over ridges, two in a hollow", "[contact][thin]") {
+TEST_CASE("adjacent triangles are one patch on flat surfaces and over ridges, two in a hollow", "[contact][codimensional]") {
   // The second triangle is folded about the y axis by an angle: down over a ridge, up in a hollow.
   const auto patch = [](double degrees, bool sheet = false) {
     const double angle = degrees / 180 * M_PI;
@@ -128,7 +128,7 @@ TEST_CASE("adjacent triangles are one patch on flat surfaces and over ridges, tw
   for (double degrees = 5; degrees < 90; degrees += 5) CHECK(patch(degrees) <= patch(degrees - 5) + 1e-12);
 }
 
-TEST_CASE("pins the angles of a hollow, 30 and 70 degrees, between which one patch becomes two", "[contact][thin]") {
+TEST_CASE("pins the angles of a hollow, 30 and 70 degrees, between which one patch becomes two", "[contact][codimensional]") {
   const auto hollow = [](double degrees) {
     const double angle = degrees / 180 * M_PI;
     return patch_affinity(triangle({0, 0, 0}, {0, 1, 0}, {-1, 0.5, 0}), triangle({0, 1, 0}, {0, 0, 0}, {std::cos(angle), 0.5, std::sin(angle)}));

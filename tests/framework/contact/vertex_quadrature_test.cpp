@@ -69,7 +69,7 @@ double area(const Points& points, const VertexQuadrature& quadrature, int law, i
 
 }  // namespace
 
-TEST_CASE("points of the integrating side carry the area of the surface, on all triangles opposite", "[contact][quadrature]") {
+TEST_CASE("points of the secondary side carry the area of the surface, on all opposite triangles", "[contact][quadrature]") {
   Points points(plates({3, 4}, {2, 2}));
   points.pairs.point(0, 1) = pressure_role();
   const VertexQuadrature quadrature = points.make();
@@ -102,7 +102,7 @@ TEST_CASE("weights by size are a partition of unity: both sides together carry t
   }
 }
 
-TEST_CASE("the side that does not integrate has the safety barrier on its whole area", "[contact][quadrature]") {
+TEST_CASE("the side that is not integrated has the safety barrier on its whole area", "[contact][quadrature]") {
   Points points(plates({3, 3}, {2, 2}));
   points.pairs.point(0, 1) = pressure_role();
   points.pairs.point(1, 0) = {barrier_law, 1, barrier_range};

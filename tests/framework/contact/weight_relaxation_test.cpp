@@ -1,4 +1,4 @@
-// Weights of rods and particles from step to step: oscillations decay, steady changes do not lag,
+// Relaxation of the weights of rods and particles: oscillations decay, steady changes do not lag,
 // and soft bodies come to rest on rods.
 #include "framework/contact/weight_relaxation.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int point = 7, triangle = 3;
 
-// The share that a step holds when it would be `share`, and what is remembered.
+// Returns the relaxed weight of a step whose new weight is `weight`, and updates the lagged weights.
 double relaxed(double weight, LaggedWeights& lagged, double distance = 0.5, const Vec3& normal = Vec3::UnitY()) {
   std::vector<TriangleWeight> weights{{weight, normal, Vec3::Zero(), false, distance}};
   LaggedWeights now;
@@ -45,7 +45,7 @@ std::string block(const std::string& shape, const std::string& place, double you
 
 }  // namespace
 
-TEST_CASE("a share that goes too far in every step settles", "[contact][thin]") {
+TEST_CASE("a weight that overshoots in every step converges", "[contact][codimensional]") {
   for (const double slope : {0.5, 1.5, 4.0, 9.0, 40.0}) {
     LaggedWeights lagged;
     double weight = relaxed(0.52, lagged);
@@ -55,7 +55,7 @@ TEST_CASE("a share that goes too far in every step settles", "[contact][thin]") 
   }
 }
 
-TEST_CASE("relaxation finds the fixed point of a linear map in the third step, and stays there", "[contact][thin]") {
+TEST_CASE("relaxation finds the fixed point of a linear map in the third step, and stays there", "[contact][codimensional]") {
   for (const double slope : {-0.2, -0.7, -1.0, -3.0, -20.0})
     for (const double fixed_point : {0.3, 0.6}) {
       const auto map = [&](double weight) { return fixed_point + slope * (weight - fixed_point); };
@@ -69,7 +69,7 @@ TEST_CASE("relaxation finds the fixed point of a linear map in the third step, a
     }
 }
 
-TEST_CASE("weights of several triangles are relaxed by one factor, so that their ratio is kept", "[contact][thin]") {
+TEST_CASE("weights of several triangles are relaxed by one factor, so that their ratio is kept", "[contact][codimensional]") {
   LaggedWeights lagged, now;
   std::array<double, 2> found{};
   double swing = 0.1;
@@ -84,7 +84,7 @@ TEST_CASE("weights of several triangles are relaxed by one factor, so that their
   CHECK(found[0] - 0.5 == Approx(2 * (found[1] - 0.4)).margin(1e-12));
 }
 
-TEST_CASE("pins the bounds of relaxation: one hundredth at least, and a fifth more from step to step", "[contact][thin]") {
+TEST_CASE("pins the bounds of relaxation: one hundredth at least, and a fifth more from step to step", "[contact][codimensional]") {
   LaggedWeights lagged;
   double weight = 0;
   for (const double target : {0.5, 0.6, -60.0}) weight = relaxed(target, lagged);  // a swing of 600 times its cause
@@ -100,7 +100,7 @@ TEST_CASE("pins the bounds of relaxation: one hundredth at least, and a fifth mo
   }
 }
 
-TEST_CASE("shares that go on in one direction do not lag, nor what was not near", "[contact][thin]") {
+TEST_CASE("weights that change in one direction are not relaxed, nor are weights of new triangles", "[contact][codimensional]") {
   LaggedWeights lagged;
   for (int step = 0; step < 10; ++step) CHECK(relaxed(0.1 + 0.07 * step + 0.001 * step * step, lagged) == 0.1 + 0.07 * step + 0.001 * step * step);
   CHECK(relaxed(0.2, lagged) > 0.4);  // turns back
@@ -110,7 +110,7 @@ TEST_CASE("shares that go on in one direction do not lag, nor what was not near"
   CHECK(relaxed(0.9, lagged) == 0.9);
 }
 
-TEST_CASE("normals turn with the shares", "[contact][thin]") {
+TEST_CASE("normals are relaxed with the weights", "[contact][codimensional]") {
   const auto at = [](double angle) { return Vec3(std::sin(angle), std::cos(angle), 0); };
   std::vector<TriangleWeight> weights;
   LaggedWeights lagged, now;
@@ -126,7 +126,7 @@ TEST_CASE("normals turn with the shares", "[contact][thin]") {
   CHECK(weights[0].weight == 1);
 }
 
-TEST_CASE("what shares were is remembered by the numbers of triangles in their object", "[contact][thin]") {
+TEST_CASE("lagged weights are stored by the indices of triangles in their object", "[contact][codimensional]") {
   const TestScene scene(under_rods(1, 4, block("size: [8 mm, 8 mm, 8 mm], cells: [1, 1, 1]", "translate: [0, -8 mm, 0]", 1e4)));
   const CollisionMesh& mesh = scene.world->contact->surface().mesh;
   const LaggedWeights lagged{{1, 2, {0.5, 0, 1, 0}, {0.1, 0, 0.2, 0}, 0.3}, {1, 5, {0.6, 1, 0, 0}, {}, 1}, {4, 2, {0.7, 0, 0, 1}, {}, 1}};
@@ -147,7 +147,7 @@ TEST_CASE("what shares were is remembered by the numbers of triangles in their o
   CHECK(history.empty());
 }
 
-TEST_CASE("soft blocks come to rest on rods beside which their edges lie", "[contact][thin]") {
+TEST_CASE("soft blocks come to rest on rods beside which their edges lie", "[contact][codimensional]") {
   for (const std::string& yaml :
        {under_rods(2, 10, block("size: [16 mm, 8 mm, 8 mm], cells: [2, 1, 1]", "translate: [-0.52 mm, -8.5 mm, 3.13 mm], axis: [-0.15, 1.246, 0.012], angle: 0.249", 8000)),
         under_rods(3, 4, block("size: [6 mm, 16 mm, 6 mm], cells: [1, 2, 1]", "translate: [1.52 mm, -12.5 mm, -2.19 mm], axis: [-1.86, 0.187, -0.611], angle: 0.161", 3000)),
@@ -161,6 +161,6 @@ TEST_CASE("soft blocks come to rest on rods beside which their edges lie", "[con
     }
     INFO(yaml);
     CHECK(adhesion < -1e-4);
-    CHECK(areas < 0.02 * std::abs(adhesion));  // half of it to all where rounding says which of two triangles is nearer
+    CHECK(areas < 0.02 * std::abs(adhesion));  // half to all of it if rounding chooses the nearer one of two triangles
   }
 }
