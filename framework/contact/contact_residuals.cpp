@@ -32,16 +32,16 @@ bool stencil_residuals(const VecX& x, const StencilOf<Kind>& stencil, const Pair
   if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
     const auto c = corners(x, stencil);
     const auto m = edge_edge_mollifier_gradient(c[0], c[1], c[2], c[3], eps_x);
-    const double root = std::sqrt(m.value), missing = std::sqrt(std::max(1 - m.value, 0.0));
+    const double root_m = std::sqrt(m.value), missing = std::sqrt(std::max(1 - m.value, 0.0));
     const double well = weight * std::sqrt(2 * root.depth());
     if (jacobian) {
       // At exactly parallel edges m is zero with a quadratic minimum, and its root has no derivative.
-      rows.row(0) *= root;
-      if (root > 0) rows.row(0) += r[0] / (2 * root) * m.gradient.transpose();
+      rows.row(0) *= root_m;
+      if (root_m > 0) rows.row(0) += r[0] / (2 * root_m) * m.gradient.transpose();
       rows.row(1).setZero();
       if (missing > 0) rows.row(1) = -well / (2 * missing) * m.gradient.transpose();
     }
-    r[0] *= root;
+    r[0] *= root_m;
     r[1] = well * missing;
   }
   return true;

@@ -1,5 +1,5 @@
-// An axis-aligned box [lo, hi] in metres; empty (lo > hi) by default. Boxes are closed: two boxes
-// that only touch overlap.
+// Axis-aligned bounding box [lo, hi] in metres; empty (lo > hi) by default. Boxes are closed: two
+// boxes that touch overlap.
 #pragma once
 
 #include <limits>

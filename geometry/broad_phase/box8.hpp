@@ -1,6 +1,5 @@
-// Eight boxes side by side (structure of arrays), so that one box is tested against all of them
-// with a handful of vector comparisons. Lanes that hold no box keep lo = +inf, hi = -inf and
-// overlap nothing.
+// Eight boxes side by side (structure of arrays): one box is tested against all of them with a few
+// vector comparisons. Empty lanes have lo = +inf, hi = -inf and overlap no box.
 #pragma once
 
 #include "geometry/broad_phase/aabb.hpp"
@@ -31,8 +30,8 @@ struct Box8 {
     }
     return box;
   }
-  // Bit i is set if box i overlaps `box`. The compiler does not find these instructions by itself:
-  // the plain loop costs several times as much.
+  // Returns a mask; bit i is set if box i overlaps `box`. Compilers do not vectorise the plain
+  // loop, which is several times slower.
   unsigned overlap_mask(const Aabb& box) const {
 #if defined(__AVX512F__)
     __mmask8 mask = 0xff;

@@ -32,7 +32,7 @@ bool all_of(const std::vector<int>& vertices, const Predicate& predicate) {
       [](bool a, bool b) { return a && b; });
 }
 
-// The largest absolute value, 0 for an empty vector.
+// Returns the largest absolute value, 0 for an empty vector.
 double largest(const VecX& values) {
   double bound = 0.0;
   for (const double value : values) bound = std::max(bound, std::abs(value));
@@ -91,8 +91,8 @@ void BroadPhase::pad_radii(double rounding) {
   for (double& radius : padded_radii_.edge) radius += rounding;
 }
 
-// Returns a flag per object that has left its fat boxes; empty if all pairs should be searched: if these objects hold too many
-// of the vertices, or one of them a fixed vertex.
+// Returns a flag per object that has left its fat boxes; empty if all pairs should be searched: if
+// these objects have too many of the vertices, or one of them has a fixed vertex.
 std::vector<char> BroadPhase::objects_outside(const VecX& x, const VecX& p) const {
   std::vector<char> objects(objects_, 0), fixed(objects_, 0);
   std::vector<int> size(objects_, 0);

@@ -108,9 +108,9 @@ void CandidateFinder::find_changed(const std::vector<Aabb>& vertex_boxes, const 
   search(vertex_boxes, radii, changed, changed_pairs_);
   changed_.mark(mesh_, changed);
   const auto same = [](const std::array<int, 2>& pair) { return pair; };
-  const auto merge = [&](auto pairs, auto lengths, auto places, const std::vector<char>& first, const std::vector<char>& second, const auto& key) {
+  const auto merge = [&](auto pairs, auto lengths, auto indices, const std::vector<char>& first, const std::vector<char>& second, const auto& key) {
     const auto kept = [&](const std::array<int, 2>& pair) { return !(first[pair[0]] | second[pair[1]]); };
-    merge_kept(list_of(std::as_const(candidates), pairs, lengths), kept, changed_pairs_.*pairs, key, list_of(merged_, pairs, lengths), new_candidates_.*places);
+    merge_kept(list_of(std::as_const(candidates), pairs, lengths), kept, changed_pairs_.*pairs, key, list_of(merged_, pairs, lengths), new_candidates_.*indices);
   };
   const auto& [objects, vertices, edges, triangles] = changed_;
   merge(&Candidates::point_triangle, &CandidateLengths::point_triangle, &CandidateIndices::point_triangle, vertices, triangles,

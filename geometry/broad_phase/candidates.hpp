@@ -1,7 +1,7 @@
 // Collision candidates: pairs of primitives that may come within contact range, as indices into a
 // CollisionMesh. Left out: pairs that share a vertex, pairs without a movable vertex, pairs within
-// one rigid group, and pairs of objects that may not touch. Particles meet surfaces as
-// point-triangle pairs, rods meet everything that has edges as edge-edge pairs.
+// one rigid group, and pairs of objects that may not touch. Particles and surfaces form
+// point-triangle pairs; rods form edge-edge pairs with all edges.
 #pragma once
 
 #include <array>

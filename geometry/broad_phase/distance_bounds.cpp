@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-constexpr double accuracy = 1e-6;  // relative, of a distance: far above its rounding error
+constexpr double distance_tolerance = 1e-6;  // relative: far above rounding errors of distances
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // relative, of coordinates
 
 template <size_t N>
@@ -39,14 +39,14 @@ void for_each_kind(const CollisionMesh& mesh, const Candidates& c, const Visit& 
   visit(c.point_point, point, point, &CandidateLengths::point_point, &CandidateIndices::point_point);
 }
 
-// Per vertex: the largest distance from its reference position to a point of its box [m].
+// Returns, per vertex, the largest distance from its reference position to a point of its box [m].
 std::vector<double> radii_around(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, const VecX& reference) {
   std::vector<double> radii(vertex_boxes.size());
   for (const int v : mesh.vertices) {
     const Aabb& box = vertex_boxes[v];
     const double error = rounding * (box.lo.cwiseAbs().maxCoeff() + box.hi.cwiseAbs().maxCoeff());
     const Vec3 position = vertex(reference, v);
-    radii[v] = (box.hi - position).cwiseMax(position - box.lo).norm() * (1 + accuracy) + error;
+    radii[v] = (box.hi - position).cwiseMax(position - box.lo).norm() * (1 + distance_tolerance) + error;
   }
   return radii;
 }
@@ -55,7 +55,8 @@ void set_centre(const std::vector<Aabb>& vertex_boxes, int v, VecX& positions) {
   vertex(positions, v) = 0.5 * (vertex_boxes[v].lo + vertex_boxes[v].hi);
 }
 
-// Calls body(begin, end, at) for chunks of all candidates of a kind (some: null), or of some; at(i): the index of the i-th of them.
+// Calls body(begin, end, at) for chunks of all candidates of a kind (some: null) or of some. at(i):
+// index of the i-th candidate.
 template <class Body>
 void for_indices(size_t all, const std::vector<int>* some, int chunk, const Body& body) {
   const int n = static_cast<int>(some ? some->size() : all);
@@ -84,7 +85,7 @@ void find_reference_distances(const CollisionMesh& mesh, const CandidateIndices*
           set_positions(x, second(pair[1]), origin, l, b);
         }
         const Pack slab_distance = slab_bound(a, b);
-        for (int l = 0; l < n; ++l) distances[at(i + l)] = std::max(0.0, (1 - accuracy) * slab_distance[l]);
+        for (int l = 0; l < n; ++l) distances[at(i + l)] = std::max(0.0, (1 - distance_tolerance) * slab_distance[l]);
       }
     });
   });

@@ -20,8 +20,8 @@ namespace tack {
 void find_distance_bounds(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes,
                           Candidates& candidates);
 
-// Sets them for new candidates alone. The others touch no object whose boxes have changed (a flag
-// per object), and keep theirs.
+// Sets reference distances and distance bounds of new candidates alone. All others are pairs of
+// objects without a flag in `changed` (per object) and keep theirs.
 void find_new_distance_bounds(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes,
                               const std::vector<char>& changed,
                               const CandidateIndices& new_candidates, Candidates& candidates);

@@ -1,6 +1,5 @@
-// Small integer kernels of the overlap search on eight ids at a time. Their point is to have no
-// branch that depends on which lanes are hit: that is random, and mispredictions cost more than the
-// tests.
+// Integer kernels of the overlap search, on eight ids at a time. They have no branch that depends
+// on the lanes that are hit: hits are random, and mispredictions cost more than the tests.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 
 namespace tack::detail {
 
-// Bit i is set if ids[i] > id.
+// Returns a mask; bit i is set if ids[i] > id.
 inline unsigned lanes_above(const int* ids, int id) {
 #if defined(__AVX2__)
   const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids));
@@ -26,7 +25,8 @@ inline unsigned lanes_above(const int* ids, int id) {
 #endif
 }
 
-// Writes the ids of the lanes in the mask, in order, and returns the end. Needs room for eight.
+// Writes the ids of the lanes in the mask, in order, and returns the end. `out` must have space for
+// eight.
 inline int* append_lanes(const int* ids, unsigned mask, int* out) {
 #if defined(__AVX512VL__)
   const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids));
@@ -42,7 +42,7 @@ inline int* append_lanes(const int* ids, unsigned mask, int* out) {
 #endif
 }
 
-// Sorts distinct ids, by counting the smaller ones of each while they are few.
+// Sorts distinct ids. Short lists are sorted by rank: the number of smaller ids.
 inline void sort_distinct(int* ids, int count) {
   constexpr int few = 32, block = 8;
   if (count > few) {

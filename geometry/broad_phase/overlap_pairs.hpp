@@ -1,15 +1,15 @@
-// All overlapping pairs between the primitives of two trees, sorted; the same for any number of
-// threads.
+// Finds all overlapping pairs between the primitives of two trees, sorted. The result does not
+// depend on the number of threads.
 //
-// Key idea: queries are taken eight at a time (a group of the query tree). Their common bound
-// descends the other tree once; at a leaf group the queries that reach it are each tested against
-// its eight boxes at once. The hits of a query are first collected, then filtered and sorted in
-// straight loops. Tasks are fixed runs of query groups with a list of their own; in the end every
-// query's partners are copied to the position that a prefix sum over the queries gives them.
+// Key idea: queries are processed eight at a time (a group of the query tree). Their common bound
+// descends the other tree once; at a leaf group, each query that overlaps it is tested against its
+// eight boxes at once. The hits of a query are first collected, then filtered and sorted in loops
+// without branches. Tasks are fixed runs of query groups with a list of their own; finally the
+// partners of every query are copied to the position given by a prefix sum over the queries.
 //
 // `Relation` is plain data with two inlined members, for query q and primitive t:
-//   bool accept(int q, int t) const             whether the overlapping pair is wanted
-//   std::array<int, 2> pair(int q, int t) const what to write
+//   bool accept(int q, int t) const             whether the overlapping pair is accepted
+//   std::array<int, 2> pair(int q, int t) const the pair to write
 // and, if it may refuse pairs within a rigid group (bvh.hpp),
 //   bool skips(int rigid_group) const           whether it refuses all pairs within this group
 //   bool isolated(int rigid_group, const Aabb& box) const
@@ -56,7 +56,7 @@ void visit_groups(const Bvh& tree, const Aabb& box, bool only_active, int except
   }
 }
 
-// The primitives that one query hits, in a buffer that only grows.
+// The primitives that one query hits; the buffer never shrinks.
 struct Row {
   std::vector<int> ids = std::vector<int>(256);
   int count = 0;
@@ -79,8 +79,8 @@ struct Row {
 };
 using Rows = std::array<Row, Box8::width>;
 
-// With Same, queries and tree are the same tree, and only pairs q < t are found. Subtrees of the
-// rigid group `except_group` are skipped (-1: none).
+// Finds the hits of a group of queries. With Same, queries and tree are one tree, and only pairs
+// q < t are found. Subtrees of the rigid group `except_group` are skipped (-1: none).
 template <bool Same>
 void search_group(const Bvh& queries, int group, const Bvh& tree, int except_group, Rows& rows) {
   const Box8& boxes = queries.boxes(0, group);
@@ -112,49 +112,56 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
       visit(g, std::min(Box8::width, queries.size() - g * Box8::width));
   };
 
-  for_each(tasks, [&](int task) {
-    Rows rows;
-    for_groups(task, [&](int group, int lanes) {
-      int except_group = -1;
-      if constexpr (requires { relation.skips(except_group); }) {
-        if (const int own = queries.rigid_group(0, group); own >= 0 && relation.skips(own))
-          except_group = own;
-        if (except_group >= 0 && relation.isolated(except_group, queries.bound(0, group))) return;
-      }
-      search_group<Same>(queries, group, tree, except_group, rows);
-      for (int lane = 0; lane < lanes; ++lane) {
-        const int query = queries.primitives(group)[lane];
-        rows[lane].filter_and_sort(query, relation);
-        begin[query + 1] = rows[lane].count;
-        partners[task].insert(partners[task].end(), rows[lane].ids.begin(),
-                              rows[lane].ids.begin() + rows[lane].count);
-      }
-    });
-  }, 1);
+  for_each(
+      tasks,
+      [&](int task) {
+        Rows rows;
+        for_groups(task, [&](int group, int lanes) {
+          int except_group = -1;
+          if constexpr (requires { relation.skips(except_group); }) {
+            if (const int own = queries.rigid_group(0, group); own >= 0 && relation.skips(own))
+              except_group = own;
+            if (except_group >= 0 && relation.isolated(except_group, queries.bound(0, group)))
+              return;
+          }
+          search_group<Same>(queries, group, tree, except_group, rows);
+          for (int lane = 0; lane < lanes; ++lane) {
+            const int query = queries.primitives(group)[lane];
+            rows[lane].filter_and_sort(query, relation);
+            begin[query + 1] = rows[lane].count;
+            partners[task].insert(partners[task].end(), rows[lane].ids.begin(),
+                                  rows[lane].ids.begin() + rows[lane].count);
+          }
+        });
+      },
+      1);
   for (int query = 0; query < queries.size(); ++query) begin[query + 1] += begin[query];
   pairs.resize(begin.back());
-  for_each(tasks, [&](int task) {
-    auto partner = partners[task].begin();
-    for_groups(task, [&](int group, int lanes) {
-      for (int lane = 0; lane < lanes; ++lane) {
-        const int query = queries.primitives(group)[lane];
-        for (std::size_t k = begin[query]; k < begin[query + 1]; ++k)
-          pairs[k] = relation.pair(query, *partner++);
-      }
-    });
-  }, 1);
+  for_each(
+      tasks,
+      [&](int task) {
+        auto partner = partners[task].begin();
+        for_groups(task, [&](int group, int lanes) {
+          for (int lane = 0; lane < lanes; ++lane) {
+            const int query = queries.primitives(group)[lane];
+            for (std::size_t k = begin[query]; k < begin[query + 1]; ++k)
+              pairs[k] = relation.pair(query, *partner++);
+          }
+        });
+      },
+      1);
 }
 
 }  // namespace detail
 
-// Pairs (q, t) of a primitive of `queries` and one of `tree`.
+// Finds pairs (q, t) of a primitive of `queries` and a primitive of `tree`.
 template <class Relation>
 void overlap_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
                    std::vector<std::array<int, 2>>& pairs) {
   detail::find_pairs<false>(queries, tree, relation, pairs);
 }
 
-// Pairs (q, t) with q < t of primitives of one tree.
+// Finds pairs (q, t) with q < t of primitives of one tree.
 template <class Relation>
 void overlap_pairs(const Bvh& tree, const Relation& relation,
                    std::vector<std::array<int, 2>>& pairs) {

@@ -40,7 +40,7 @@ std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<i
 
   const auto code = [&](const Vec3& x) { return morton_code((scale * (x - all.lo)).cwiseMin(cells)); };
 
-  // Boxes of a rigid group come where the first of them is, and in Morton order among themselves.
+  // Boxes of a rigid group are placed at the first of them, in Morton order among themselves.
   std::vector<std::uint64_t> first_of(rigid_group.empty() ? 0 : *std::max_element(rigid_group.begin(), rigid_group.end()) + 1);
   for (int i = static_cast<int>(rigid_group.size()) - 1; i >= 0; --i)
     if (rigid_group[i] >= 0) first_of[rigid_group[i]] = code(centre(boxes[i]));

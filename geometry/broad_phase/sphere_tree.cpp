@@ -112,7 +112,7 @@ bool farther_than(const SphereTree& a, const Eigen::Isometry3d& at_a, const Sphe
           if (!SphereTree::primitives_farther_than(a.primitives_[l], moved, distance)) return false;
       }
     } else {
-      // The larger node is divided. The nearer child is visited first, as it is likelier to be too close.
+      // Divides the larger node. The nearer child is visited first, as it is more likely too close.
       const bool first = q.count > 0 || (p.count == 0 && p.radius >= q.radius);
       const auto gap = [&](int child) {
         return first ? (a.nodes_[child].centre - from_b * q.centre).norm() - a.nodes_[child].radius

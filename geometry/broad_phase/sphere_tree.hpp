@@ -1,6 +1,5 @@
-// Bounding-sphere tree of a surface, to test whether rigid placements of meshes are farther from
-// each other than a distance. Exact: it compares points, edges and triangles, not samples. Lengths
-// in metres.
+// Sphere tree of a surface: tests whether rigid placements of meshes are farther from each other
+// than a distance. The test is exact: it compares points, edges and triangles. Lengths in metres.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,9 +18,8 @@ class SphereTree {
   const Vec3& centre() const { return nodes_.front().centre; }
   double radius() const { return nodes_.front().radius; }
 
-  // Returns whether the surfaces of a and b, placed by at_a and at_b, are nowhere closer than
-  // `distance` > 0. A surface that lies inside the other without touching it counts by its
-  // distance.
+  // Returns whether the surfaces of a and b, placed by at_a and at_b, are farther apart than
+  // `distance` > 0. For a surface inside the other, the distance of the surfaces counts.
   friend bool farther_than(const SphereTree& a, const Eigen::Isometry3d& at_a, const SphereTree& b,
                            const Eigen::Isometry3d& at_b, double distance);
 
@@ -34,7 +32,7 @@ class SphereTree {
   struct Node {
     Vec3 centre = Vec3::Zero();
     double radius = 0;
-    // a leaf's primitives; else count is 0, and first the first of two children.
+    // Primitives of a leaf; of an inner node count is 0, and first is the first of two children.
     int first = 0, count = 0;
   };
   void divide(int node, int begin, int end);

@@ -1,11 +1,11 @@
-// Which features of two primitives carry the closest points: the regions in which a clamped
-// distance is one of point-point, point-line, point-plane, line-line. Types as in Li et al. 2020,
-// "Incremental Potential Contact". Total: edges of length zero, triangles without area and parallel
-// edges are allowed. On the border of two regions, where both give the same distance, the smaller
-// feature wins (vertex before edge before face); between parallel edges, the pair searched first.
+// Closest features of two primitives: the type of a clamped distance, which is one of point-point,
+// point-line, point-plane or line-line. Types as in Li et al. 2020, "Incremental Potential
+// Contact". Any input is allowed, also edges of length zero, triangles without area and parallel
+// edges. On the border of two regions, where both distances are equal, the smaller feature is
+// chosen (vertex before edge before face); between parallel edges, the pair searched first.
 //
 // Both searches use that the distance is a convex function of the parameters: if the unconstrained
-// minimum lies inside, it is the answer, otherwise the minimum lies on the boundary, that is, on a
+// minimum lies inside, it is the result; otherwise the minimum lies on the boundary, on a
 // point-edge pair. Degenerate input goes to the boundary directly.
 #pragma once
 
@@ -57,7 +57,7 @@ inline PointEdgeType point_edge_type(const Vec3& p, const Vec3& e0, const Vec3& 
   return point_edge_closest(p, e0, e1).type;
 }
 
-// A point-edge pair of two larger primitives, under the name its closest features have there.
+// A point-edge pair of two larger primitives, with the types of its closest features there.
 template <typename Type>
 struct BoundaryPair {
   BoundaryPair(const Vec3& p, const Vec3& e0, const Vec3& e1, const std::array<Type, 3>& names) {
@@ -71,11 +71,11 @@ struct BoundaryPair {
   double s;
 };
 
-// The closest of all point-edge pairs. Near an end of an edge, at a distance x from it along the
-// edge, edge and vertex differ by x^2 only, so for x < 1e-8 comparing distances would pick either,
-// and the gradient of the wrong one is off by x. The signs that classified the pairs are sharper:
-// every pair of vertices ends two of the point-edge pairs, and is closest only if both of them say
-// so.
+// Returns the closest of all point-edge pairs. At a distance x from an end of an edge, the
+// distances to edge and vertex differ by x^2 only. For x < 1e-8 a comparison of distances would
+// choose either, and the gradient of the wrong one has an error of x. The signs that classify the
+// pairs are more accurate: a pair of vertices belongs to two point-edge pairs, and is closest only
+// if both have it.
 template <typename Type, std::size_t N>
 Type closest_boundary(const std::array<BoundaryPair<Type>, N>& pairs) {
   double smallest = std::numeric_limits<double>::infinity();
@@ -93,7 +93,7 @@ Type closest_boundary(const std::array<BoundaryPair<Type>, N>& pairs) {
       type = pairs[i].type;
     }
   }
-  // Nothing confirmed, or by far not the closest: degenerate input. Then the distance decides.
+  // No pair is confirmed, or it is by far not the closest: for degenerate input distances decide.
   return smallest_confirmed <= (1.0 + 1e-12) * smallest ? confirmed_type : type;
 }
 

@@ -1,6 +1,5 @@
-// Where on two primitives the closest points lie, for a known type (closest_feature.hpp) or with
-// the classification included. All parameters lie in [0, 1] (rounding could put them beyond by its
-// error); dimensionless.
+// Parameters of the closest points on two primitives, for a known type (closest_feature.hpp) or
+// with classification. Dimensionless, in [0, 1] up to rounding errors.
 #pragma once
 
 #include "geometry/distance/closest_feature.hpp"
@@ -32,23 +31,13 @@ inline Vec3 point_triangle_barycentric(const Vec3& p, const Vec3& t0, const Vec3
   };
   double u = 0.0;
   switch (type) {
-    case P_T0:
-      return {1.0, 0.0, 0.0};
-    case P_T1:
-      return {0.0, 1.0, 0.0};
-    case P_T2:
-      return {0.0, 0.0, 1.0};
-    case P_E0:
-      u = on_edge(t0, t1);
-      return {1.0 - u, u, 0.0};
-    case P_E1:
-      u = on_edge(t1, t2);
-      return {0.0, 1.0 - u, u};
-    case P_E2:
-      u = on_edge(t2, t0);
-      return {u, 0.0, 1.0 - u};
-    case P_T:
-      break;
+    case P_T0: return {1.0, 0.0, 0.0};
+    case P_T1: return {0.0, 1.0, 0.0};
+    case P_T2: return {0.0, 0.0, 1.0};
+    case P_E0: u = on_edge(t0, t1); return {1.0 - u, u, 0.0};
+    case P_E1: u = on_edge(t1, t2); return {0.0, 1.0 - u, u};
+    case P_E2: u = on_edge(t2, t0); return {u, 0.0, 1.0 - u};
+    case P_T: break;
   }
   const PlaneProjection plane = project_onto_triangle(p, t0, t1, t2);
   return {1.0 - plane.u - plane.v, plane.u, plane.v};
@@ -64,24 +53,15 @@ inline Vec2 edge_edge_parameters(const Vec3& ea0, const Vec3& ea1, const Vec3& e
                                  EdgeEdgeType type) {
   using enum EdgeEdgeType;
   switch (type) {
-    case EA0_EB0:
-      return {0.0, 0.0};
-    case EA0_EB1:
-      return {0.0, 1.0};
-    case EA1_EB0:
-      return {1.0, 0.0};
-    case EA1_EB1:
-      return {1.0, 1.0};
-    case EA_EB0:
-      return {clamped(project_onto_line(eb0, ea0, ea1).u), 0.0};
-    case EA_EB1:
-      return {clamped(project_onto_line(eb1, ea0, ea1).u), 1.0};
-    case EA0_EB:
-      return {0.0, clamped(project_onto_line(ea0, eb0, eb1).u)};
-    case EA1_EB:
-      return {1.0, clamped(project_onto_line(ea1, eb0, eb1).u)};
-    case EA_EB:
-      break;
+    case EA0_EB0: return {0.0, 0.0};
+    case EA0_EB1: return {0.0, 1.0};
+    case EA1_EB0: return {1.0, 0.0};
+    case EA1_EB1: return {1.0, 1.0};
+    case EA_EB0: return {clamped(project_onto_line(eb0, ea0, ea1).u), 0.0};
+    case EA_EB1: return {clamped(project_onto_line(eb1, ea0, ea1).u), 1.0};
+    case EA0_EB: return {0.0, clamped(project_onto_line(ea0, eb0, eb1).u)};
+    case EA1_EB: return {1.0, clamped(project_onto_line(ea1, eb0, eb1).u)};
+    case EA_EB: break;
   }
   const PlaneProjection plane = project_line_onto_line(ea0, ea1, eb0, eb1);
   return {clamped(plane.u), clamped(plane.v)};

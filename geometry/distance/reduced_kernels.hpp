@@ -52,7 +52,7 @@ struct DerivativeKernels {
   }
 };
 
-// The shortest vector itself, from the closest point of the later arguments to the first's [m].
+// The shortest vector, to the first argument or edge from the closest point of the others [m].
 struct SeparationKernels {
   static Vec3 point_point(const Vec3& a, const Vec3& b) { return a - b; }
   static Vec3 point_line(const Vec3& p, const Vec3& a, const Vec3& b) {

@@ -1,9 +1,9 @@
 // Lower bounds of the distances of several pairs of primitives, one pair in each lane [m].
 //
 // Key idea: for any n, the thickness of the slab between two convex hulls across n is a lower bound
-// of their distance. For n between their closest points it is the distance itself; so where
-// rounding errors of n make a difference, the bound is smaller, but still one. Coordinates should
-// be those from a vertex of the pair.
+// of their distance. For n between their closest points it is the distance itself. Rounding errors
+// of n make the bound smaller, but it remains a lower bound. Coordinates should be relative to a
+// vertex of the pair.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,7 +21,7 @@ inline Pack clamped(const Pack& t) {
   return select(low < 1, low, 1);
 }
 
-// a / b in [0, 1]; 0 where b is.
+// Returns a / b clamped to [0, 1]; 0 where b is 0.
 inline Pack part(const Pack& a, const Pack& b) {
   const PackMask some = b > 0;
   return select(some, clamped(a / select(some, b, 1)), 0);
@@ -47,7 +47,7 @@ Pack thickness(const PackVec3& n, const std::array<PackVec3, A>& a,
   return select(some, select(thick < 0, 0, thick), 0);
 }
 
-// The vector from the point of edge b that is closest to p.
+// Returns the vector to p from the closest point of edge b.
 inline PackVec3 from_edge(const PackVec3& p, const PackVec3& b0, const PackVec3& b1) {
   const PackVec3 edge = b1 - b0, way = p - b0;
   return way - part(way.dot(edge), edge.squaredNorm()) * edge;

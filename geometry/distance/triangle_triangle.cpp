@@ -14,7 +14,7 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-// How far b lies on one side of the plane of a; 0 if on neither.
+// Returns the distance of b from the plane of a; 0 if b does not lie on one side of it.
 double from_plane(const Corners& a, const Corners& b) {
   const Vec3 normal = (a[1] - a[0]).cross(a[2] - a[0]);
   const double length = normal.norm();

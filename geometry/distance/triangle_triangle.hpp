@@ -1,4 +1,4 @@
-// How far apart two triangles are at least that do not intersect.
+// Lower bound of the distance of two triangles that do not intersect.
 #pragma once
 
 #include "geometry/types.hpp"

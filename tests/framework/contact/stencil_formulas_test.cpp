@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "framework/contact/distance_frame.hpp"
-#include "framework/contact/sample_chain.hpp"
+#include "framework/contact/chain_to_triangle.hpp"
 #include "geometry/distance/point_triangle.hpp"
 #include "tests/framework/contact/surface_builder.hpp"
 

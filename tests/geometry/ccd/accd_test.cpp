@@ -16,23 +16,23 @@ using namespace tack;
 
 namespace {
 
-enum class Kind { kPointPoint, kPointEdge, kPointTriangle, kEdgeEdge };
-constexpr Kind kKinds[] = {Kind::kPointPoint, Kind::kPointEdge, Kind::kPointTriangle,
-                           Kind::kEdgeEdge};
+enum class Kind { point_point, point_edge, point_triangle, edge_edge };
+constexpr Kind all_kinds[] = {Kind::point_point, Kind::point_edge, Kind::point_triangle,
+                           Kind::edge_edge};
 
-double accd(Kind kind, const Stencil& x, const Stencil& d, double keep, double t_max,
+double accd(Kind kind, const Stencil& x, const Stencil& d, double gap_fraction_min, double t_max,
             double min_distance = 0.0) {
   const Vec3 a = x.col(0), b = x.col(1), c = x.col(2), e = x.col(3);
   const Vec3 da = d.col(0), db = d.col(1), dc = d.col(2), de = d.col(3);
   switch (kind) {
-    case Kind::kPointPoint:
-      return point_point_accd(a, b, da, db, keep, t_max, min_distance);
-    case Kind::kPointEdge:
-      return point_edge_accd(a, b, c, da, db, dc, keep, t_max, min_distance);
-    case Kind::kPointTriangle:
-      return point_triangle_accd(a, b, c, e, da, db, dc, de, keep, t_max, min_distance);
+    case Kind::point_point:
+      return point_point_accd(a, b, da, db, gap_fraction_min, t_max, min_distance);
+    case Kind::point_edge:
+      return point_edge_accd(a, b, c, da, db, dc, gap_fraction_min, t_max, min_distance);
+    case Kind::point_triangle:
+      return point_triangle_accd(a, b, c, e, da, db, dc, de, gap_fraction_min, t_max, min_distance);
     default:
-      return edge_edge_accd(a, b, c, e, da, db, dc, de, keep, t_max, min_distance);
+      return edge_edge_accd(a, b, c, e, da, db, dc, de, gap_fraction_min, t_max, min_distance);
   }
 }
 
@@ -45,11 +45,11 @@ double distance_at(Kind kind, const Stencil& x, const Stencil& d, double t) {
   const Stencil z = y.cast<double>();
   const Vec3 a = z.col(0), b = z.col(1), c = z.col(2), e = z.col(3);
   switch (kind) {
-    case Kind::kPointPoint:
+    case Kind::point_point:
       return (a - b).norm();
-    case Kind::kPointEdge:
+    case Kind::point_edge:
       return std::sqrt(point_edge_distance(a, b, c));
-    case Kind::kPointTriangle:
+    case Kind::point_triangle:
       return std::sqrt(point_triangle_distance(a, b, c, e));
     default:
       return std::sqrt(edge_edge_distance(a, b, c, e));
@@ -65,14 +65,14 @@ double smallest_distance(Kind kind, const Stencil& x, const Stencil& d, double t
 }
 
 // The path up to the returned step keeps its share of the gap.
-double check_safe(Kind kind, const Stencil& x, const Stencil& d, double keep, double t_max,
+double check_safe(Kind kind, const Stencil& x, const Stencil& d, double gap_fraction_min, double t_max,
                   double min_distance = 0.0) {
   const double gap = distance_at(kind, x, d, 0.0) - min_distance;
-  const double t = accd(kind, x, d, keep, t_max, min_distance);
+  const double t = accd(kind, x, d, gap_fraction_min, t_max, min_distance);
   const double left = smallest_distance(kind, x, d, t, 200) - min_distance;
-  if (!(t >= 0 && t <= t_max && left >= keep * gap * (1 - 1e-9))) {
-    CAPTURE(static_cast<int>(kind), x, d, keep, t_max, min_distance, gap, t, left);
-    CHECK(left >= keep * gap * (1 - 1e-9));
+  if (!(t >= 0 && t <= t_max && left >= gap_fraction_min * gap * (1 - 1e-9))) {
+    CAPTURE(static_cast<int>(kind), x, d, gap_fraction_min, t_max, min_distance, gap, t, left);
+    CHECK(left >= gap_fraction_min * gap * (1 - 1e-9));
     CHECK(t >= 0);
     CHECK(t <= t_max);
   }
@@ -85,17 +85,17 @@ Stencil random_motion(RandomStencils& random, double size) { return size * rando
 
 TEST_CASE("ACCD never steps through random motion", "[ccd]") {
   RandomStencils random(31);
-  for (const Kind kind : kKinds) {
+  for (const Kind kind : all_kinds) {
     int stopped = 0, free = 0;
     for (int k = 0; k < 1000; ++k) {
       const Stencil x = random.any();
       const Stencil d = random_motion(random, random.log_uniform(1e-2, 30));
-      const double keep = random.uniform(0, 0.9);
-      const double t = check_safe(kind, x, d, keep, 1.0);
+      const double gap_fraction_min = random.uniform(0, 0.9);
+      const double t = check_safe(kind, x, d, gap_fraction_min, 1.0);
       ++(t < 1.0 ? stopped : free);
       // What stops a step is a distance near the target, not caution: 5% of the gap at most.
       const double gap = distance_at(kind, x, d, 0.0);
-      if (t < 1.0) CHECK(distance_at(kind, x, d, t) <= (keep + 0.05) * gap);
+      if (t < 1.0) CHECK(distance_at(kind, x, d, t) <= (gap_fraction_min + 0.05) * gap);
     }
     CHECK(stopped > 50);
     CHECK(free > 50);
@@ -109,8 +109,8 @@ TEST_CASE("ACCD is safe and useful for tiny gaps and huge motions", "[ccd]") {
     const double height = random.log_uniform(1e-3, 1), angle = random.log_uniform(1e-3, 1);
     const Stencil d = random_motion(random, random.log_uniform(1e-9, 1e6));
     const double speed = 4.0 * d.norm();
-    for (const Kind kind : {Kind::kPointTriangle, Kind::kEdgeEdge}) {
-      const Stencil x = kind == Kind::kEdgeEdge ? random.crossing(gap, angle)
+    for (const Kind kind : {Kind::point_triangle, Kind::edge_edge}) {
+      const Stencil x = kind == Kind::edge_edge ? random.crossing(gap, angle)
                                                 : random.above_triangle(gap, height);
       const double t = check_safe(kind, x, d, 0.1, 1.0);
       CHECK(t >= std::min(1.0, 0.8 * gap / speed));
@@ -121,7 +121,7 @@ TEST_CASE("ACCD is safe and useful for tiny gaps and huge motions", "[ccd]") {
 TEST_CASE("ACCD stops a head-on approach close to the closed form", "[ccd]") {
   RandomStencils random(33);
   for (const double gap : {1e-9, 1e-6, 1e-3, 1.0}) {
-    for (const double keep : {0.0, 0.1, 0.5}) {
+    for (const double gap_fraction_min : {0.0, 0.1, 0.5}) {
       for (const double speed : {0.5, 1.0, 1e6}) {
         Stencil d = Stencil::Zero();
         const Stencil flat = random.above_triangle(gap, 0.7);
@@ -129,8 +129,8 @@ TEST_CASE("ACCD stops a head-on approach close to the closed form", "[ccd]") {
                            .normalized();
         d.col(0) = -0.3 * speed * n;
         d.rightCols<3>().colwise() = Vec3(0.7 * speed * n);
-        const double exact = (1 - keep) * gap / speed;
-        const double t = check_safe(Kind::kPointTriangle, flat, d, keep, 1e9);
+        const double exact = (1 - gap_fraction_min) * gap / speed;
+        const double t = check_safe(Kind::point_triangle, flat, d, gap_fraction_min, 1e9);
         CHECK(t <= exact * (1 + 1e-6));
         CHECK(t >= 0.97 * exact);
 
@@ -139,7 +139,7 @@ TEST_CASE("ACCD stops a head-on approach close to the closed form", "[ccd]") {
                            .normalized();
         d.leftCols<2>().colwise() = Vec3(-speed * m);
         d.rightCols<2>().setZero();
-        const double u = check_safe(Kind::kEdgeEdge, cross, d, keep, 1e9);
+        const double u = check_safe(Kind::edge_edge, cross, d, gap_fraction_min, 1e9);
         CHECK(u <= exact * (1 + 1e-6));
         CHECK(u >= 0.97 * exact);
       }
@@ -156,13 +156,13 @@ TEST_CASE("ACCD keeps a minimum distance", "[ccd]") {
   RandomStencils random(34);
   for (int k = 0; k < 500; ++k) {
     const Stencil x = random.above_triangle(random.uniform(0.02, 0.1), 0.8);
-    check_safe(Kind::kPointTriangle, x, random_motion(random, 1.0), 0.2, 1.0, 0.015);
+    check_safe(Kind::point_triangle, x, random_motion(random, 1.0), 0.2, 1.0, 0.015);
   }
 }
 
 TEST_CASE("ACCD lets harmless motion pass", "[ccd]") {
   RandomStencils random(35);
-  for (const Kind kind : kKinds) {
+  for (const Kind kind : all_kinds) {
     for (int k = 0; k < 100; ++k) {
       const Stencil x = random.any();
       CHECK(accd(kind, x, Stencil::Zero(), 0.1, 0.7) == 0.7);
@@ -189,7 +189,7 @@ TEST_CASE("ACCD handles parallel, coplanar, collapsed and grazing pairs", "[ccd]
     if (variant == 2) x.col(3) = x.col(2);
     if (variant == 3) x = (2.0 * x).array().round();
     if (variant == 4) x = random.crossing(1e-4, random.log_uniform(1e-12, 1e-3));
-    for (const Kind kind : kKinds) {
+    for (const Kind kind : all_kinds) {
       if (distance_at(kind, x, d, 0.0) < 1e-8) continue;
       check_safe(kind, x, d, 0.1, 1.0);
     }
