@@ -31,7 +31,7 @@ constexpr double kRange = 0.0213,
 
 }  // namespace
 
-TEST_CASE("candidates are what testing all pairs finds", "[broad_phase]") {
+TEST_CASE("candidates are those of a test of all pairs", "[broad_phase]") {
   std::mt19937 random(3);
   for (const Scene& scene : all_scenes())
     for (const double motion : {0.0, 0.03}) {
@@ -71,7 +71,7 @@ TEST_CASE("each object is inflated by its own radius, its edges too", "[broad_ph
   }
 }
 
-TEST_CASE("every kind of pair occurs where rods and particles are", "[broad_phase]") {
+TEST_CASE("rods and particles give candidates of every kind", "[broad_phase]") {
   const Scene scene = mixed(12, 60);
   BroadPhase broad_phase(scene.mesh, CollidingObjects());
   broad_phase.update(scene.x(), VecX(), 0.1, 0.0);
@@ -181,7 +181,7 @@ TEST_CASE("interior vertices have no fat AABB to leave", "[broad_phase]") {
   REQUIRE_FALSE(broad_phase.update(x, VecX(), 0.02, 0.0));
 }
 
-TEST_CASE("refitted trees find what new ones find", "[broad_phase]") {
+TEST_CASE("refitted trees find the candidates of new trees", "[broad_phase]") {
   std::mt19937 random(9);
   for (const Scene& scene : all_scenes()) {
     VecX x = scene.x();

@@ -54,7 +54,7 @@ TEST_CASE("a tree of any size finds all overlapping boxes", "[bvh]") {
   }
 }
 
-TEST_CASE("pairs within one tree come once", "[bvh]") {
+TEST_CASE("pairs within one tree are found once", "[bvh]") {
   const auto boxes = random_boxes(700, 3);
   Pairs expected, found;
   for (const auto& pair : all_pairs(boxes, boxes))

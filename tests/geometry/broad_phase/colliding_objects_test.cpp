@@ -19,7 +19,7 @@ TEST_CASE("the table of colliding objects is symmetric and grows", "[colliding_o
   REQUIRE(colliding.allows(1, 0));
 }
 
-TEST_CASE("a table may exclude whatever it does not list", "[colliding_objects]") {
+TEST_CASE("a table may exclude all pairs that it does not list", "[colliding_objects]") {
   CollidingObjects colliding(false);
   colliding.set(2, 2, true);
   REQUIRE(colliding.allows(2, 2));

@@ -16,7 +16,7 @@ namespace {
 constexpr double range = 0.0213, skin = 0.0107;
 
 struct Count {
-  int all = 0, apart = 0;  // pairs, and those that are known to stay out of range
+  int all = 0, apart = 0;  // pairs, and pairs whose bounds exclude contact
 };
 
 // Every distance is at least its bound, and its reference distance less both displacement bounds.
@@ -60,7 +60,7 @@ std::vector<Scene> all_scenes() {
   return {triangle_soup(150), two_sheets(12, 0.01), folded_sheet(20, 0.02), mixed(12, 60)};
 }
 
-// Anywhere in the boxes of the way x + s p and half a skin about it, their corners above all.
+// Returns random positions inside the fat AABBs of the displacement x + s p, often at their corners.
 VecX inside_boxes(std::mt19937& random, const VecX& x, const VecX& p, double margin) {
   const auto sign = [](double u) { return u > 0 ? 1.0 : -1.0; };
   const VecX corner = random_motion(random, x.size(), 1.0).unaryExpr(sign);
@@ -100,7 +100,7 @@ TEST_CASE("distance bounds hold after a search of some objects alone", "[broad_p
     int apart = 0;
     for (int step = 0; step < 12; ++step) {
       const VecX still = 0.4999 * skin * random_motion(random, x.size(), 1.0);
-      if (step % 4 == 3)  // vertices come to rest elsewhere in their boxes; then distances are of there
+      if (step % 4 == 3)  // vertices come to rest far from the reference, which moves there
         for (int i = 0; i < 40; ++i) broad_phase.update(x + 0.02 * still, VecX(), range, skin);
       const VecX p = of_first(random_motion(random, x.size(), step % 2 == 0 ? 0.05 : 0.2));
       broad_phase.update(x, p, range, skin);

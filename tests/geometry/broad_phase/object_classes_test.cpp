@@ -18,11 +18,11 @@ TEST_CASE("pairs of objects share an entry if their classes agree and none is an
   std::set<std::size_t> places;
   for (int a = 0; a < 5; ++a)
     for (int b = 0; b < 5; ++b) places.insert(classes.index(a, b));
-  CHECK(places.size() == 9 + 3 - 1);  // of class 2 there is one object, and so no pair of two
+  CHECK(places.size() == 9 + 3 - 1);  // class 2 has one object, and no pair of two
   CHECK(*places.rbegin() < classes.entries());
 }
 
-TEST_CASE("examples stand for all pairs of objects, in the order in which those come up", "[broad_phase]") {
+TEST_CASE("examples represent all pairs of objects, in the order of their first occurrence", "[broad_phase]") {
   const std::vector<int> of = {0, 1, 0, 2, 1, 1, 3};
   const ObjectClasses classes(of);
   std::vector<std::pair<int, int>> first;
@@ -36,7 +36,7 @@ TEST_CASE("examples stand for all pairs of objects, in the order in which those 
   CHECK(pairs == 7 * 8 / 2);
 }
 
-TEST_CASE("what is said of two objects holds for all of their classes", "[broad_phase]") {
+TEST_CASE("an entry of two objects holds for all objects of their classes", "[broad_phase]") {
   CollidingObjects colliding(ObjectClasses({0, 1, 0, 1}));
   colliding.set(0, 1, false);
   colliding.set(1, 1, false);

@@ -84,7 +84,7 @@ TEST_CASE("the space order is that of interleaved bits of the centres, by brute 
   for (size_t k = 0; k < order.size(); ++k) CHECK(order[k] == keys[k].second);
 }
 
-TEST_CASE("boxes at one place keep their order", "[broad_phase]") {
+TEST_CASE("boxes at one position keep their order", "[broad_phase]") {
   const std::vector<Aabb> boxes(20, random_boxes(1, 2)[0]);
   const std::vector<int> order = space_order(boxes);
   CHECK(std::is_sorted(order.begin(), order.end()));
@@ -109,7 +109,7 @@ TEST_CASE("the space order follows the boxes through renumbering, scaling and tr
   CHECK(space_order(scaled) == order);
 }
 
-TEST_CASE("boxes of one rigid group are consecutive, at the place of the first of them", "[broad_phase]") {
+TEST_CASE("boxes of one rigid group are consecutive, at the position of the first of them", "[broad_phase]") {
   const auto boxes = random_boxes(200, 5);
   std::vector<int> group(boxes.size(), -1);
   for (size_t i = 0; i < group.size(); ++i)

@@ -32,7 +32,7 @@ double distance_by_force(const Mesh& a, const Eigen::Isometry3d& at_a, const Mes
 
 }  // namespace
 
-TEST_CASE("separation agrees with all distances taken by force", "[broad_phase]") {
+TEST_CASE("the sphere tree agrees with distances by brute force", "[broad_phase]") {
   std::vector<Mesh> shapes = {box_tets(Vec3(1, 0.5, 0.3), {2, 2, 1}), sphere_surface(0.6, 4), segment(1, 3), ring(0.5, 8), point_grid(Vec3(1, 1, 0), {2, 2, 1}),
                               grid(Vec2(1, 1), {3, 3})};
   std::mt19937 random(11);
@@ -57,7 +57,7 @@ TEST_CASE("separation agrees with all distances taken by force", "[broad_phase]"
   CHECK(close > 20);
 }
 
-TEST_CASE("surfaces that cross are not apart, whatever the distances of their vertices and edges", "[broad_phase]") {
+TEST_CASE("surfaces that cross are not farther apart than any distance, whatever the distances of their vertices and edges", "[broad_phase]") {
   const Mesh plate = grid(Vec2(10, 10), {1, 1}), needle = segment(2, 1);
   Eigen::Isometry3d upright = Eigen::Isometry3d::Identity(), identity = upright;
   upright.translate(Vec3(1, 0, 0.5));

@@ -64,7 +64,7 @@ double smallest_distance(Kind kind, const Stencil& x, const Stencil& d, double t
   return smallest;
 }
 
-// The path up to the returned step keeps its share of the gap.
+// Checks that the minimum fraction of the gap remains on the path up to the returned step.
 double check_safe(Kind kind, const Stencil& x, const Stencil& d, double gap_fraction_min, double t_max,
                   double min_distance = 0.0) {
   const double gap = distance_at(kind, x, d, 0.0) - min_distance;
@@ -93,7 +93,7 @@ TEST_CASE("ACCD never steps through random motion", "[ccd]") {
       const double gap_fraction_min = random.uniform(0, 0.9);
       const double t = check_safe(kind, x, d, gap_fraction_min, 1.0);
       ++(t < 1.0 ? stopped : free);
-      // What stops a step is a distance near the target, not caution: 5% of the gap at most.
+      // A step ends near the target: within 5% of the gap.
       const double gap = distance_at(kind, x, d, 0.0);
       if (t < 1.0) CHECK(distance_at(kind, x, d, t) <= (gap_fraction_min + 0.05) * gap);
     }
@@ -160,7 +160,7 @@ TEST_CASE("ACCD keeps a minimum distance", "[ccd]") {
   }
 }
 
-TEST_CASE("ACCD lets harmless motion pass", "[ccd]") {
+TEST_CASE("ACCD does not shorten motion that closes no gap", "[ccd]") {
   RandomStencils random(35);
   for (const Kind kind : all_kinds) {
     for (int k = 0; k < 100; ++k) {
@@ -202,7 +202,7 @@ TEST_CASE("ACCD handles parallel, coplanar, collapsed and grazing pairs", "[ccd]
   CHECK(hit > 0.48);
 }
 
-TEST_CASE("ACCD refuses nonsense", "[ccd]") {
+TEST_CASE("ACCD refuses invalid parameters", "[ccd]") {
   const Vec3 p(0, 0, 1), q(0, 0, 0), o(0, 0, 0);
   CHECK_THROWS_AS(point_point_accd(p, q, o, o, 1.0, 1.0), InputError);
   CHECK_THROWS_AS(point_point_accd(p, q, o, o, -0.1, 1.0), InputError);

@@ -16,7 +16,7 @@ using namespace tack;
 
 namespace {
 
-// Smallest |x - (e0 + t (e1 - e0))|^2 over t in [0, 1], independent of the code under test.
+// Returns the smallest |x - (e0 + t (e1 - e0))|^2 over t in [0, 1], independent of the code under test.
 double segment_minimum(const Vec3& x, const Vec3& e0, const Vec3& e1) {
   const Vec3 e = e1 - e0;
   const double length = e.dot(e);
@@ -24,7 +24,7 @@ double segment_minimum(const Vec3& x, const Vec3& e0, const Vec3& e1) {
   return (x - (1 - t) * e0 - t * e1).squaredNorm();
 }
 
-// Minimum of a convex function on [0, 1] by golden-section search.
+// Returns the minimum of a convex function on [0, 1] by golden-section search.
 template <typename F>
 double minimum(const F& f) {
   const double ratio = 0.6180339887498949;
@@ -80,7 +80,7 @@ std::vector<Stencil> samples() {
 // The search above resolves the squared distance to about 1e-14 of the coordinates squared.
 bool agrees(double s, double brute) { return std::abs(s - brute) <= 1e-12 * brute + 2e-14; }
 
-// Of the closest points along edges that are nearly parallel (span_projection.hpp): the shortest vector is known better.
+// Error of the closest points of nearly parallel edges (span_projection.hpp); the shortest vector is more accurate.
 double parameter_error(const Vec3& a, const Vec3& b) {
   const double sine = a.cross(b).norm() / std::max(a.norm() * b.norm(), 1e-300);
   return 1e-15 / std::max(sine, 1e-10);

@@ -26,7 +26,7 @@ class Points {
   std::mt19937 generator_;
 };
 
-// Largest difference of the derivatives from central differences of value(c), c stacked corners, relative to the largest.
+// Returns the largest difference of the derivatives from central differences of value(c), c stacked corners, relative to the largest.
 template <int N, class Value, class Derivatives>
 double error_of(const std::array<Vec3, N>& c, const Value& value, const Derivatives& derivatives) {
   const double h = 1e-5;

@@ -40,7 +40,7 @@ void check_bounds() {
 
 }  // namespace
 
-TEST_CASE("slabs between primitives are as thick as these are apart, and no thicker", "[distance]") {
+TEST_CASE("slab bounds are equal to the distance of the primitives, and never larger", "[distance]") {
   check_bounds<1, 1>();
   check_bounds<1, 2>();
   check_bounds<1, 3>();

@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-// By points of both: more than the distance, by less than a step.
+// Returns the distance of grid points of both: larger than the exact distance by less than a step.
 double by_points(const Corners& a, const Corners& b, int n) {
   const auto points = [n](const Corners& c) {
     std::vector<Vec3> all;
@@ -29,7 +29,7 @@ double by_points(const Corners& a, const Corners& b, int n) {
 
 }  // namespace
 
-TEST_CASE("triangles: how far they are apart at least, and exactly where that is little", "[geometry]") {
+TEST_CASE("triangles: a lower bound of the distance, which is exact for small distances", "[geometry]") {
   std::mt19937 engine(11);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const auto triangle = [&](const Vec3& at) {
@@ -39,7 +39,7 @@ TEST_CASE("triangles: how far they are apart at least, and exactly where that is
   };
   int exact = 0, bounds = 0;
   for (int i = 0; i < 400; ++i) {
-    // On both sides of z = 0, and so without a common point.
+    // One triangle on each side of z = 0, so that they have no common point.
     Corners a = triangle(Vec3(0, 0, 1)), b = triangle(Vec3(3 * uniform(engine), uniform(engine), -1));
     const double enough = 1.5 + uniform(engine), apart = triangles_apart(a, b, enough), near = by_points(a, b, 12);
     CHECK(apart == Approx(triangles_apart(b, a, enough)));
