@@ -47,11 +47,11 @@ void RodTerm::settle(Pair& pair, const RodPair& of, const RodMaterial& material,
   bends_.emplace_back(frame(pair, 0), frame(pair, 1));
   axes_.push_back({frame(pair, 0).conjugate().toRotationMatrix(), frame(pair, 1).conjugate().toRotationMatrix()});
   turns_.push_back(0);
-  const double twist = 2 * bends_.back().turn(place(pair_count() - 1, rest));
+  const double twist = 2 * bends_.back().turn(edge_pair(pair_count() - 1, rest));
   pair.turned = {twist / 2, -twist / 2};
   bends_.back() = {frame(pair, 0), frame(pair, 1)};
   axes_.back() = {frame(pair, 0).conjugate().toRotationMatrix(), frame(pair, 1).conjugate().toRotationMatrix()};
-  pair.rest = straight ? Vec3::Zero() : bends_.back().strains(place(pair_count() - 1, rest));
+  pair.rest = straight ? Vec3::Zero() : bends_.back().strains(edge_pair(pair_count() - 1, rest));
   pair.rest.z() = 0;
   if (!of.joint) pair.rest += of.length * Vec3(shape.curvature.x(), shape.curvature.y(), shape.twist);
   const Vec3 turn(pair.rest.x(), pair.rest.y(), 0);
@@ -86,14 +86,14 @@ void RodTerm::load_history(const History& history) {
 
 void RodTerm::commit(const VecX& x, History& history) const {
   HistoryArray turns{1, turns_, {}};
-  for (int p = 0; p < pair_count(); ++p) turns.values[p] = bends_[p].turn(place(p, x));
+  for (int p = 0; p < pair_count(); ++p) turns.values[p] = bends_[p].turn(edge_pair(p, x));
   history[history_name_ + turns_name] = std::move(turns);
 }
 
 VecX RodTerm::strains(const VecX& x) const {
   VecX strains(stretching_.count() + 3 * pair_count());
   stretching_.lengths(x, strains.data());
-  for_each(pair_count(), [&](int p) { strains.segment<3>(stretching_.count() + 3 * p) = bends_[p].strains(place(p, x)); });
+  for_each(pair_count(), [&](int p) { strains.segment<3>(stretching_.count() + 3 * p) = bends_[p].strains(edge_pair(p, x)); });
   return strains;
 }
 
@@ -134,7 +134,7 @@ void RodTerm::derivatives_of(const VecX& x, const double* strains, Projection pr
     const Pair& pair = pairs_[p];
     BendTwist::Vec8 slope;
     BendTwist::Mat8 local;
-    bends_[p].derivatives(place(p, x), pair.root.transpose() * pair.root, rest_of(p, strains), slope, hessian ? &local : nullptr);
+    bends_[p].derivatives(edge_pair(p, x), pair.root.transpose() * pair.root, rest_of(p, strains), slope, hessian ? &local : nullptr);
     // Chain rule from the committed frames to x and arcs, then from edges to vertices: -1, 1 for the first and -1, 1 for the second edge.
     const std::array<Mat3, 2> back = {axes_[p][0].transpose(), (pair.second_from_end ? -1 : 1) * axes_[p][1].transpose()};
     const std::array<double, 2> arcs = {sign(pair, 0) / frames_->radius(), sign(pair, 1) / frames_->radius()};
