@@ -51,7 +51,7 @@ function plotAgainst(table, keys, column, state, statistics, units) {
   // Statistics of the runs are preferred to their cost.
   const first = results.find((name) => statistics.includes(name)) ?? results.find((name) => name.includes(".")) ?? results[0];
   const chosen = { x: keys[0], y: first, by: keys[1] ?? "", logX: false, logY: false };
-  const place = h("div", { class: "charts wide" });
+  const holder = h("div", { class: "charts wide" });
   const draw = () => {
     const [cx, cy, cb] = [column(chosen.x), column(chosen.y), column(chosen.by)];
     const rows = table.rows.filter((row) => (!state.left || state.left.has(row[0])) && row[cx] !== null && isNumber(row[cy]));
@@ -62,7 +62,7 @@ function plotAgainst(table, keys, column, state, statistics, units) {
       const some = rows.filter((row) => cb < 0 || row[cb] === value).sort((a, b) => at(a[cx]) - at(b[cx]));
       return { label: cb < 0 ? words(chosen.y) : `${words(chosen.by)} = ${isNumber(value) ? scaledNumber(value, units[chosen.by]) : value ?? "none"}`, index, points: true, line: new Set(some.map((row) => row[cx])).size === some.length, x: some.map((row) => at(row[cx])), y: some.map((row) => row[cy]) };
     });
-    place.replaceChildren(chart({
+    holder.replaceChildren(chart({
       title: `${words(chosen.y)} against ${words(chosen.x)}`, height: 340, series,
       note: texts.length > 0 ? `${words(chosen.x)}: ${texts.map((text, i) => `${i + 1} is ${text}`).join(", ")}` : undefined,
       x: { name: words(chosen.x), unit: units[chosen.x], loose: true, log: chosen.logX }, y: { name: words(chosen.y), unit: units[chosen.y], log: chosen.logY },
@@ -75,7 +75,7 @@ function plotAgainst(table, keys, column, state, statistics, units) {
   return h("div", {}, h("div", { class: "bar" },
     labelled("Vertical", choose("y", results)), labelled("Scale", log("logY")),
     labelled("Horizontal", choose("x", unique([...keys, ...results]))), labelled("Scale", log("logX")),
-    labelled("Grouped by", choose("by", ["", ...keys]))), place);
+    labelled("Grouped by", choose("by", ["", ...keys]))), holder);
 }
 
 const mostPanels = 48;
@@ -85,22 +85,22 @@ function smallMultiples(cases, curves, units, keys, state, keyUnits) {
   const columns = unique(curves.flatMap((table) => table?.columns ?? [])).filter((name) => name !== "time");
   if (columns.length === 0) return h("p", { class: "note" }, "The cases have no probes.");
   const chosen = { y: columns[0], x: "time", how: "grid" };
-  const place = h("div");
+  const holder = h("div");
   const label = (one) => (one.values && keys.length > 0 ? keys.map((key) => `${words(key)} ${shown(one.values[key], keyUnits[key])}`).join(", ") : one.name);
   const draw = () => {
     const some = cases.map((one, i) => ({ one, table: curves[i] })).filter(({ one, table }) => table?.get(chosen.y) && table.get(chosen.x) && (!state.left || state.left.has(one.name)));
     const x = { name: words(chosen.x), unit: chosen.x === "time" ? "s" : units[chosen.x], loose: chosen.x !== "time" };
     const y = { name: words(chosen.y), unit: units[chosen.y] };
     if (chosen.how === "over") {
-      place.className = "charts wide";
-      place.replaceChildren(chart({ title: `${words(chosen.y)} over ${words(chosen.x)}`, x, y, height: 380, series: some.map(({ one, table }) => ({ label: label(one), x: table.get(chosen.x), y: table.get(chosen.y) })) }));
+      holder.className = "charts wide";
+      holder.replaceChildren(chart({ title: `${words(chosen.y)} over ${words(chosen.x)}`, x, y, height: 380, series: some.map(({ one, table }) => ({ label: label(one), x: table.get(chosen.x), y: table.get(chosen.y) })) }));
       return;
     }
-    place.className = "multiples";
+    holder.className = "multiples";
     const all = (name) => some.flatMap(({ table }) => Array.from(table.get(name))).filter(Number.isFinite);
     const span = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
     const shared = { x: span(all(chosen.x)), y: span(all(chosen.y)) };
-    place.replaceChildren(...some.slice(0, mostPanels).map(({ one, table }) => chart({
+    holder.replaceChildren(...some.slice(0, mostPanels).map(({ one, table }) => chart({
       title: one.name, note: keys.length > 0 ? label(one) : undefined, x: { ...x, span: shared.x }, y: { ...y, span: shared.y }, height: 170, plain: true, group: "multiples",
       series: [{ label: words(chosen.y), x: table.get(chosen.x), y: table.get(chosen.y) }],
     })), ...(some.length > mostPanels ? [h("p", { class: "note" }, `The first ${mostPanels} of ${some.length} cases; filter the table to see others.`)] : []));
@@ -110,5 +110,5 @@ function smallMultiples(cases, curves, units, keys, state, keyUnits) {
   const choose = (key, options) => select(options, chosen[key], (value) => { chosen[key] = value; draw(); });
   const named = (list) => list.map((name) => [name, words(name)]);
   return h("div", {}, h("div", { class: "bar" }, labelled("Vertical", choose("y", named(columns))), labelled("Horizontal", choose("x", named(["time", ...columns]))),
-    labelled("Shown", choose("how", [["grid", "side by side"], ["over", "over each other"]]))), place);
+    labelled("Shown", choose("how", [["grid", "side by side"], ["over", "overlaid"]]))), holder);
 }

@@ -32,7 +32,7 @@ function precisionSection(rows) {
   const steps = unique(rows.map((row) => row.time_step));
   const solvers = unique(rows.map((row) => row.solver));
   let [problem, cost] = [problems[0], costs[0]];
-  const place = h("div", { class: "charts wide" });
+  const holder = h("div", { class: "charts wide" });
   const draw = () => {
     const series = solvers.flatMap((solver, index) => steps.flatMap((step) => {
       const some = rows.filter((row) => row.problem === problem && row.solver === solver && row.time_step === step && solved(row) && row.error_rms > 0 && !belowFloor(row))
@@ -48,7 +48,7 @@ function precisionSection(rows) {
       series.push({ label: `floor ${format(floor, 2)} m`, index: solvers.length, x: [floor, floor], y: [Math.min(...heights), Math.max(...heights)] });
     const omitted = hidden === 0 ? "" : hidden === here.length ? " All errors are below the noise floor, and nothing is drawn."
       : ` ${hidden} of ${here.length} have no point: their errors are below the noise floor.`;
-    place.replaceChildren(chart({
+    holder.replaceChildren(chart({
       title: `${cost[1][0].toUpperCase()}${cost[1].slice(1)} against error: ${problem}`, note: `A curve per solver, a point per tolerance. Lower is faster, further left more accurate.${omitted}`,
       x: { name: "RMS error", unit: "m", log: true }, y: { name: cost[1], unit: cost[2], log: true }, height: 340, series,
     }));
@@ -56,7 +56,7 @@ function precisionSection(rows) {
   draw();
   return section("precision", "Time against error", h("div", { class: "bar" },
     labelled("Problem", select(problems.map((p) => [p, p]), problem, (value) => { problem = value; draw(); })),
-    labelled("Cost", select(costs.map(([key, name]) => [key, name]), cost[0], (value) => { cost = costs.find(([key]) => key === value); draw(); }))), place);
+    labelled("Cost", select(costs.map(([key, name]) => [key, name]), cost[0], (value) => { cost = costs.find(([key]) => key === value); draw(); }))), holder);
 }
 
 // Draws performance profiles (Dolan and Moré 2002): the fraction of tasks that a solver solves within a multiple of the fastest time.

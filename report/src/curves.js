@@ -59,8 +59,8 @@ function against(runs, columns, units) {
   const all = ["time", ...columns];
   const of = byName(units, { time: "s" });
   let [x, y] = chosen?.every((name) => all.includes(name)) ? chosen : axesOf(runs, columns, units);
-  const place = h("div", { class: "charts wide" });
-  const draw = () => place.replaceChildren(chart({
+  const holder = h("div", { class: "charts wide" });
+  const draw = () => holder.replaceChildren(chart({
     title: `${words(y)} over ${words(x)}`, x: { name: words(x), unit: of[x], loose: x !== "time" }, y: { name: words(y), unit: of[y] }, height: 300, series: linesOf(runs, "probes", x, y),
   }));
   const options = all.map((name) => [name, words(name)]);
@@ -70,7 +70,7 @@ function against(runs, columns, units) {
   };
   draw();
   return h("div", { id: "against" }, h("h3", {}, "One probe over another"),
-    h("div", { class: "bar" }, labelled("Vertical", select(options, y, (name) => { y = name; choose(); })), labelled("Horizontal", select(options, x, (name) => { x = name; choose(); }))), place);
+    h("div", { class: "bar" }, labelled("Vertical", select(options, y, (name) => { y = name; choose(); })), labelled("Horizontal", select(options, x, (name) => { x = name; choose(); }))), holder);
 }
 
 // Returns the laws in closed form, beside the force measured between their objects.
@@ -108,16 +108,16 @@ function lawCharts(run, law, several) {
   const range = Math.max(...law.gap);
   const xs = run.probes.get(gap.column);
   const ys = run.probes.get(force.column).map((v, i) => (xs[i] <= range ? v : NaN));
-  const place = h("div");
+  const holder = h("div");
   const traction = force.type === "adhesion_force" ? law.adhesion : law.traction;
   const sign = Math.sign(ys.reduce((most, v) => (Math.abs(v) > Math.abs(most) ? v : most), 0)) || 1;
-  const draw = (area) => place.replaceChildren(chart({
+  const draw = (area) => holder.replaceChildren(chart({
     title: `Force measured, ${words(force.column)} over ${words(gap.column)}`, x, y: { name: "force", unit: "N" },
     series: [{ label: "measured", x: xs, y: ys }, ...(area > 0 ? [{ label: "law × area", x: law.gap, y: traction.map((t) => sign * t * area) }] : [])],
   }));
   draw(0);
   const area = h("input", { type: "number", min: 0, step: "any", placeholder: "not given", oninput: () => draw(Number(area.value)) });
-  return grid(sum, h("div", {}, place, h("div", { class: "bar" }, labelled("Contact area [m²], to overlay the law", area))));
+  return grid(sum, h("div", {}, holder, h("div", { class: "bar" }, labelled("Contact area [m²], to overlay the law", area))));
 }
 
 // Returns the cumulative sums of the flows of steps.

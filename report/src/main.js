@@ -60,10 +60,10 @@ function linksOf(parts) {
 }
 
 async function main() {
-  const place = document.getElementById("content");
+  const content = document.getElementById("content");
   const data = JSON.parse(document.getElementById("data")?.textContent ?? "{}");
   if (data.format !== understood) {
-    place.append(h("p", { class: "notice bad" }, "This page has no data in a format that it reads: make the report again with `tack report`."));
+    content.append(h("p", { class: "notice bad" }, "This page has no data in a format that it reads: make the report again with `tack report`."));
     return;
   }
   const runs = await Promise.all(data.runs.map(loaded));
@@ -72,7 +72,7 @@ async function main() {
   const shown = parts.filter(Boolean);
   const contents = h("nav", { "aria-label": "Contents" }, linksOf(shown));
   const notice = notesOf([...notes, ...runs.flatMap((run) => run.notes)]);
-  place.append(...[head(title, about, badges, data.kind === "preview" || live ? "tack view" : "tack report"), live && live.bar, contents, notice, ...shown].filter(Boolean));
+  content.append(...[head(title, about, badges, data.kind === "preview" || live ? "tack view" : "tack report"), live && live.bar, contents, notice, ...shown].filter(Boolean));
   document.getElementById("made").textContent = `Made by tack ${data.made.version}${data.made.commit ? ` (${data.made.commit})` : ""}.`;
   live?.begin(() => contents.replaceChildren(...linksOf(shown)));
   document.documentElement.dataset.ready = "true";

@@ -168,7 +168,7 @@ class View {
     this.mark = this.marks.get(value) ?? null;
     this.markSelect.value = this.mark ? value : "";
     this.element.dataset.mark = this.mark ? this.mark.text : "";
-    this.place();
+    this.drawFrame();
   }
 
   // Highlights an object and moves the camera to it; a second call undoes both.
@@ -208,13 +208,13 @@ class View {
     const boxes = objects.map((object, i) => checkbox("", true, (on) => {
       if (on) this.stage.hidden.delete(i);
       else this.stage.hidden.add(i);
-      this.place();
+      this.drawFrame();
     }));
     boxes.forEach((box, i) => box.append(h("span", { class: "dot", style: `background:${surfaceColours[i % surfaceColours.length]}` }), objects[i].name));
     const all = (on) => () => {
       objects.forEach((_, i) => (on ? this.stage.hidden.delete(i) : this.stage.hidden.add(i)));
       boxes.forEach((box) => (box.querySelector("input").checked = on));
-      this.place();
+      this.drawFrame();
     };
     this.objects.replaceChildren(...(objects.length > 3 ? [h("div", { class: "all" }, button("all", all(true)), button("none", all(false)))] : []), ...boxes);
   }
@@ -247,7 +247,7 @@ class View {
     this.element.classList.toggle("with-field", this.field !== null);
     this.map = this.field ? this.scaleOf(this.field) : null;
     this.drawScale();
-    this.place();
+    this.drawFrame();
   }
 
   // Chooses the colour map by the values of the whole run, so that it does not change between frames.
@@ -272,7 +272,7 @@ class View {
     this.scale.setAttribute("aria-label", `Colours of ${this.scaleText}: ${from} is ${number(0)}, ${to} is ${number(1)}; grey has no number`);
   }
 
-  place() {
+  drawFrame() {
     const { frames, map, values, field, colours } = this;
     let colourOf;
     if (!map) colourOf = (element, vertex, out, at) => out.set(colours[frames.object[element] % colours.length], at);
@@ -300,7 +300,7 @@ class View {
   go(frame) {
     this.frame = Math.min(this.frames.count - 1, Math.max(0, frame));
     if (this.range === "frame" && this.field) this.colour();
-    else this.place();
+    else this.drawFrame();
   }
 
   play(on) {

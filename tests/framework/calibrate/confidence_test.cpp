@@ -98,12 +98,12 @@ TEST_CASE("large residuals and too few points give warnings", "[calibrate]") {
 namespace {
 
 struct Coverage {
-  double held = 0, flagged = 0, held_or_flagged = 0, width = 0;
+  double covered = 0, flagged = 0, covered_or_flagged = 0, width = 0;
 };
 
-// Fits straight lines a + b x to 100 points of the truth 1 + 2 x + bend x^2, with noise of standard deviation 0.1 and correlation `correlated` of neighbouring points.
+// Fits straight lines a + b x to 100 points of the truth 1 + 2 x + curvature x^2, with noise of standard deviation 0.1 and correlation `correlated` of neighbouring points.
 // Least squares give a and b in closed form, with known or estimated noise.
-Coverage of_lines(double bend, double correlated, bool known, double said = 0.1) {
+Coverage of_lines(double curvature, double correlated, bool known, double stated_noise = 0.1) {
   const int n = 100, fits = 200;
   std::vector<FittedParameter> line = two(false);
   for (FittedParameter& parameter : line) parameter.from = 0, parameter.to = 3;  // u is the value
@@ -116,17 +116,17 @@ Coverage of_lines(double bend, double correlated, bool known, double said = 0.1)
     double error = random.next();
     for (int i = 0; i < n; ++i) {
       const double x = j(i, 1);
-      y[i] = 1 + 2 * x + bend * x * x + 0.1 * error;
+      y[i] = 1 + 2 * x + curvature * x * x + 0.1 * error;
       error = correlated * error + std::sqrt(1 - correlated * correlated) * random.next();
     }
     const Eigen::VectorXd best = (j.transpose() * j).ldlt().solve(j.transpose() * y);
-    const double unit = known ? said : 1;
+    const double unit = known ? stated_noise : 1;
     const Eigen::VectorXd r = (j * best - y) / unit;
     const Confidence one = find_confidence(line, {best[0], best[1]}, j / unit, {r.data(), r.data() + n}, known);
-    const bool held = one.low[1] <= 2 && 2 <= one.high[1];
-    c.held += held / double(fits);
+    const bool covered = one.low[1] <= 2 && 2 <= one.high[1];
+    c.covered += covered / double(fits);
     c.flagged += !one.fits / double(fits);
-    c.held_or_flagged += (held || !one.fits) / double(fits);
+    c.covered_or_flagged += (covered || !one.fits) / double(fits);
     c.width += (one.high[1] - one.low[1]) / fits;
   }
   return c;
@@ -138,26 +138,26 @@ TEST_CASE("intervals contain the true value, or the fit is flagged", "[calibrate
   for (const bool known : {true, false}) {
     CAPTURE(known);
     const Coverage white = of_lines(0, 0, known);
-    CHECK(white.held >= 0.93);
+    CHECK(white.covered >= 0.93);
     CHECK(white.flagged <= 0.06);
     CHECK(white.width == Approx(2 * 1.96 * 0.1 / std::sqrt(100 / 12.)).epsilon(0.05));
 
     const Coverage correlated = of_lines(0, 0.9, known);
-    UNSCOPED_INFO("correlated: held " << correlated.held << ", flagged " << correlated.flagged);
-    CHECK(correlated.held >= 0.8);
-    CHECK(correlated.held_or_flagged >= 0.99);
+    UNSCOPED_INFO("correlated: covered " << correlated.covered << ", flagged " << correlated.flagged);
+    CHECK(correlated.covered >= 0.8);
+    CHECK(correlated.covered_or_flagged >= 0.99);
     CHECK(correlated.width > 2.5 * white.width);
 
-    for (const double bend : {1.2, 3.0}) {
-      CAPTURE(bend);
-      CHECK(of_lines(bend, 0, known).flagged >= 0.97);
-      CHECK(of_lines(bend, 0.9, known).held_or_flagged >= 0.97);
+    for (const double curvature : {1.2, 3.0}) {
+      CAPTURE(curvature);
+      CHECK(of_lines(curvature, 0, known).flagged >= 0.97);
+      CHECK(of_lines(curvature, 0.9, known).covered_or_flagged >= 0.97);
     }
   }
   // The noise is larger than stated.
   const Coverage understated = of_lines(0, 0, true, 0.06);
   CHECK(understated.flagged >= 0.99);
-  CHECK(understated.held >= 0.93);
+  CHECK(understated.covered >= 0.93);
 }
 
 TEST_CASE("residuals of different experiments are not correlated with each other", "[calibrate]") {

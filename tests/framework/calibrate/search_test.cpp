@@ -165,14 +165,14 @@ TEST_CASE("a search requests equal points every time, each once, and its interva
     CHECK(points.insert(a.rows[i].evaluation.values).second);
   }
   REQUIRE(a.derivatives.problem.empty());
-  int held = 0;
+  int covered = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const SearchResult found = pulled(seed, 3, 2);
     const Confidence c = find_confidence(parameters({strength, work}, 3), found.best.values, found.derivatives.jacobian, found.best.residuals, seed % 2 == 0);
-    held += c.low[0] <= strength && strength <= c.high[0] ? 1 : 0;
-    held += c.low[1] <= work && work <= c.high[1] ? 1 : 0;
+    covered += c.low[0] <= strength && strength <= c.high[0] ? 1 : 0;
+    covered += c.low[1] <= work && work <= c.high[1] ? 1 : 0;
   }
-  CHECK(held >= 70);  // of 80, 76 on average
+  CHECK(covered >= 70);  // of 80, 76 on average
 }
 
 TEST_CASE("failed points do not end a search, unless the whole design fails", "[calibrate]") {

@@ -41,11 +41,11 @@ TEST_CASE("losses: small losses are not reported, even if they were large at the
 TEST_CASE("losses: warnings have cause, amount and time, the largest first", "[losses]") {
   EnergyLosses losses;
   for (int k = 1; k <= 40; ++k) losses.add(step(k, k == 7 ? -0.1 : 0, k > 30 ? 0.02 : 0.0001));
-  const auto told = losses.warnings(*newmark);
-  REQUIRE(told.size() == 2);
-  CHECK(told[0].kind == WarningKind::energy_integration);
-  CHECK(contains(first_text(told, WarningKind::energy_integration), "time integration lost 0.203 J, 10% of the reference energy (2 J), mainly from t = 0.3 to 0.39 s: what turns"));
-  CHECK(contains(first_text(told, WarningKind::energy_areas), "areas of contact gained 0.1 J, 5% of the reference energy (2 J), mainly from t = 0.06 to 0.07 s: covered areas"));
+  const auto reported = losses.warnings(*newmark);
+  REQUIRE(reported.size() == 2);
+  CHECK(reported[0].kind == WarningKind::energy_integration);
+  CHECK(contains(first_text(reported, WarningKind::energy_integration), "time integration lost 0.203 J, 10% of the reference energy (2 J), mainly from t = 0.3 to 0.39 s: what turns"));
+  CHECK(contains(first_text(reported, WarningKind::energy_areas), "areas of contact gained 0.1 J, 5% of the reference energy (2 J), mainly from t = 0.06 to 0.07 s: covered areas"));
   CHECK(losses.areas.sum == Approx(-0.1));
 }
 
@@ -78,10 +78,10 @@ TEST_CASE("losses: three groups are named, the others counted", "[losses]") {
     report.flows.groups.push_back(flow);
   }
   losses.add(report);
-  const auto told = losses.warnings(*newmark, names);
-  REQUIRE(told.size() == 4);
-  for (const int i : {0, 1, 2}) CHECK(told[i].subject == names[4 - i]);
-  CHECK(contains(first_text(told, WarningKind::energy_further_groups), "2 more groups"));
+  const auto reported = losses.warnings(*newmark, names);
+  REQUIRE(reported.size() == 4);
+  for (const int i : {0, 1, 2}) CHECK(reported[i].subject == names[4 - i]);
+  CHECK(contains(first_text(reported, WarningKind::energy_further_groups), "2 more groups"));
 }
 
 TEST_CASE("losses: losses of damping integrators are accepted if hardly anything moves", "[losses]") {
@@ -122,7 +122,7 @@ TEST_CASE("losses: a histogram of time grows with the run", "[losses]") {
 
 // Runs with and without a warning.
 TEST_CASE("losses: the reference energy is that of the whole run", "[losses]") {
-  const auto told = [](const std::string& yaml, double duration) {
+  const auto reported = [](const std::string& yaml, double duration) {
     TestRun run(yaml);
     RunSummary summary;
     while (run.state().time < duration * (1 - 1e-9)) summary.add(run.step());
@@ -135,15 +135,15 @@ TEST_CASE("losses: the reference energy is that of the whole run", "[losses]") {
   const std::string block = "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.055, 0]},\n"
                             "     velocity: [0, -1, 0], energies: [{type: neo_hookean, young: 10 MPa}]}\n";
   SECTION("an impact that no step resolves") {
-    const std::vector<Warning> given = told("time: {step: 2 ms, duration: 1, integrator: newmark}\n" + solver + "objects:\n" + floor + block + "contact: {distance: 1 mm}\n", 0.02);
+    const std::vector<Warning> given = reported("time: {step: 2 ms, duration: 1, integrator: newmark}\n" + solver + "objects:\n" + floor + block + "contact: {distance: 1 mm}\n", 0.02);
     CHECK_THAT(first_text(given, WarningKind::energy_integration), Catch::Contains("time integration lost") && Catch::Contains("contact that comes and goes within a few steps"));
   }
   SECTION("a block in free flight") {
-    CHECK(told("time: {step: 2 ms, duration: 1, integrator: newmark}\n" + solver + "gravity: [0, -9.81, 0]\nobjects:\n" + block, 0.02).empty());
+    CHECK(reported("time: {step: 2 ms, duration: 1, integrator: newmark}\n" + solver + "gravity: [0, -9.81, 0]\nobjects:\n" + block, 0.02).empty());
   }
   // The plate enters the range of adhesion with hardly any energy, and leaves it with all of it.
   SECTION("plates that meet and part") {
-    CHECK(told("time: {step: 10 ms, duration: 1}\n" + solver + "objects:\n" + floor +
+    CHECK(reported("time: {step: 10 ms, duration: 1}\n" + solver + "objects:\n" + floor +
                    "  - {name: plate, shape: {type: box, size: [0.02, 0.005, 0.02], cells: [3, 1, 3]}, place: {translate: [0, 8.5 mm, 0]},\n"
                    "     energies: [{type: neo_hookean, young: 20 MPa}],\n"
                    "     motion: [{type: keyframes, select: {type: face, direction: [0, 1, 0]}, frames: [{time: 0, translation: [0, 0, 0]},\n"

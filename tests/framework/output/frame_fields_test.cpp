@@ -195,15 +195,15 @@ TEST_CASE("stretches and stresses of elements agree with prescribed strains", "[
 TEST_CASE("an unknown field is refused with the nearest name", "[fields]") {
   OutputConfig config;
   const Fields fields = fields_of(config);
-  const auto told = [&] {
+  const auto error = [&] {
     std::string all;
     for (const auto& check : fields.checks()) all += check.condition();
     return all;
   };
   config.frame_fields = {"contact_presure"};
-  CHECK_THAT(told(), Catch::Contains("did you mean 'contact_pressure'?"));
+  CHECK_THAT(error(), Catch::Contains("did you mean 'contact_pressure'?"));
   for (const FrameFieldInfo& info : frame_fields()) {
     config.frame_fields = {info.name};
-    CHECK(told().empty());
+    CHECK(error().empty());
   }
 }

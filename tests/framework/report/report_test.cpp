@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Place {
-  Place() { write_file(page, "<html><!--data of the report--></html>"); }
+struct ReportFixture {
+  ReportFixture() { write_file(page, "<html><!--data of the report--></html>"); }
 
   fs::path run(const std::string& name, const std::string& scene = "") const {
     fs::create_directories(folder.path() / name);
@@ -66,24 +66,24 @@ struct Place {
 }  // namespace
 
 TEST_CASE("the files of a folder determine its kind: run, comparison or batch") {
-  const Place place;
-  CHECK(kind_of(place.run("run")) == FolderKind::run);
-  CHECK(kind_of(place.batch()) == FolderKind::batch);
-  CHECK(kind_of(place.calibration()) == FolderKind::calibration);
-  fs::create_directory(place.folder.path() / "compared");
-  write_file(place.folder.path() / "compared/compare.csv", "problem\n");
-  CHECK(kind_of(place.folder.path() / "compared") == FolderKind::comparison);
-  fs::create_directory(place.folder.path() / "empty");
-  CHECK_THROWS_WITH(kind_of(place.folder.path() / "empty"), Catch::Contains("is not a results folder"));
-  CHECK_THROWS_WITH(kind_of(place.folder.path() / "none"), Catch::Contains("no such folder"));
+  const ReportFixture fixture;
+  CHECK(kind_of(fixture.run("run")) == FolderKind::run);
+  CHECK(kind_of(fixture.batch()) == FolderKind::batch);
+  CHECK(kind_of(fixture.calibration()) == FolderKind::calibration);
+  fs::create_directory(fixture.folder.path() / "compared");
+  write_file(fixture.folder.path() / "compared/compare.csv", "problem\n");
+  CHECK(kind_of(fixture.folder.path() / "compared") == FolderKind::comparison);
+  fs::create_directory(fixture.folder.path() / "empty");
+  CHECK_THROWS_WITH(kind_of(fixture.folder.path() / "empty"), Catch::Contains("is not a results folder"));
+  CHECK_THROWS_WITH(kind_of(fixture.folder.path() / "none"), Catch::Contains("no such folder"));
 }
 
 TEST_CASE("an unfinished run has a report of its existing files") {
-  const Place place;
-  const WrittenReport written = place.report({place.run("run", tiny_scene)});
+  const ReportFixture fixture;
+  const WrittenReport written = fixture.report({fixture.run("run", tiny_scene)});
   CHECK(written.notes.empty());
-  const auto run = place.data()["runs"][0];
-  CHECK(place.data()["kind"] == "run");
+  const auto run = fixture.data()["runs"][0];
+  CHECK(fixture.data()["kind"] == "run");
   CHECK(run["label"] == "run");
   CHECK(run["status"] == "unfinished");
   CHECK(run["summary"].is_null());
@@ -97,26 +97,26 @@ TEST_CASE("an unfinished run has a report of its existing files") {
   CHECK(run["scene"]["probes"][1]["unit"] == "N");
   CHECK(run["scene"]["probes"][1]["on"] == "block");
   CHECK(run["scene"]["expect"].size() == 1);
-  CHECK(contains(place.html(), "<script type=\"text/plain\" id=\"block-0\">"));
+  CHECK(contains(fixture.html(), "<script type=\"text/plain\" id=\"block-0\">"));
 }
 
 TEST_CASE("unreadable files are reported, and the others are shown") {
-  const Place place;
-  const fs::path run = place.run("run", "name: [");
+  const ReportFixture fixture;
+  const fs::path run = fixture.run("run", "name: [");
   write_file(run / "summary.json", "{\"status\": ");
   write_file(run / "probes.csv", "time,gap\n0,wide\n");
-  const WrittenReport written = place.report({run});
+  const WrittenReport written = fixture.report({run});
   CHECK(written.notes.size() == 3);
-  CHECK(place.data()["runs"][0]["notes"].size() == 3);
-  CHECK(place.data()["runs"][0]["steps"]["rows"] == 2);
+  CHECK(fixture.data()["runs"][0]["notes"].size() == 3);
+  CHECK(fixture.data()["runs"][0]["steps"]["rows"] == 2);
 }
 
 TEST_CASE("texts of a scene do not end the data of a report") {
-  const Place place;
+  const ReportFixture fixture;
   const std::string evil = "</script><b>\\\"&<!--";
-  place.report({place.run("run", tiny_scene_with("name: tiny", "name: '" + evil + "'\nabout: '" + evil + "'"))});
-  CHECK(place.data()["runs"][0]["scene"]["name"] == evil);
-  const std::string html = place.html();
+  fixture.report({fixture.run("run", tiny_scene_with("name: tiny", "name: '" + evil + "'\nabout: '" + evil + "'"))});
+  CHECK(fixture.data()["runs"][0]["scene"]["name"] == evil);
+  const std::string html = fixture.html();
   size_t ends = 0, begins = 0;
   for (size_t at = 0; (at = html.find("</script", at)) != html.npos; ++at) ++ends;
   for (size_t at = 0; (at = html.find("<script", at)) != html.npos; ++at) ++begins;
@@ -126,19 +126,19 @@ TEST_CASE("texts of a scene do not end the data of a report") {
 }
 
 TEST_CASE("labels of runs with equal names differ by their folders") {
-  const Place place;
-  place.report({place.run("one/x"), place.run("two/x/")});
-  const auto data = place.data();
+  const ReportFixture fixture;
+  fixture.report({fixture.run("one/x"), fixture.run("two/x/")});
+  const auto data = fixture.data();
   CHECK(data["kind"] == "runs");
   CHECK(data["runs"][0]["label"] == "one/x");
   CHECK(data["runs"][1]["label"] == "two/x");
 }
 
 TEST_CASE("a batch has its table, the probes of its cases, and the requested runs") {
-  const Place place;
-  const WrittenReport written = place.report({place.batch()}, {"a"});
+  const ReportFixture fixture;
+  const WrittenReport written = fixture.report({fixture.batch()}, {"a"});
   CHECK(written.notes.empty());
-  const auto data = place.data();
+  const auto data = fixture.data();
   CHECK(data["kind"] == "batch");
   const auto& batch = data["batch"];
   CHECK(batch["batch"]["keys"][0] == "k");
@@ -148,58 +148,58 @@ TEST_CASE("a batch has its table, the probes of its cases, and the requested run
   CHECK(batch["curves"][0]["rows"] == 2);
   CHECK(batch["curves"][1].is_null());
   CHECK(data["runs"][0]["label"] == "a");
-  CHECK_THROWS_WITH(place.report({place.batch()}, {"z"}), Catch::Contains("has no case 'z'"));
+  CHECK_THROWS_WITH(fixture.report({fixture.batch()}, {"z"}), Catch::Contains("has no case 'z'"));
 }
 
 TEST_CASE("long tables keep every k-th row and the last") {
-  const Place place;
-  const fs::path run = place.run("run");
+  const ReportFixture fixture;
+  const fs::path run = fixture.run("run");
   std::string text = "step,time\n";
   for (int i = 0; i < 50001; ++i) text += std::to_string(i) + ",0.5\n";
   write_file(run / "steps.csv", text);
-  place.report({run});
-  const auto steps = place.data()["runs"][0]["steps"];
+  fixture.report({run});
+  const auto steps = fixture.data()["runs"][0]["steps"];
   CHECK(steps["of"] == 50001);
   CHECK(steps["rows"] == 16668);
 }
 
 TEST_CASE("incompatible folders, missing pages and missing files are refused") {
-  const Place place;
-  CHECK_THROWS_WITH(place.report({place.batch(), place.run("run")}), Catch::Contains("one of them at a time"));
-  CHECK_THROWS_WITH(place.report({place.run("run")}, {"a"}), Catch::Contains("--case is for a batch"));
+  const ReportFixture fixture;
+  CHECK_THROWS_WITH(fixture.report({fixture.batch(), fixture.run("run")}), Catch::Contains("one of them at a time"));
+  CHECK_THROWS_WITH(fixture.report({fixture.run("run")}, {"a"}), Catch::Contains("--case is for a batch"));
   ReportSettings settings;
-  settings.folders = {place.run("run")};
-  settings.page = place.page;
-  settings.output = place.folder.path() / "none/out.html";
+  settings.folders = {fixture.run("run")};
+  settings.page = fixture.page;
+  settings.output = fixture.folder.path() / "none/out.html";
   CHECK_THROWS_WITH(write_report(settings), Catch::Contains("cannot be written"));
-  settings.page = place.folder.path() / "none.html";
+  settings.page = fixture.folder.path() / "none.html";
   CHECK_THROWS_WITH(write_report(settings), Catch::Contains("is not built"));
-  write_file(place.folder.path() / "batch/batch.json", "[]");
-  CHECK_THROWS_WITH(place.report({place.folder.path() / "batch"}), Catch::Contains("has no list of cases"));
+  write_file(fixture.folder.path() / "batch/batch.json", "[]");
+  CHECK_THROWS_WITH(fixture.report({fixture.folder.path() / "batch"}), Catch::Contains("has no list of cases"));
 }
 
 TEST_CASE("tack report on the command line") {
-  const Place place;
-  CHECK(run_tack(place.folder.path(), {"report"}).exit_code == 2);
-  const ProgramResult none = run_tack(place.folder.path(), {"report", "nowhere"});
+  const ReportFixture fixture;
+  CHECK(run_tack(fixture.folder.path(), {"report"}).exit_code == 2);
+  const ProgramResult none = run_tack(fixture.folder.path(), {"report", "nowhere"});
   CHECK(none.exit_code == 2);
   CHECK(contains(none.err, "nowhere: there is no such folder"));
 }
 
 TEST_CASE("a report of a calibration has its evaluations and curves, and reports unreadable files") {
-  const Place place;
-  const WrittenReport written = place.report({place.calibration()});
+  const ReportFixture fixture;
+  const WrittenReport written = fixture.report({fixture.calibration()});
   REQUIRE(written.notes.size() == 1);
   CHECK(contains(written.notes[0], "a_run.csv"));
-  const nlohmann::json data = place.data()["calibration"];
-  CHECK(place.data()["kind"] == "calibration");
+  const nlohmann::json data = fixture.data()["calibration"];
+  CHECK(fixture.data()["kind"] == "calibration");
   CHECK(data["calibration"]["name"] == "c");
   CHECK(data["table"]["rows"][0][3] == 0.5);
   CHECK(data["table"]["rows"][1][3].is_null());
   CHECK(data["fits"][0]["fit"]["columns"][1] == "measured");
   CHECK(data["fits"][0]["run"].is_null());
   CHECK(data["fits"][1]["fit"].is_null());
-  write_file(place.folder.path() / "calibration/calibration.json", R"({"name": "c", "status": "running"})");
-  CHECK(contains(place.report({place.folder.path() / "calibration"}).notes[0], "is unfinished"));
-  CHECK_THROWS_AS(place.report({place.folder.path() / "calibration", place.batch()}), InputError);
+  write_file(fixture.folder.path() / "calibration/calibration.json", R"({"name": "c", "status": "running"})");
+  CHECK(contains(fixture.report({fixture.folder.path() / "calibration"}).notes[0], "is unfinished"));
+  CHECK_THROWS_AS(fixture.report({fixture.folder.path() / "calibration", fixture.batch()}), InputError);
 }

@@ -22,7 +22,7 @@ double worst(const std::string& text, const std::string& probe, const std::strin
   const GradientCheck c = check_gradient(scene(text), probe, key, step);
   REQUIRE(c.times.size() > 3);
   REQUIRE(c.largest > 0);
-  for (const Warning& doubt : c.doubts) UNSCOPED_INFO(doubt.text);
+  for (const Warning& warning : c.warnings) UNSCOPED_INFO(warning.text);
   UNSCOPED_INFO(probe << " by " << key << ": at " << c.times[c.worst] << " s " << c.gradients[c.worst] << ", differences " << c.differences[c.worst]);
   return c.error(c.worst);
 }
@@ -304,9 +304,9 @@ TEST_CASE("a run with gradients has the bits of a run without, also when resumed
     settings.output = (folder.path() / name).string();
     settings.steps = steps;
     settings.resume = resume;
-    std::ostringstream told;
+    std::ostringstream log;
     const std::string gradients = with ? ", gradients: [{key: contact.friction.mu, as: mu}, {key: objects.block.energies.0.young}]" : "";
-    RecordedRun recorded(scene(slid("{iterations: 1}") + "output: {frames: false, checkpoint_interval: 50 ms" + gradients + "}\n"), settings, Provenance(), told, {});
+    RecordedRun recorded(scene(slid("{iterations: 1}") + "output: {frames: false, checkpoint_interval: 50 ms" + gradients + "}\n"), settings, Provenance(), log, {});
     CHECK(recorded.execute().status == RunStatus::done);
     return folder.path() / name;
   };
@@ -356,9 +356,9 @@ objects:
       settings.output = (folder.path() / c.name / name).string();
       settings.steps = steps;
       settings.resume = resume;
-      std::ostringstream told;
+      std::ostringstream log;
       const std::string output = fmt::format("output: {{frames: false{}, gradients: [{{key: {}}}]}}\n", interval, c.key);
-      RecordedRun recorded(scene(c.text + output), settings, Provenance(), told, {});
+      RecordedRun recorded(scene(c.text + output), settings, Provenance(), log, {});
       CHECK(recorded.execute().status == RunStatus::done);
       return read_csv(folder.path() / c.name / name / "gradients.csv");
     };
