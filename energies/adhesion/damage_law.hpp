@@ -44,14 +44,14 @@ class DamageLawOf : public BondLawOf<Law> {
   T energy(const T& d, const T& s, const HistoryVariables& m, double h) const {
     const T pulled = pull(d, s);
     const double k = value_of(pulled);
-    const Reached to = reach(k, m, h);
+    const StepDamage to = damage_of_step(k, m, h);
     double phi = (1 - to.damage) * k / 2;
     if (to.damage > m.damage) phi += spent(m, to.damage) + viscous(m, to.damage, h) / 2;
     return chained(pulled, phi, (1 - to.damage) / 2, -to.growth / 2);
   }
   HistoryVariables after(const HistoryVariables& m, const BondState& at) const {
     const double k = pull(at.d, at.s);
-    HistoryVariables now{reach(k, m, at.h).damage, m.mixity};
+    HistoryVariables now{damage_of_step(k, m, at.h).damage, m.mixity};
     if (law().mixed()) {
       const double least = least_opening * law().envelope(0).opening(0.5);
       if (k > stiffness_ * least * least) now.mixity = across_ * at.s / k;
@@ -77,7 +77,7 @@ class DamageLawOf : public BondLawOf<Law> {
   // Opening from which a mixity counts, over the opening at D = 1/2
   static constexpr double least_opening = 1e-3;
 
-  struct Reached {
+  struct StepDamage {
     double damage;
     double growth;  // by k
   };
@@ -96,13 +96,13 @@ class DamageLawOf : public BondLawOf<Law> {
     return viscosity_ > 0 ? viscosity_ / h * (damage - m.damage) * (damage - m.damage) : 0;
   }
 
-  Reached reach(double k, const HistoryVariables& m, double h) const {
-    const Reached held{m.damage, 0};
-    if (h == 0 || m.damage >= 1 || (law().mixed() && m.mixity < 0)) return held;
+  StepDamage damage_of_step(double k, const HistoryVariables& m, double h) const {
+    const StepDamage unchanged{m.damage, 0};
+    if (h == 0 || m.damage >= 1 || (law().mixed() && m.mixity < 0)) return unchanged;
     const auto envelope = law().envelope(m.mixity);
     const double from = envelope.opening(m.damage), lambda = std::sqrt(k / stiffness_),
                  end = envelope.end();
-    if (!(lambda > from)) return held;
+    if (!(lambda > from)) return unchanged;
     const double c = viscosity_ > 0 ? viscosity_ / h : 0;
     if (lambda >= end && stiffness_ * (lambda - end) * (lambda + end) / 2 >= c * (1 - m.damage))
       return {1, 0};

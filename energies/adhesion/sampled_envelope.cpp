@@ -12,26 +12,26 @@
 namespace tack {
 namespace {
 
-constexpr int places = 4000;             // of openings, equally far apart
+constexpr int openings = 4000;           // equally spaced
 constexpr double least_start = 1e-6;     // fraction of the peak that a curve may begin with
 constexpr double largest_misfit = 0.01;  // of the peak
 
 }  // namespace
 
 SampledEnvelope::SampledEnvelope(const std::function<double(double)>& traction, double end, const char* what) : end_(end) {
-  std::vector<double> squared(places + 1), damage(places + 1), pull(places + 1);
+  std::vector<double> squared(openings + 1), damage(openings + 1), pull(openings + 1);
   double peak = 0;
-  const auto at = [&](int i) { return end * i / places; };
-  for (int i = 0; i <= places; ++i) {
+  const auto at = [&](int i) { return end * i / openings; };
+  for (int i = 0; i <= openings; ++i) {
     squared[i] = at(i) * at(i);
-    pull[i] = i < places ? traction(at(i)) : 0;
+    pull[i] = i < openings ? traction(at(i)) : 0;
     peak = std::max(peak, pull[i]);
     if (i > 0) stiffness_ = std::max(stiffness_, pull[i] / at(i));
   }
   if (std::abs(traction(1e-9 * end)) > least_start * peak)
     throw InputError(fmt::format("{}: its traction begins with {:.4g} Pa; bonds that are damaged come back to the origin: let it begin with 0 (and "
                                  "rise over a short way)", what, traction(1e-9 * end)));
-  for (int i = 1; i <= places; ++i) {
+  for (int i = 1; i <= openings; ++i) {
     damage[i] = std::clamp(1 - pull[i] / (stiffness_ * at(i)), damage[i - 1], 1.0);
     const double follows = (1 - damage[i]) * stiffness_ * at(i);
     if (std::abs(follows - pull[i]) > largest_misfit * peak)
@@ -39,8 +39,8 @@ SampledEnvelope::SampledEnvelope(const std::function<double(double)>& traction, 
                                    "stiffer; let the traction rise linearly, or ever more slowly", what, pull[i] / at(i), at(i)));
   }
   const CubicCurve curve = CubicCurve::monotone(squared, damage);
-  std::vector<Piece> pieces(places + 1);
-  for (int i = 0; i <= places; ++i) {
+  std::vector<Piece> pieces(openings + 1);
+  for (int i = 0; i <= openings; ++i) {
     Piece& piece = pieces[i];
     piece.z = squared[i], piece.y = damage[i], piece.m = curve.at(squared[i]).slope;
     if (i == 0) continue;
@@ -51,16 +51,16 @@ SampledEnvelope::SampledEnvelope(const std::function<double(double)>& traction, 
     piece.integral = before.integral_to(width);
   }
   pieces_ = std::make_shared<const std::vector<Piece>>(std::move(pieces));
-  pieces_per_opening_ = places / end;
+  pieces_per_opening_ = openings / end;
 }
 
-SampledEnvelope::Place SampledEnvelope::at(double opening) const {
-  const Piece& piece = (*pieces_)[std::min(static_cast<int>(opening * pieces_per_opening_), places - 1)];
+SampledEnvelope::Position SampledEnvelope::at(double opening) const {
+  const Piece& piece = (*pieces_)[std::min(static_cast<int>(opening * pieces_per_opening_), openings - 1)];
   return {&piece, opening * opening - piece.z};
 }
 
-// The farthest place at which there is no more damage than that: Newton's method within bisection.
-SampledEnvelope::Place SampledEnvelope::reached_by(double damage) const {
+// Returns the largest opening without more damage: Newton's method within bisection.
+SampledEnvelope::Position SampledEnvelope::position_of(double damage) const {
   if (damage >= 1) return {&pieces_->back(), 0};
   const auto above = std::upper_bound(pieces_->begin() + 1, pieces_->end(), damage, [](double value, const Piece& p) { return value < p.y; });
   const Piece& piece = *(above - 1);
@@ -77,23 +77,23 @@ SampledEnvelope::Place SampledEnvelope::reached_by(double damage) const {
 
 double SampledEnvelope::damage(double opening) const {
   if (!(opening < end_)) return 1;
-  const Place here = at(opening);
+  const Position here = at(opening);
   return std::clamp(here.piece->value(here.t), 0.0, 1.0);
 }
 
 double SampledEnvelope::growth(double opening) const {
   if (!(opening < end_)) return 0;
-  const Place here = at(opening);
+  const Position here = at(opening);
   return 2 * opening * here.piece->slope(here.t);
 }
 
 double SampledEnvelope::opening(double damage) const {
-  const Place there = reached_by(damage);
+  const Position there = position_of(damage);
   return std::sqrt(there.piece->z + there.t);
 }
 
 double SampledEnvelope::spent(double damage) const {
-  const Place there = reached_by(damage);
+  const Position there = position_of(damage);
   return stiffness_ / 2 * ((there.piece->z + there.t) * damage - there.piece->integral_to(there.t));
 }
 

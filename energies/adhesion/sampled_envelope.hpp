@@ -37,12 +37,12 @@ class SampledEnvelope {
       return integral + t * (y + t * (m / 2 + t * (c / 3 + t * k / 4)));
     }
   };
-  struct Place {
+  struct Position {
     const Piece* piece;
     double t;
   };
-  Place at(double opening) const;
-  Place reached_by(double damage) const;
+  Position at(double opening) const;
+  Position position_of(double damage) const;
 
   std::shared_ptr<const std::vector<Piece>> pieces_;  // the last piece is the end point
   double stiffness_ = 0, end_ = 0, pieces_per_opening_ = 0;

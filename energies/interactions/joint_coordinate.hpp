@@ -72,9 +72,9 @@ class JointCoordinate {
 
  private:
   double plain(const VecX& x) const {
-    std::array<Vec3, arity> places;
-    for (int i = 0; i < arity; ++i) places[i] = vertex(x, vertices_[i]);
-    return Coordinate::of(places);
+    std::array<Vec3, arity> positions;
+    for (int i = 0; i < arity; ++i) positions[i] = vertex(x, vertices_[i]);
+    return Coordinate::of(positions);
   }
 
   std::array<int, arity> vertices_;

@@ -45,11 +45,11 @@ int JointPoints::joined(const Vec3& at) {
     joint_.relations.push_back({{a, 1.0}, {b, -1.0}});
     return b;
   }
-  const int place = builder_.unknowns().add_vector_dofs("place", std::vector{at})[0];
-  joint_.own_vertices.push_back(place);
-  joint_.relations.push_back({{a, 1.0}, {place, -1.0}});
-  joint_.relations.push_back({{b, 1.0}, {place, -1.0}});
-  return place;
+  const int vertex = builder_.unknowns().add_vector_dofs("place", std::vector{at})[0];
+  joint_.own_vertices.push_back(vertex);
+  joint_.relations.push_back({{a, 1.0}, {vertex, -1.0}});
+  joint_.relations.push_back({{b, 1.0}, {vertex, -1.0}});
+  return vertex;
 }
 
 void JointPoints::finish() {

@@ -93,8 +93,8 @@ bool BendTwist::within_reach(const Vec3& edge) {
 }
 
 // Both frames of a pair of edges.
-struct BendTwist::Standing {
-  Standing(const BendTwist& bend, const EdgePair& p) : a(p.first), b(p.second) {
+struct BendTwist::PairFrames {
+  PairFrames(const BendTwist& bend, const EdgePair& p) : a(p.first), b(p.second) {
     for (int k = 0; k < 4; ++k) {
       from_a[k] = bend.forms_[k] * b.s;
       q(k) = a.s.dot(from_a[k]);
@@ -121,10 +121,10 @@ struct BendTwist::Standing {
   double turn;  // arg u
 };
 
-double BendTwist::turn(const EdgePair& p) const { return Standing(*this, p).turn; }
+double BendTwist::turn(const EdgePair& p) const { return PairFrames(*this, p).turn; }
 
 BendTwist::Strains BendTwist::strains(const EdgePair& p, Slopes* slopes) const {
-  const Standing at(*this, p);
+  const PairFrames at(*this, p);
   const Rotation r(at.q, p.theta_1, p.theta_2);
   if (slopes) {
     const std::array<Strain, 3> strains = at.strains(p);
@@ -136,7 +136,7 @@ BendTwist::Strains BendTwist::strains(const EdgePair& p, Slopes* slopes) const {
 }
 
 void BendTwist::derivatives(const EdgePair& p, const Mat3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const {
-  const Standing at(*this, p);
+  const PairFrames at(*this, p);
   const auto jacobian = at.jacobian(*this);
   const std::array<Strain, 3> strains = at.strains(p);
   const Vec3 force = stiffness * (Vec3(strains[0].value, strains[1].value, strains[2].value) - rest);

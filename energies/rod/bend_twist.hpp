@@ -57,7 +57,7 @@ class BendTwist {
                    Mat8* hessian) const;
 
  private:
-  struct Standing;
+  struct PairFrames;
   // (w, x, y, z)_k = S_1^T forms_[k] S_2, S = (|l| + l_t, -l_q, l_p).
   std::array<Mat3, 4> forms_;
 };

@@ -172,18 +172,18 @@ class Fit {
   }
 
   void find_dihedral_edges() {
-    struct Found {
+    struct HalfEdge {
       Edge key;
       End end;
     };
-    std::vector<Found> all;
+    std::vector<HalfEdge> all;
     for (size_t f = 0; f < fans_.size(); ++f) {
       for (int i = 0; i < fans_[f].shape.edge_count; ++i) {
         const int a = fans_[f].vertices[0], b = fans_[f].vertices[static_cast<size_t>(fans_[f].shape.tip(i))];
         all.push_back({{std::min(a, b), std::max(a, b)}, {static_cast<int>(f), i}});
       }
     }
-    std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
+    std::sort(all.begin(), all.end(), [](const HalfEdge& a, const HalfEdge& b) {
       return std::tie(a.key, a.end.fan, a.end.edge) < std::tie(b.key, b.end.fan, b.end.edge);
     });
     for (size_t k = 0; k + 1 < all.size(); k += 2) edges_.push_back(conditions({all[k].end, all[k + 1].end}));

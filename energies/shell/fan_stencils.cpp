@@ -25,7 +25,7 @@ void add(const PackMat3& block, int a, int b, Pack* slots) {
 }
 
 // The dihedral edges that turn with a vertex, and how far.
-struct Turning {
+struct VertexEdges {
   std::array<int, fan_edges_max> edge;
   std::array<PackVec3, fan_edges_max> gradient;
   int count = 0;
@@ -185,7 +185,7 @@ void FanStencils::derivatives(int pack, const VecX& x, Projection projection, do
     moments[i] = 0;
     for (int k = 0; k < n; ++k) moments[i] += c(pack, i, k) * a[k];
   }
-  std::array<Turning, 1 + ring_max> turning;
+  std::array<VertexEdges, 1 + ring_max> turning;
   for (int i = 0; i < n; ++i) {
     const auto& [left, right] = all[i].sides;
     turning[0].add(i, left.alpha[0] * left.n + right.alpha[0] * right.n);

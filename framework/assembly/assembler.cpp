@@ -23,7 +23,7 @@ bool needs_reduction(const Term& term, const DofMap& dofs) {
 
 }  // namespace
 
-void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
+void Assembler::Group::assign_slots(const DofMap& dofs, bool with_hessian) {
   batches.clear();
   batch_terms.clear();
   first_gradient.clear();
@@ -44,7 +44,7 @@ void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
   }
   own_gradient_slots = 3 * static_cast<size_t>(gradient_slot);
   if (wanted != mapped || batches.empty()) {
-    reduced.place(batches, dofs, gradient_slot, hessian_slot);
+    reduced.assign_slots(batches, dofs, gradient_slot, hessian_slot);
     gradient_map = tack::gradient_map(mapped_batches(), dofs);
     hessian_mapped = false;
     mapped = std::move(wanted);
@@ -125,14 +125,14 @@ Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseCl
     (ranged ? ranged_ : term->dynamic() ? dynamic_ : static_).terms.push_back(term);
     if (ranged) ranges.insert(ranges.end(), own.begin(), own.end());
   }
-  ranged_.place(dofs_, false);
-  ranged_sums_.place(ranges, ranged_.batches, dofs_);
-  static_.place(dofs_, true);
+  ranged_.assign_slots(dofs_, false);
+  ranged_sums_.build(ranges, ranged_.batches, dofs_);
+  static_.assign_slots(dofs_, true);
   std::vector<BlockKey> keys;
   std::set_union(ranged_sums_.targets().begin(), ranged_sums_.targets().end(), static_.hessian_map.target.begin(),
                  static_.hessian_map.target.end(), std::back_inserter(keys));
   pattern_ = std::make_unique<BlockPattern>(dofs_.block_count(), std::move(keys));
-  number_parts();
+  number_components();
 }
 
 void Assembler::add_linear(const VecX& x, const TermScales& scales, VecX& gradient) const {
@@ -174,7 +174,7 @@ void Assembler::gather_modes(const VecX& x, const TermScales& scales, const Hess
 
 void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& gradient) {
   const PhaseScope scope(clock_, Phase::assembly);
-  dynamic_.place(dofs_, false);
+  dynamic_.assign_slots(dofs_, false);
   for (Group* group : groups()) {
     group->evaluate(x, Projection::none, false, clock_.term_times());
     group->reduced.reduce(group->gradient_slots.data(), nullptr);
@@ -192,16 +192,16 @@ void Assembler::project_out_fixed_directions(VecX& gradient) const {
 // Replaces rows and columns of fixed directions by those of a multiple of the identity.
 void Assembler::project_out_fixed_directions(BlockMatrix& matrix) const {
   if (dofs_.partly_fixed_blocks().empty()) return;
-  std::vector<const Mat3*> held(dofs_.block_count(), nullptr);
-  for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks()) held[h.block] = &h.projection;
+  std::vector<const Mat3*> fixed(dofs_.block_count(), nullptr);
+  for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks()) fixed[h.block] = &h.projection;
   for (int c = 0; c < matrix.columns(); ++c)
     for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
       const int r = matrix.row[k];
-      if (held[r]) matrix.block(k) -= (*held[r] * matrix.block(k)).eval();
-      if (held[c]) matrix.block(k) -= (matrix.block(k) * *held[c]).eval();
-      if (r != c || !held[c]) continue;
+      if (fixed[r]) matrix.block(k) -= (*fixed[r] * matrix.block(k)).eval();
+      if (fixed[c]) matrix.block(k) -= (matrix.block(k) * *fixed[c]).eval();
+      if (r != c || !fixed[c]) continue;
       const double size = matrix.block(k).trace();
-      matrix.block(k) += (size > 0 ? size : 1.0) * *held[c];
+      matrix.block(k) += (size > 0 ? size : 1.0) * *fixed[c];
     }
 }
 
@@ -228,15 +228,15 @@ double Assembler::largest_stencil_force() const {
 }
 
 // Numbers the components of unknown blocks. Stencils connect the blocks of a component.
-void Assembler::number_parts() {
+void Assembler::number_components() {
   DisjointSets sets(dofs_.block_count());
   for (const BlockKey key : pattern_->static_keys()) sets.join(key_row(key), key_column(key));
-  part_.resize(dofs_.block_count());
-  int parts = 0;
-  for (int b = 0; b < dofs_.block_count(); ++b) part_[b] = sets.find(b) == b ? parts++ : part_[sets.find(b)];
+  component_.resize(dofs_.block_count());
+  int components = 0;
+  for (int b = 0; b < dofs_.block_count(); ++b) component_[b] = sets.find(b) == b ? components++ : component_[sets.find(b)];
   // A scalar dof does not move with its component.
   for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks())
-    if (h.scalar) part_[h.block] = parts++;
+    if (h.scalar) component_[h.block] = components++;
 }
 
 // Static keys of the pattern are the keys of both maps and the diagonals.
@@ -268,10 +268,10 @@ void Assembler::evaluate_ranged(const VecX& x, const HessianRequest& request) {
 void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianRequest& request,
                          const VecX& block_mass, VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
-  dynamic_.place(dofs_, true);
+  dynamic_.assign_slots(dofs_, true);
   std::vector<int> dynamic_positions;
   if (pattern_->cover(dynamic_.hessian_map.target, matrix, dynamic_positions)) locate_static_blocks();
-  if (matrix.component.size() != part_.size()) matrix.component = part_;
+  if (matrix.component.size() != component_.size()) matrix.component = component_;
   dofs_.gather(x, matrix.positions);
   std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
   for (int b = 0; b < dofs_.block_count(); ++b)

@@ -64,7 +64,7 @@ class Assembler {
     double largest_force() const;
     template <class Act>
     void for_each_batch(const Act& act) const;
-    void place(const DofMap& dofs, bool with_hessian);
+    void assign_slots(const DofMap& dofs, bool with_hessian);
     void evaluate(const VecX& x, Projection projection, bool with_hessian, TermTimes* times);
     void clamp_at(const std::vector<char>& block, const DofMap& dofs);
     std::vector<PlacedBatch> mapped_batches() const;
@@ -74,7 +74,7 @@ class Assembler {
 
   std::vector<Group*> groups() { return {&ranged_, &static_, &dynamic_}; }
   void evaluate_ranged(const VecX& x, const HessianRequest& request);
-  void number_parts();
+  void number_components();
   void locate_static_blocks();
   void add_linear(const VecX& x, const TermScales& scales, VecX& gradient) const;
   void gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request,
@@ -90,7 +90,7 @@ class Assembler {
   std::vector<std::pair<const Term*, const GlobalModeSource*>> mode_sources_;
   Group static_, dynamic_;
   std::unique_ptr<BlockPattern> pattern_;
-  std::vector<int> part_;  // of each unknown block, see BlockMatrix
+  std::vector<int> component_;  // of each unknown block, see BlockMatrix
   std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
 

@@ -76,12 +76,12 @@ double IncrementalPotential::value() {
   value_ = inertia_ ? inertia_value() : 0.0;
   noise_ = std::abs(value_);
   const bool first = first_x_.size() == 0;
-  if (first) first_x_ = x_, first_parts_.clear();
+  if (first) first_x_ = x_, first_values_.clear();
   for (const Term* term : terms_) {
-    const double potential = value_of(*term), part = scales_.of(*term) * potential;
-    if (first) first_parts_.push_back(potential);
-    value_ += part;
-    noise_ += std::abs(part);
+    const double potential = value_of(*term), scaled = scales_.of(*term) * potential;
+    if (first) first_values_.push_back(potential);
+    value_ += scaled;
+    noise_ += std::abs(scaled);
   }
   noise_ *= sum_noise;
   value_known_ = true;
@@ -113,7 +113,7 @@ const VecX& IncrementalPotential::gradient() {
 std::optional<double> IncrementalPotential::first_value(const Term* term, const VecX& x) const {
   const auto found = std::find(terms_.begin(), terms_.end(), term);
   if (found == terms_.end() || first_x_.size() != x.size() || first_x_ != x) return std::nullopt;
-  return first_parts_[found - terms_.begin()];
+  return first_values_[found - terms_.begin()];
 }
 
 VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x) {

@@ -79,7 +79,7 @@ class IncrementalPotential : public Objective {
   bool value_known_ = false, gradient_known_ = false;
   int value_count_ = 0;
   VecX first_x_;  // of the first evaluation of the step; empty before it
-  std::vector<double> first_parts_;  // per term
+  std::vector<double> first_values_;  // per term
   VecX gradient_;
   BlockMatrix matrix_;
 };

@@ -25,7 +25,7 @@ void add_block(const double* block, bool transposed, double* sum) {
 
 }  // namespace
 
-void LocalSums::place(const std::vector<const StencilRanges*>& ranges, const std::vector<PlacedBatch>& batches,
+void LocalSums::build(const std::vector<const StencilRanges*>& ranges, const std::vector<PlacedBatch>& batches,
                       const DofMap& dofs) {
   dofs_ = &dofs;
   batches_ = static_cast<int>(ranges.size());

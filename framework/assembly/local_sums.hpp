@@ -14,7 +14,7 @@ namespace tack {
 class LocalSums {
  public:
   /// The ranges of each batch of stencils.
-  void place(const std::vector<const StencilRanges*>& ranges,
+  void build(const std::vector<const StencilRanges*>& ranges,
              const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 
   /// Returns the blocks of the matrix that the stencils touch, sorted.

@@ -32,9 +32,9 @@ template <int K>
 void expand(double* y, int stride) {
   double sum = 0;  // of the terms of later rows
   for (int r = K - 2; r >= 0; --r) {
-    const double share = helmert_scale<K>[r] * y[r * stride];
-    y[(r + 1) * stride] = sum - (r + 1) * share;
-    sum += share;
+    const double summand = helmert_scale<K>[r] * y[r * stride];
+    y[(r + 1) * stride] = sum - (r + 1) * summand;
+    sum += summand;
   }
   y[0] = sum;
 }

@@ -112,7 +112,7 @@ ReducedStencils::Member ReducedStencils::member_of(const PlacedBatch& placed, in
   return member;
 }
 
-void ReducedStencils::place(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot,
+void ReducedStencils::assign_slots(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot,
                             int hessian_slot) {
   batches_.clear();
   gradient_end_ = gradient_slot;

@@ -44,17 +44,17 @@ class BondTable {
     of_regions_.resize(classes_.entries());
     of_regions_[classes_.index(a, b)] = of_regions_[classes_.index(b, a)] = rules;
   }
-  /// Returns the rule of a region of two objects, -1: they do not bond there. part: -1 for no
+  /// Returns the rule of a region of two objects, -1: they do not bond there. region: -1 for no
   /// region.
-  int between(int a, int b, int part) const {
-    return part < 0 ? rule_[classes_.index(a, b)] : of_regions_[classes_.index(a, b)][part];
+  int between(int a, int b, int region) const {
+    return region < 0 ? rule_[classes_.index(a, b)] : of_regions_[classes_.index(a, b)][region];
   }
   /// Returns whether the two objects bond in any region.
   bool bonds(int a, int b) const {
     if (rule_[classes_.index(a, b)] >= 0) return true;
     if (of_regions_.empty()) return false;
-    const std::vector<int>& parts = of_regions_[classes_.index(a, b)];
-    return std::any_of(parts.begin(), parts.end(), [](int rule) { return rule >= 0; });
+    const std::vector<int>& regions = of_regions_[classes_.index(a, b)];
+    return std::any_of(regions.begin(), regions.end(), [](int rule) { return rule >= 0; });
   }
   const std::vector<BondRule>& rules() const { return rules_; }
   bool empty() const { return rules_.empty(); }

@@ -78,9 +78,9 @@ BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable t
 void BondTerm::publish(Records& records) const {
   Term::publish(records);
   ForceRecord force{"bonds", ForceDirection::normal, {"barrier", "adhesion"}};
-  force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_term(part)); };
-  force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_term(part), pair); };
-  force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_term(part)); };
+  force.add = [this](const VecX& x, std::string_view summand, VecX& sum) { sum += forces(x, law_term(summand)); };
+  force.between = [this](const VecX& x, std::string_view summand, ObjectPair pair) { return force_between(x, law_term(summand), pair); };
+  force.add_compressions = [this](const VecX& x, std::string_view summand, VecX& sum) { sum += compressions(x, law_term(summand)); };
   records.add(std::move(force));
   records.add(FlowRecord{"bonds", {{"dissipated_adhesion"}, {"work_healing", FlowKind::fed}}, [this](const VecX& x, double* amounts) {
     const Changes step = changes(x);
@@ -311,7 +311,7 @@ bool BondTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
 }
 
 void BondTerm::commit(const VecX& x, History& history) const {
-  BondList kept = list_.none();
+  BondList remaining = list_.none();
   std::vector<double> variables;
   for (int i = 0; i < list_.size(); ++i) {
     const BondChange change = advance(i, x, variables);
@@ -321,12 +321,12 @@ void BondTerm::commit(const VecX& x, History& history) const {
       lag_frame(bond, x);
       move_attachment(bond, system_.lagged_surface().topology(), system_.surface().mesh, x, change.kept);
     }
-    kept.add(bond, variables.data());
+    remaining.add(bond, variables.data());
   }
-  kept.write(history);
+  remaining.write(history);
 }
 
-std::vector<Vec3> BondTerm::site_forces(const VecX& x, LawTerm part) const {
+std::vector<Vec3> BondTerm::site_forces(const VecX& x, LawTerm term) const {
   ensure_frames(x);
   std::vector<Vec3> pulls(list_.size());
   for_each(list_.size(), [&](int i) {
@@ -334,14 +334,14 @@ std::vector<Vec3> BondTerm::site_forces(const VecX& x, LawTerm part) const {
     const Opening o = opening_of(bond, x);
     const BondSample sample = table_.rules()[bond.rule].law->at(o.d, o.s, list_.variables(i), h_);
     const Vec3 all = traction(sample, bond, o), pressing = o.d < 0 ? Vec3(sample.by_d * bond.normal) : Vec3(Vec3::Zero());
-    pulls[i] = -bond.area * (part == LawTerm::all ? all : part == LawTerm::barrier ? pressing : Vec3(all - pressing));
+    pulls[i] = -bond.area * (term == LawTerm::all ? all : term == LawTerm::barrier ? pressing : Vec3(all - pressing));
   });
   return pulls;
 }
 
-VecX BondTerm::forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only) const {
+VecX BondTerm::forces(const VecX& x, LawTerm term, std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
-  const std::vector<Vec3> pulled = site_forces(x, part);
+  const std::vector<Vec3> pulled = site_forces(x, term);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     if (only && !b.between(only->a, only->b)) continue;
@@ -350,9 +350,9 @@ VecX BondTerm::forces(const VecX& x, LawTerm part, std::optional<ObjectPair> onl
   return force;
 }
 
-VecX BondTerm::compressions(const VecX& x, LawTerm part) const {
+VecX BondTerm::compressions(const VecX& x, LawTerm term) const {
   VecX pressed = VecX::Zero(x.size());
-  const std::vector<Vec3> pulled = site_forces(x, part);
+  const std::vector<Vec3> pulled = site_forces(x, term);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     for (int i = 0; i < b.count(); ++i) pressed(3 * b.vertices[i]) += (i < b.site_count ? b.c[i] : -b.c[i]) * pulled[k].dot(b.normal);
@@ -360,9 +360,9 @@ VecX BondTerm::compressions(const VecX& x, LawTerm part) const {
   return pressed;
 }
 
-Vec3 BondTerm::force_between(const VecX& x, LawTerm part, ObjectPair pair) const {
+Vec3 BondTerm::force_between(const VecX& x, LawTerm term, ObjectPair pair) const {
   Vec3 sum = Vec3::Zero();
-  const std::vector<Vec3> pulled = site_forces(x, part);
+  const std::vector<Vec3> pulled = site_forces(x, term);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     if (b.between(pair.a, pair.b)) sum += b.a == pair.a ? pulled[k] : Vec3(-pulled[k]);

@@ -55,13 +55,13 @@ class BondTerm : public Term {
 
   /// Returns the force of each bond of the list on its site [N]. The opposite force acts on the
   /// attachment point. Compressive forces belong to the barrier, all others to adhesion.
-  std::vector<Vec3> site_forces(const VecX& x, LawTerm part = LawTerm::all) const;
+  std::vector<Vec3> site_forces(const VecX& x, LawTerm term = LawTerm::all) const;
   /// Returns the bond forces on every vertex (3n) [N]; with a pair, of its bonds only.
-  VecX forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only = std::nullopt) const;
+  VecX forces(const VecX& x, LawTerm term, std::optional<ObjectPair> only = std::nullopt) const;
   /// Returns forces like ContactTerm::compressions; below zero where bonds pull.
-  VecX compressions(const VecX& x, LawTerm part) const;
+  VecX compressions(const VecX& x, LawTerm term) const;
   /// Returns the force of object b on object a [N].
-  Vec3 force_between(const VecX& x, LawTerm part, ObjectPair pair) const;
+  Vec3 force_between(const VecX& x, LawTerm term, ObjectPair pair) const;
 
   const BondList& list() const { return list_; }
   /// Returns the opening of each bond of the list.

@@ -88,14 +88,14 @@ Corotation::Column Corotation::gradient(const Column& f) const {
 
 Corotation::Square Corotation::slopes() const {
   Square b = Square::Identity(u_.size(), u_.size());
-  const double share = 1.0 / position_count_;
+  const double weight = 1.0 / position_count_;
   for (int j = 0; j < position_count_; ++j)
     for (int k = 0; k < 3; ++k) {
       const Vec3 back = r_.row(k).transpose();  // R^T e_k
       const Vec3 turn = inverse_ * s(j).cross(back);
       for (int i = 0; i < position_count_; ++i) {
-        Vec3 column = ((i == j ? 1 : 0) - share) * back - turn.cross(y(i));
-        column(k) += translation_ * share;
+        Vec3 column = ((i == j ? 1 : 0) - weight) * back - turn.cross(y(i));
+        column(k) += translation_ * weight;
         b.block<3, 1>(3 * i, 3 * j + k) = column;
       }
     }
@@ -108,7 +108,7 @@ Corotation::Square Corotation::hessian(const Square& k, const Column& f) const {
   for (int i = 0; i < position_count_; ++i) moment += y(i).cross(Vec3(f.segment<3>(3 * i)));
   const Vec3 a = inverse_ * moment;
   Square h = kb;
-  const double share = 1.0 / position_count_;
+  const double weight = 1.0 / position_count_;
   for (int j = 0; j < position_count_; ++j)
     for (int axis = 0; axis < 3; ++axis) {
       const int column = 3 * j + axis;
@@ -116,7 +116,7 @@ Corotation::Square Corotation::hessian(const Square& k, const Column& f) const {
       Vec3 d_moment = Vec3::Zero(), d_a = Vec3::Zero();  // the latter: (dA)^T a
       const auto d_y = [&](int i) {
         Vec3 d = b.block<3, 1>(3 * i, column);
-        d(axis) -= translation_ * share;
+        d(axis) -= translation_ * weight;
         return d;
       };
       for (int i = 0; i < position_count_; ++i) {
@@ -132,7 +132,7 @@ Corotation::Square Corotation::hessian(const Square& k, const Column& f) const {
         sum += d_f;
         mean += h.block<3, 1>(3 * i, column);
       }
-      for (int i = 0; i < position_count_; ++i) h.block<3, 1>(3 * i, column) += (translation_ * sum - mean) * share;
+      for (int i = 0; i < position_count_; ++i) h.block<3, 1>(3 * i, column) += (translation_ * sum - mean) * weight;
     }
   // Scalar dofs are not rotated: their columns are those of K; forces on positions are rotated as usual.
   for (Eigen::Index column = 3 * position_count_; column < h.cols(); ++column) h.col(column) = gradient(Column(k.col(column)));

@@ -86,8 +86,8 @@ class CorotatedDamping : public DampingTerm {
       const size_t width = 3 * static_cast<size_t>(b.arity), blocks = 9 * static_cast<size_t>(hessian_blocks(b.arity));
       for_each(b.count, [&](int s) {
         translates[s] = resists_translation(first_block + blocks * s, b);
-        const Column from = positions(start_, b, s), way = positions(velocity_.still, b, s) - from;
-        Eigen::Map<VecX>(still + width * s, static_cast<Eigen::Index>(width)) = from + Corotation::without_rotation(b.arity - b.scalars, from, way);
+        const Column from = positions(start_, b, s), displacement = positions(velocity_.still, b, s) - from;
+        Eigen::Map<VecX>(still + width * s, static_cast<Eigen::Index>(width)) = from + Corotation::without_rotation(b.arity - b.scalars, from, displacement);
       });
       still += width * b.count;
       first_block += blocks * b.count;
@@ -148,13 +148,13 @@ class CorotatedDamping : public DampingTerm {
     for (const StencilBatch& b : batches_) {
       const size_t blocks = 9 * static_cast<size_t>(hessian_blocks(b.arity)), width = 3 * static_cast<size_t>(b.arity);
       sum += sum_chunks(b.count, [&](int first, int last) {
-        double part = 0;
+        double partial = 0;
         for (int s = first; s < last; ++s) {
           const Column reference = from == Reference::start ? positions(start_, b, s) : Column(Eigen::Map<const VecX>(still + width * s, static_cast<Eigen::Index>(width)));
           const Column u = Corotation(b.arity - b.scalars, reference, positions(x, b, s), translates[s]).u();
-          part += u.dot(matrix_of(first_block + blocks * s, b.arity) * u);
+          partial += u.dot(matrix_of(first_block + blocks * s, b.arity) * u);
         }
-        return part;
+        return partial;
       });
       first_block += blocks * b.count;
       still += width * b.count;
@@ -185,9 +185,9 @@ class StrainViewDamping : public DampingTerm {
     from_ = view_.strains(start.x);
     still_ = from_;
     // A small fraction of the displacement gives the derivative of the strains along it.
-    constexpr double part = 1.0 / 64;
-    const VecX way = part * (velocity_.still - start.x);
-    if (!way.isZero(0)) still_ += (view_.strains(start.x + way) - view_.strains(start.x - way)) / (2 * part);
+    constexpr double fraction = 1.0 / 64;
+    const VecX displacement = fraction * (velocity_.still - start.x);
+    if (!displacement.isZero(0)) still_ += (view_.strains(start.x + displacement) - view_.strains(start.x - displacement)) / (2 * fraction);
   }
 
   std::vector<StencilBatch> batches() const override { return elastic_.batches(); }

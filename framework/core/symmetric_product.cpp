@@ -19,20 +19,20 @@ void SymmetricProduct::index(const BlockMatrix& matrix) {
   sum_of_.resize(matrix.row.size());
   sum_start_.assign(1, 0);
   std::vector<std::pair<int, int>> outside;  // row, sum
-  std::vector<int> place(columns_, -1);      // index of the sum of a row in the current run
+  std::vector<int> sum_index(columns_, -1);      // index of the sum of a row in the current run
   for (int first = 0; first < columns_; first += run_length) {
     const int last = std::min(first + run_length, columns_);
     const size_t before = outside.size();
     int count = last - first;
     for (int k = matrix.column_start[first]; k < matrix.column_start[last]; ++k) {
       const int row = matrix.row[k];
-      if (row >= last && place[row] < 0) {
+      if (row >= last && sum_index[row] < 0) {
         outside.emplace_back(row, sum_start_.back() + count);
-        place[row] = count++;
+        sum_index[row] = count++;
       }
-      sum_of_[k] = row < last ? row - first : place[row];
+      sum_of_[k] = row < last ? row - first : sum_index[row];
     }
-    for (size_t i = before; i < outside.size(); ++i) place[outside[i].first] = -1;
+    for (size_t i = before; i < outside.size(); ++i) sum_index[outside[i].first] = -1;
     sum_start_.push_back(sum_start_.back() + count);
   }
   sums_.resize(4 * static_cast<size_t>(sum_start_.back()));

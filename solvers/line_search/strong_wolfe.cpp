@@ -87,13 +87,13 @@ class StrongWolfe : public LineSearch {
   // ends.
   static double between(const Point& low, const Point& other) {
     const double width = other.t - low.t;
-    double part = 0.5;
+    double fraction = 0.5;
     if (std::isfinite(other.value)) {
       const double curvature = (other.slope - low.slope) / width;
-      if (curvature != 0) part = -low.slope / curvature / width;
+      if (curvature != 0) fraction = -low.slope / curvature / width;
     }
-    if (!(part > 0 && part < 1)) part = 0.5;
-    return low.t + std::clamp(part, 0.1, 0.9) * width;
+    if (!(fraction > 0 && fraction < 1)) fraction = 0.5;
+    return low.t + std::clamp(fraction, 0.1, 0.9) * width;
   }
 
   double c1_ = 1e-4, c2_ = 0.9;

@@ -10,10 +10,10 @@ namespace tack {
 namespace {
 
 constexpr int flat_size = 20;       // vertices of an aggregate of a sheet or rod
-constexpr int flat_pieces = 2000;  // limit of their number; aggregates of larger systems are larger
+constexpr int flat_count = 2000;  // largest number of flat aggregates; aggregates of larger systems are larger
 constexpr int solid_size = 250;     // vertices of an aggregate of a solid
 // Limit of their number: the factor of their motions grows faster than the system.
-constexpr int solid_pieces = 400;
+constexpr int solid_count = 400;
 constexpr int fragment = 3;  // an aggregate smaller than its size by this factor joins a neighbour
 constexpr double flat = 0.02;       // square of thickness over width
 
@@ -52,35 +52,35 @@ void Aggregates::build(const BlockMatrix& matrix) {
   const int n = matrix.columns();
   const Neighbours neighbours(matrix);
   const std::vector<int> component_size = component_sizes(matrix);
-  const size_t flat_limit = std::max(flat_size, n / flat_pieces), solid_limit = std::max(solid_size, n / solid_pieces);
+  const size_t flat_limit = std::max(flat_size, n / flat_count), solid_limit = std::max(solid_size, n / solid_count);
 
   of.assign(n, -1);
-  std::vector<int> size, piece;
+  std::vector<int> size, aggregate;
   for (int seed = 0; seed < n; ++seed) {
     if (of[seed] >= 0 || component_size[matrix.component[seed]] < smallest_component) continue;
     const int number = static_cast<int>(size.size());
-    piece.assign(1, seed);
+    aggregate.assign(1, seed);
     of[seed] = number;
     size_t limit = flat_limit;
-    for (size_t i = 0; i < piece.size(); ++i) {
-      for (int k = neighbours.start[piece[i]]; k < neighbours.start[piece[i] + 1]; ++k) {
-        if (of[neighbours.of[k]] >= 0 || piece.size() >= limit) continue;
+    for (size_t i = 0; i < aggregate.size(); ++i) {
+      for (int k = neighbours.start[aggregate[i]]; k < neighbours.start[aggregate[i] + 1]; ++k) {
+        if (of[neighbours.of[k]] >= 0 || aggregate.size() >= limit) continue;
         of[neighbours.of[k]] = number;
-        piece.push_back(neighbours.of[k]);
-        if (piece.size() == flat_limit && !is_flat(matrix, piece)) limit = solid_limit;
+        aggregate.push_back(neighbours.of[k]);
+        if (aggregate.size() == flat_limit && !is_flat(matrix, aggregate)) limit = solid_limit;
       }
     }
     int other = -1;
-    if (fragment * piece.size() < limit) {
-      for (const int c : piece)
+    if (fragment * aggregate.size() < limit) {
+      for (const int c : aggregate)
         for (int k = neighbours.start[c]; k < neighbours.start[c + 1]; ++k)
           if (const int at = of[neighbours.of[k]]; at >= 0 && at != number && (other < 0 || size[at] < size[other])) other = at;
     }
     if (other < 0) {
-      size.push_back(static_cast<int>(piece.size()));
+      size.push_back(static_cast<int>(aggregate.size()));
     } else {
-      for (const int c : piece) of[c] = other;
-      size[other] += static_cast<int>(piece.size());
+      for (const int c : aggregate) of[c] = other;
+      size[other] += static_cast<int>(aggregate.size());
     }
   }
 

@@ -48,12 +48,12 @@ class IncompleteCholesky : public Preconditioner {
     x_.resize(stride * std::ptrdiff_t(rows_.size()));
     z.resize(r.size());
     const auto forward = [&](int first, int last) {
-      for (int i = first; i < last; ++i) store4(load3(r.data() + 3 * std::ptrdiff_t(rows_.vertex[i])), part(i));
+      for (int i = first; i < last; ++i) store4(load3(r.data() + 3 * std::ptrdiff_t(rows_.vertex[i])), values_of(i));
       for (int i = first; i < last; ++i) solve_lower(i);
     };
     const auto backward = [&](int first, int last) {
       for (int i = last - 1; i >= first; --i) solve_upper(i);
-      for (int i = first; i < last; ++i) store3(load4(part(i)), z.data() + 3 * std::ptrdiff_t(rows_.vertex[i]));
+      for (int i = first; i < last; ++i) store3(load4(values_of(i)), z.data() + 3 * std::ptrdiff_t(rows_.vertex[i]));
     };
     for_each_part(rows_.domain_start, forward);
     for_each_part(rows_.group_start, [&](int first, int last) {
@@ -71,7 +71,7 @@ class IncompleteCholesky : public Preconditioner {
     for_each(static_cast<int>(start.size()) - 1, [&](int d) { body(start[d], start[d + 1]); }, 1);
   }
   double* exact(int k) { return exact_.data() + 9 * std::ptrdiff_t(k); }
-  double* part(int row) { return x_.data() + stride * std::ptrdiff_t(row); }
+  double* values_of(int row) { return x_.data() + stride * std::ptrdiff_t(row); }
   // Returns row i of the transposed factor: its diagonal block, then the others.
   float* upper(int i) { return upper_.data() + 9 * (std::ptrdiff_t(rows_.below_start[i]) + i); }
 
@@ -140,22 +140,22 @@ class IncompleteCholesky : public Preconditioner {
   void solve_lower(int i) {
     const int diagonal = rows_.diagonal(i);
     const float* block = lower_.data() + 9 * std::ptrdiff_t(rows_.row_start[i]);
-    Lanes sum = load4(part(i));
+    Lanes sum = load4(values_of(i));
     for (int k = rows_.row_start[i]; k < diagonal; ++k, block += 9)
-      sum -= BlockLanes::padded(block).times(part(rows_.column[k]));
-    store4(sum, part(i));
-    store4(BlockLanes::padded(block).times(part(i)), part(i));
+      sum -= BlockLanes::padded(block).times(values_of(rows_.column[k]));
+    store4(sum, values_of(i));
+    store4(BlockLanes::padded(block).times(values_of(i)), values_of(i));
   }
 
   // Solves row i of x <- L^-T x.
   void solve_upper(int i) {
     const float* const inverse = upper(i);
     const float* block = inverse;
-    Lanes sum = load4(part(i));
+    Lanes sum = load4(values_of(i));
     for (int k = rows_.below_start[i]; k < rows_.below_start[i + 1]; ++k)
-      sum -= BlockLanes::padded(block += 9).times(part(rows_.below_row[k]));
-    store4(sum, part(i));
-    store4(BlockLanes::padded(inverse).times(part(i)), part(i));
+      sum -= BlockLanes::padded(block += 9).times(values_of(rows_.below_row[k]));
+    store4(sum, values_of(i));
+    store4(BlockLanes::padded(inverse).times(values_of(i)), values_of(i));
   }
 
   static constexpr double smallest_pivot = 1e-10;  // relative to the diagonal of the matrix

@@ -123,9 +123,9 @@ void MatrixSweeps::build(const BlockMatrix& matrix, int domain) {
 
 template <class Body>
 double MatrixSweeps::sum_over_parts(const std::vector<int>& start, const Body& body) {
-  const int parts = static_cast<int>(start.size()) - 1;
-  partial_.assign(parts, 0.0);
-  for_each(parts, [&](int d) { partial_[d] = body(d, start[d], start[d + 1]); }, 1);
+  const int domains = static_cast<int>(start.size()) - 1;
+  partial_.assign(domains, 0.0);
+  for_each(domains, [&](int d) { partial_[d] = body(d, start[d], start[d + 1]); }, 1);
   double sum = 0;
   for (const double part : partial_) sum += part;
   return sum;

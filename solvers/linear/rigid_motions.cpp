@@ -30,26 +30,26 @@ bool RigidMotions::update(const BlockMatrix& matrix) {
   if (matrix.component.size() != n || static_cast<size_t>(matrix.positions.size()) != 3 * n) return false;
   const bool cut = component_ != matrix.component;
   if (cut) {
-    pieces_.build(matrix);
+    aggregates_.build(matrix);
     component_ = matrix.component;
   }
-  if (pieces_.count() == 0) return false;
+  if (aggregates_.count() == 0) return false;
   if (cut || matrix.version != version_) index(matrix);
   find_frames(matrix);
-  for_each(pieces_.count(), [&](int a) { sum_columns(matrix, a); }, 1);
+  for_each(aggregates_.count(), [&](int a) { sum_columns(matrix, a); }, 1);
   return factorize();
 }
 
 // Finds the sum of each block, and the pattern of Z^T A Z.
 void RigidMotions::index(const BlockMatrix& matrix) {
   version_ = matrix.version;
-  const int count = pieces_.count();
+  const int count = aggregates_.count();
   std::vector<std::vector<int>> rows(count);  // aggregates coupled to each one: few
   for (int a = 0; a < count; ++a) rows[a].push_back(a);
   const auto for_each_coupling = [&](const auto& body) {
     for (int c = 0; c < matrix.columns(); ++c)
       for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k)
-        if (const int a = pieces_.of[c], b = pieces_.of[matrix.row[k]]; a >= 0 && b >= 0) body(k, a, b);
+        if (const int a = aggregates_.of[c], b = aggregates_.of[matrix.row[k]]; a >= 0 && b >= 0) body(k, a, b);
   };
   for_each_coupling([&](int, int a, int b) {
     if (a == b || std::find(rows[a].begin(), rows[a].end(), b) != rows[a].end()) return;
@@ -82,17 +82,17 @@ void RigidMotions::index(const BlockMatrix& matrix) {
 }
 
 void RigidMotions::find_frames(const BlockMatrix& matrix) {
-  rotations_.resize(pieces_.count());
+  rotations_.resize(aggregates_.count());
   arms_.setZero(3, matrix.columns());
-  for_each(pieces_.count(), [&](int a) {
-    const int first = pieces_.start[a], last = pieces_.start[a + 1];
+  for_each(aggregates_.count(), [&](int a) {
+    const int first = aggregates_.start[a], last = aggregates_.start[a + 1];
     Vec3 centre = Vec3::Zero();
-    for (int i = first; i < last; ++i) centre += matrix.positions.segment<3>(3 * pieces_.column[i]);
+    for (int i = first; i < last; ++i) centre += matrix.positions.segment<3>(3 * aggregates_.column[i]);
     centre /= last - first;
     Mat3 inertia = Mat3::Zero();
     for (int i = first; i < last; ++i) {
-      const Vec3 arm = matrix.positions.segment<3>(3 * pieces_.column[i]) - centre;
-      arms_.col(pieces_.column[i]) = arm;
+      const Vec3 arm = matrix.positions.segment<3>(3 * aggregates_.column[i]) - centre;
+      arms_.col(aggregates_.column[i]) = arm;
       inertia += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia / (last - first));
@@ -103,8 +103,8 @@ void RigidMotions::find_frames(const BlockMatrix& matrix) {
 }
 
 // Sums blocks on one side of the diagonal, and half of those on it; coarse_ adds the mirror image.
-void RigidMotions::sum_columns(const BlockMatrix& matrix, int piece) {
-  const int begin = sum_start_[piece], end = sum_start_[piece + 1];
+void RigidMotions::sum_columns(const BlockMatrix& matrix, int aggregate) {
+  const int begin = sum_start_[aggregate], end = sum_start_[aggregate + 1];
   struct Product {
     BlockLanes force, moment;  // transposed motions of rows times blocks of one column
     // With the motions of all columns as well.
@@ -112,8 +112,8 @@ void RigidMotions::sum_columns(const BlockMatrix& matrix, int piece) {
   };
   std::vector<Product> products(end - begin);
   std::vector<int> touched;
-  for (int i = pieces_.start[piece]; i < pieces_.start[piece + 1]; ++i) {
-    const int c = pieces_.column[i];
+  for (int i = aggregates_.start[aggregate]; i < aggregates_.start[aggregate + 1]; ++i) {
+    const int c = aggregates_.column[i];
     touched.clear();
     for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
       if (sum_of_[k] < 0) continue;
@@ -144,14 +144,14 @@ void RigidMotions::sum_columns(const BlockMatrix& matrix, int piece) {
   for (int s = begin; s < end; ++s) {
     Mat6& value = sums_[s].value;
     value.bottomRows<3>() = (rotations_[sums_[s].row].transpose() * value.bottomRows<3>()).eval();
-    value.rightCols<3>() = (value.rightCols<3>() * rotations_[piece]).eval();
+    value.rightCols<3>() = (value.rightCols<3>() * rotations_[aggregate]).eval();
   }
 }
 
 bool RigidMotions::factorize() {
-  for_each(pieces_.count(), [&](int a) {
+  for_each(aggregates_.count(), [&](int a) {
     const int own = static_cast<int>(std::lower_bound(sums_.begin() + sum_start_[a], sums_.begin() + sum_start_[a + 1], a,
-                                                      [](const Sum& s, int piece) { return s.row < piece; }) - sums_.begin());
+                                                      [](const Sum& s, int aggregate) { return s.row < aggregate; }) - sums_.begin());
     for (int j = 0; j < 6; ++j) {
       double* to = coarse_.valuePtr() + coarse_.outerIndexPtr()[6 * a + j];
       for (int s = own; s < sum_start_[a + 1]; ++s) {
@@ -168,11 +168,11 @@ bool RigidMotions::factorize() {
 }
 
 double RigidMotions::add(const VecX& r, VecX& z) {
-  moments_.resize(6 * static_cast<Eigen::Index>(pieces_.count()));
-  for_each(pieces_.count(), [&](int a) {
+  moments_.resize(6 * static_cast<Eigen::Index>(aggregates_.count()));
+  for_each(aggregates_.count(), [&](int a) {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-    for (int i = pieces_.start[a]; i < pieces_.start[a + 1]; ++i) {
-      const int c = pieces_.column[i];
+    for (int i = aggregates_.start[a]; i < aggregates_.start[a + 1]; ++i) {
+      const int c = aggregates_.column[i];
       const Vec3 at = r.segment<3>(3 * c);
       force += at;
       moment += arms_.col(c).cross(at);
@@ -180,10 +180,10 @@ double RigidMotions::add(const VecX& r, VecX& z) {
     moments_.segment<6>(6 * a) << force, rotations_[a].transpose() * moment;
   }, 8);
   const VecX motions = factor_.solve(moments_);
-  for_each(pieces_.count(), [&](int a) {
+  for_each(aggregates_.count(), [&](int a) {
     const Vec3 shift = motions.segment<3>(6 * a), turn = rotations_[a] * motions.segment<3>(6 * a + 3);
-    for (int i = pieces_.start[a]; i < pieces_.start[a + 1]; ++i) {
-      const int c = pieces_.column[i];
+    for (int i = aggregates_.start[a]; i < aggregates_.start[a + 1]; ++i) {
+      const int c = aggregates_.column[i];
       z.segment<3>(3 * c) += shift + turn.cross(Vec3(arms_.col(c)));
     }
   }, 8);

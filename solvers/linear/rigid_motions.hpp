@@ -28,10 +28,10 @@ class RigidMotions {
   using Sparse = Eigen::SparseMatrix<double>;
   void index(const BlockMatrix& matrix);
   void find_frames(const BlockMatrix& matrix);
-  void sum_columns(const BlockMatrix& matrix, int piece);
+  void sum_columns(const BlockMatrix& matrix, int aggregate);
   bool factorize();
 
-  Aggregates pieces_;
+  Aggregates aggregates_;
   std::vector<int> component_;         // BlockMatrix::component when the aggregates were built
   std::uint64_t version_ = 0;
   // Per aggregate: columns are axes, scaled so that a vertex moves by 1 as by a translation; or

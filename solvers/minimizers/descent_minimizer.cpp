@@ -87,8 +87,8 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     if (!last) {
       stagnation_.begin();
     } else if (moved == MinimizerStatus::converged && !balance_given()) {  // what a scene states is met
-      const double way = problem.stopping_norm(q - before, objective.gradient());
-      if (stagnation_.stagnates(way, problem.force_residual(objective.gradient()))) return end(MinimizerStatus::converged);
+      const double step_norm = problem.stopping_norm(q - before, objective.gradient());
+      if (stagnation_.stagnates(step_norm, problem.force_residual(objective.gradient()))) return end(MinimizerStatus::converged);
     }
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;
     if (moved != MinimizerStatus::converged) return end(moved);
@@ -154,20 +154,20 @@ bool DescentMinimizer::advance_with_retraction(const MinimizerProblem& problem, 
   int evaluations = 0;
   double feasible = 1;
   for (double t = 1; t > shortest_bent && -t * slope > 2 * noise;) {
-    VecX way = t * p;
-    if (!problem.retract(q, way, t == 1 ? -tolerated_loss * slope : 0)) break;
-    if (const double part = problem.feasible_step(q, way); part < 1) {
-      t *= feasible < 1 ? shorter * part : part;
+    VecX step = t * p;
+    if (!problem.retract(q, step, t == 1 ? -tolerated_loss * slope : 0)) break;
+    if (const double allowed = problem.feasible_step(q, step); allowed < 1) {
+      t *= feasible < 1 ? shorter * allowed : allowed;
       feasible = t;
       continue;
     }
     const PhaseScope scope(problem.clock, Phase::line_search);
-    objective.move_to(q + way);
+    objective.move_to(q + step);
     const double value = objective.value();
     ++evaluations;
     ++result.line_search_evaluations;
     if (descends(before, value, std::max(noise, objective.value_noise()), t, slope, sufficient)) {
-      q += way;
+      q += step;
       stepped(problem, {p, t, feasible, evaluations, slope, before - value});
       return true;
     }
@@ -184,14 +184,14 @@ bool DescentMinimizer::advance_with_retraction(const MinimizerProblem& problem, 
 void DescentMinimizer::extend(const MinimizerProblem& problem, const VecX& p, double first_slope, double before,
                               VecX& q, MinimizerResult& result) {
   Objective& objective = problem.objective;
-  double value = objective.value(), slope = first_slope, length = 1, way = 1;
+  double value = objective.value(), slope = first_slope, length = 1, travelled = 1;
   for (int i = 0; i < most_further; ++i) {
     const double change = value - before, next = 2 * change / length - slope;  // of a quadratic
     if (!(next < steep * first_slope) || !(-change > 2 * objective.value_noise())) return;
     const double bend = (next - slope) / length;
-    length = bend > 0 ? std::min(-next / bend, longest * way) : longest * way;
-    if (feasible_length_ - way < least_further) return;
-    length = std::min(length, feasible_length_ - way);
+    length = bend > 0 ? std::min(-next / bend, longest * travelled) : longest * travelled;
+    if (feasible_length_ - travelled < least_further) return;
+    length = std::min(length, feasible_length_ - travelled);
     const VecX step = length * p;
     if (problem.feasible_step(q, step) < 1) return;
     objective.move_to(q + step);
@@ -202,7 +202,7 @@ void DescentMinimizer::extend(const MinimizerProblem& problem, const VecX& p, do
       return;
     }
     q += step;
-    way += length;
+    travelled += length;
     slope = next;
     before = std::exchange(value, further);
   }

@@ -90,9 +90,9 @@ GuardedProblem::Trial GuardedProblem::evaluate(const double* z, double& f, doubl
   tried_ += moved;
   VecX p = trial_ - q_;
   const double largest = p.lpNorm<Eigen::Infinity>();
-  const double part = largest > longest_ ? longest_ / largest : 1;
-  p *= part;
-  feasible_fraction_ = moved ? part * problem_.feasible_step(q_, p) : 1;
+  const double fraction = largest > longest_ ? longest_ / largest : 1;
+  p *= fraction;
+  feasible_fraction_ = moved ? fraction * problem_.feasible_step(q_, p) : 1;
   if (feasible_fraction_ < 1) {
     ++blocked_;
     ++idle_;
@@ -112,8 +112,8 @@ GuardedProblem::Trial GuardedProblem::evaluate(const double* z, double& f, doubl
 }
 
 void GuardedProblem::evaluate_penalty(const double* z, double& f, double* gradient) {
-  const VecX way = (Eigen::Map<const VecX>(z, q_.size()) - (q_ - centre_).cwiseQuotient(scale_)).eval();
-  const double length_squared = way.squaredNorm();
+  const VecX offset = (Eigen::Map<const VecX>(z, q_.size()) - (q_ - centre_).cwiseQuotient(scale_)).eval();
+  const double length_squared = offset.squaredNorm();
   if (!std::isfinite(length_squared)) {
     f = 1e10;
     if (gradient) Eigen::Map<VecX>(gradient, q_.size()).setZero();
@@ -122,10 +122,10 @@ void GuardedProblem::evaluate_penalty(const double* z, double& f, double* gradie
   // The tangent at the last accepted point plus a parabola whose minimum is half way to the blocked
   // position, so that interpolating methods try there next.
   const VecX tangent = scale_.cwiseProduct(accepted_gradient_) / rho_squared_;
-  const double pull = std::max(0.0, -tangent.dot(way));
+  const double pull = std::max(0.0, -tangent.dot(offset));
   const double steepness = 1 + pull / std::clamp(feasible_fraction_, 1e-6, 0.5) / std::max(length_squared, 1e-300);
-  f = accepted_f_ + tangent.dot(way) + steepness * length_squared;
-  if (gradient) Eigen::Map<VecX>(gradient, q_.size()) = tangent + 2 * steepness * way;
+  f = accepted_f_ + tangent.dot(offset) + steepness * length_squared;
+  if (gradient) Eigen::Map<VecX>(gradient, q_.size()) = tangent + 2 * steepness * offset;
 }
 
 bool GuardedProblem::accept(const double* z) {

@@ -14,12 +14,12 @@ std::unique_ptr<BondLaw> rcc(const std::string& more = "", const std::string& ty
   return bond_law("{type: " + type + ", normal_stiffness: 1e8, work_of_adhesion: 1" + more + "}");
 }
 
-struct Pulled {
+struct PullResult {
   double peak, work;  // over sqrt(W C_N) and W; work: force at the end of each step times its displacement
 };
 
 // Pulls at 1 mm/s to ten times the onset.
-Pulled pulled(const std::string& type, double viscosity, double h) {
+PullResult pulled(const std::string& type, double viscosity, double h) {
   const auto law = rcc(", viscosity: " + std::to_string(viscosity), type);
   PulledBond bond(*law);
   bond.pull(1e-3, 0, static_cast<int>(std::lround(1 / h)), h);
@@ -73,11 +73,11 @@ TEST_CASE("rcc: at a fixed opening the intensity decays exponentially", "[bonds]
 
 TEST_CASE("rcc: peak and work do not depend on large steps, unlike those of explicit integration", "[bonds]") {
   for (const double viscosity : {1e-3, 1e-2}) {
-    const Pulled exact = pulled("rcc", viscosity, 1e-5), condensed = pulled("rcc", viscosity, 1e-2);
+    const PullResult exact = pulled("rcc", viscosity, 1e-5), condensed = pulled("rcc", viscosity, 1e-2);
     CHECK(condensed.peak == Approx(exact.peak).epsilon(0.05));
     CHECK(condensed.work == Approx(exact.work).epsilon(0.05));
   }
-  const Pulled fine = pulled("rcc_explicit", 1e-3, 1e-4), coarse = pulled("rcc_explicit", 1e-3, 1e-2), coarser = pulled("rcc_explicit", 1e-3, 0.1);
+  const PullResult fine = pulled("rcc_explicit", 1e-3, 1e-4), coarse = pulled("rcc_explicit", 1e-3, 1e-2), coarser = pulled("rcc_explicit", 1e-3, 0.1);
   CHECK(fine.peak == Approx(1.0018).epsilon(1e-3));
   CHECK(fine.work == Approx(1.003).epsilon(1e-3));
   CHECK(coarse.peak == Approx(1.10).epsilon(0.01));

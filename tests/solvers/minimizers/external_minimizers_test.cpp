@@ -11,10 +11,10 @@ using namespace tack;
 
 namespace {
 
-// Three unknowns; value and gradient as told.
-class Told : public Objective {
+// Three unknowns; value and gradient as given.
+class TestObjective : public Objective {
  public:
-  Told(std::function<double(const Vec3&)> value, std::function<Vec3(const Vec3&)> gradient)
+  TestObjective(std::function<double(const Vec3&)> value, std::function<Vec3(const Vec3&)> gradient)
       : value_(std::move(value)), gradient_at_(std::move(gradient)) {
     matrix_.column_start = {0, 1};
     matrix_.row = {0};
@@ -37,7 +37,7 @@ class Told : public Objective {
   int count_ = 0;
 };
 
-MinimizerResult minimize(const std::string& yaml, Told& objective, VecX& q, double feasible = 1) {
+MinimizerResult minimize(const std::string& yaml, TestObjective& objective, VecX& q, double feasible = 1) {
   PhaseClock clock;
   const auto minimizer = component<Minimizer>(yaml);
   return minimizer->minimize({objective, [=](const VecX&, const VecX&) { return feasible; },
@@ -68,9 +68,9 @@ void for_each_method(const Check& check) {
 
 TEST_CASE("external minimizers: a bowl", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
-    Told told(bowl, bowl_slope);
+    TestObjective objective(bowl, bowl_slope);
     VecX q = start;
-    const MinimizerResult result = minimize(yaml, told, q);
+    const MinimizerResult result = minimize(yaml, objective, q);
     CHECK(result.status == MinimizerStatus::converged);
     CHECK(q.norm() < 1e-6);
   });
@@ -78,19 +78,19 @@ TEST_CASE("external minimizers: a bowl", "[minimizer]") {
 
 TEST_CASE("external minimizers: no feasible direction", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
-    Told told(bowl, bowl_slope);
+    TestObjective objective(bowl, bowl_slope);
     VecX q = start;
-    CHECK(minimize(yaml, told, q, 0).status == MinimizerStatus::blocked);
+    CHECK(minimize(yaml, objective, q, 0).status == MinimizerStatus::blocked);
     CHECK(q == start);
-    CHECK(told.value_count() < 1000);
+    CHECK(objective.value_count() < 1000);
   });
 }
 
 TEST_CASE("external minimizers: a gradient that lies", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
-    Told told(bowl, [](const Vec3& q) { return Vec3(-bowl_slope(q)); });
+    TestObjective objective(bowl, [](const Vec3& q) { return Vec3(-bowl_slope(q)); });
     VecX q = start;
-    const MinimizerResult result = minimize(yaml, told, q);
+    const MinimizerResult result = minimize(yaml, objective, q);
     // A method may accept a lower value; no method claims convergence elsewhere.
     CHECK((result.status == MinimizerStatus::line_search_failed || result.status == MinimizerStatus::iteration_limit ||
            q.norm() < 1e-6));
@@ -102,13 +102,13 @@ TEST_CASE("external minimizers: values that are not numbers", "[minimizer]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for_each_method([=](const std::string& yaml) {
     VecX q = start;
-    Told never([=](const Vec3&) { return nan; }, bowl_slope);
+    TestObjective never([=](const Vec3&) { return nan; }, bowl_slope);
     CHECK(minimize(yaml, never, q).status == MinimizerStatus::not_finite);
-    Told slopeless(bowl, [=](const Vec3&) { return Vec3(nan, 0, 0); });
+    TestObjective slopeless(bowl, [=](const Vec3&) { return Vec3(nan, 0, 0); });
     CHECK(minimize(yaml, slopeless, q).status == MinimizerStatus::not_finite);
     CHECK(q == start);
     // Only on the other side of a wall: it can be gone round.
-    Told half([=](const Vec3& at) { return at(1) > 0.1 ? nan : bowl(at); }, bowl_slope);
+    TestObjective half([=](const Vec3& at) { return at(1) > 0.1 ? nan : bowl(at); }, bowl_slope);
     CHECK(minimize(yaml, half, q).status == MinimizerStatus::converged);
     CHECK(q.norm() < 1e-6);
   });
@@ -117,8 +117,8 @@ TEST_CASE("external minimizers: values that are not numbers", "[minimizer]") {
 TEST_CASE("external minimizers: exceptions of the objective are rethrown", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
     int calls = 0;
-    Told told([&](const Vec3& q) { return ++calls > 3 ? throw std::runtime_error("broken") : bowl(q); }, bowl_slope);
+    TestObjective objective([&](const Vec3& q) { return ++calls > 3 ? throw std::runtime_error("broken") : bowl(q); }, bowl_slope);
     VecX q = start;
-    CHECK_THROWS_WITH(minimize(yaml, told, q), "broken");
+    CHECK_THROWS_WITH(minimize(yaml, objective, q), "broken");
   });
 }
