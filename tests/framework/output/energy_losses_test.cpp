@@ -45,7 +45,7 @@ TEST_CASE("losses: warnings have cause, amount and time, the largest first", "[l
   REQUIRE(reported.size() == 2);
   CHECK(reported[0].kind == WarningKind::energy_integration);
   CHECK(contains(first_text(reported, WarningKind::energy_integration), "time integration lost 0.203 J, 10% of the reference energy (2 J), mainly from t = 0.3 to 0.39 s: what turns"));
-  CHECK(contains(first_text(reported, WarningKind::energy_areas), "areas of contact gained 0.1 J, 5% of the reference energy (2 J), mainly from t = 0.06 to 0.07 s: covered areas"));
+  CHECK(contains(first_text(reported, WarningKind::energy_areas), "areas of contact gained 0.1 J, 5% of the reference energy (2 J), mainly from t = 0.06 to 0.07 s: overlap areas"));
   CHECK(losses.areas.sum == Approx(-0.1));
 }
 
