@@ -20,7 +20,7 @@ class PlasticHistory {
     return Eigen::Map<const Mat3>(&inverse_[9 * static_cast<size_t>(i)]);
   }                                                              // Fp^-1
   const std::vector<double>& strain() const { return strain_; }  // accumulated plastic strains
-  std::string strain_name() const { return name_ + strain_name; }
+  std::string strain_array() const { return name_ + strain_name; }
 
   // Applies the return mapping. deformation(i): F Fp^-1 of sample i at the end of the step.
   template <class Deformation>

@@ -82,7 +82,7 @@ class VonMisesTerm : public Base {
             volumes,
             elastic,
             [this] { return history_.strain(); },
-            history_.strain_name()};
+            history_.strain_array()};
   }
 
   std::string body_;  // body whose tets may be exchanged; "": none

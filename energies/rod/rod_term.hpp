@@ -11,7 +11,7 @@
 // bending of a corner costs as much as of a straight rod.
 #pragma once
 
-#include <history_name>
+#include <memory>
 
 #include "energies/rod/bend_twist.hpp"
 #include "energies/rod/edge_stretching.hpp"
