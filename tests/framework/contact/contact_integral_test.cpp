@@ -231,7 +231,7 @@ TEST_CASE("contact integral: a body that slides without friction has no lateral 
         const int n = static_cast<int>(std::round(0.04 / cell));
         const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005 + path * cell, height, -0.005 + 0.3 * path * cell}};
         const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n}, {-0.02, -0.01, -0.02}};
-        INFO("gap " << height << ", ground cells " << cell << ", way " << path);
+        INFO("gap " << height << ", ground cells " << cell << ", path " << path);
         const Vec3 f = force_between(cube, ground, "");
         CHECK(f.y() < 0.0);
         CHECK(std::hypot(f.x(), f.z()) < 0.02 * std::abs(f.y()));

@@ -113,12 +113,12 @@ TEST_CASE("overlap boundary: areas change by no more than the swept area", "[con
 }
 
 TEST_CASE("overlap boundary: a closed path does no work", "[contact][overlap_boundary]") {
-  const auto way = [](const char* frames) {
+  const auto path = [](const char* frames) {
     return std::string(", motion: [{type: keyframes, select: {type: face, direction: [0, 1, 0]}, frames: [") + frames + "]}]";
   };
-  const std::string slid = way("{time: 0, translation: [0, 0, 0]}, {time: 0.2, translation: [0, -2.5e-3, 0]}, "
+  const std::string slid = path("{time: 0, translation: [0, 0, 0]}, {time: 0.2, translation: [0, -2.5e-3, 0]}, "
                                "{time: 0.5, translation: [0.01, -2.5e-3, 0]}, {time: 0.7, translation: [0.01, 0, 0]}");
-  const std::string back = way("{time: 0, translation: [0, 0, 0]}, {time: 0.1, translation: [0.01, 0, 0]}, {time: 0.3, translation: "
+  const std::string back = path("{time: 0, translation: [0, 0, 0]}, {time: 0.1, translation: [0.01, 0, 0]}, {time: 0.3, translation: "
                                "[0.01, -2.5e-3, 0]}, {time: 0.5, translation: [0, -2.5e-3, 0]}, {time: 0.7, translation: [0, 0, 0]}");
   for (const std::string& script : {slid, back}) {
     std::string scene = plates(0.00021, 0, {6, 5}, 2.5e-3, script);
@@ -132,14 +132,14 @@ TEST_CASE("overlap boundary: a closed path does no work", "[contact][overlap_bou
       sum += flows;
       if (i >= 40 && i < 100) pulled += flows.of("work_rim");
     }
-    const double whole = side * side;  // of a work of adhesion of 1 J/m^2
+    const double work_of_full_overlap = side * side;  // of a work of adhesion of 1 J/m^2
     if (script == slid) {
       const auto& laws = run.world->contact_term->laws(LawTerm::all);
       const double depth = -laws[run.world->contact->pairs().point(0, 1).law].at(gap).value;
       CHECK(pulled == Approx(-depth * 0.01 * (side - 0.00013)).epsilon(0.03));
     }
     INFO(script);
-    CHECK(std::abs(sum.prescribed_motion) < 0.02 * whole);
-    CHECK(std::abs(sum.areas) < 0.01 * whole);
+    CHECK(std::abs(sum.prescribed_motion) < 0.02 * work_of_full_overlap);
+    CHECK(std::abs(sum.areas) < 0.01 * work_of_full_overlap);
   }
 }

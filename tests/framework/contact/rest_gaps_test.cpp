@@ -142,18 +142,18 @@ TEST_CASE("forces of a body that is close to itself at rest are the derivatives 
         Close close(shape, offset * shape.gap, 0.7 * shape.gap);
         World& world = close.world;
         const VecX pressed = shape.at(world.rest, 0.93 * room(shape, offset * shape.gap));
-        VecX way = VecX::Zero(pressed.size());
-        for (int v = 0; v < way.size() / 3; ++v) vertex(way, v) = shape.slid(vertex(world.rest, v));
+        VecX direction = VecX::Zero(pressed.size());
+        for (int v = 0; v < direction.size() / 3; ++v) vertex(direction, v) = shape.slid(vertex(world.rest, v));
         // Over several elements.
         constexpr double step = 1e-9;
         for (double s = 0; s < 1e-3; s += 3.7e-5) {
           CAPTURE(shape.name, offset, s);
-          const double before = close.energy(pressed + (s - step) * way), after = close.energy(pressed + (s + step) * way);
-          close.energy(pressed + s * way);
-          const double force = world.contact_term->forces(pressed + s * way, LawTerm::all).dot(way);
-          const double size = world.contact_term->forces(pressed + s * way, LawTerm::all).norm();
+          const double before = close.energy(pressed + (s - step) * direction), after = close.energy(pressed + (s + step) * direction);
+          close.energy(pressed + s * direction);
+          const double force = world.contact_term->forces(pressed + s * direction, LawTerm::all).dot(direction);
+          const double size = world.contact_term->forces(pressed + s * direction, LawTerm::all).norm();
           REQUIRE(size > 0);
-          CHECK(std::abs((before - after) / (2 * step) - force) < 1e-5 * size * std::sqrt(way.size()));
+          CHECK(std::abs((before - after) / (2 * step) - force) < 1e-5 * size * std::sqrt(direction.size()));
         }
       }
 }
