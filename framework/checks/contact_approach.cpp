@@ -139,7 +139,7 @@ std::map<ContactApproach::Objects, std::vector<PressedPoint>> ContactApproach::z
     if (!(c.normal_force > 0) || !is_examined(objects)) return;
     PressedPoint p{{Vec3::Zero(), Vec3::Zero()}, {Vec3::Zero(), Vec3::Zero()}, c.normal_force};
     for (int i = 0; i < static_cast<int>(c.vertices.size()); ++i) {
-      const bool own = i < c.own;
+      const bool own = i < c.own_vertex_count;
       const int side = own == (c.object == objects.first) ? 0 : 1;
       const double weight = own ? c.coefficients[i] : -c.coefficients[i];
       p.rest[side] += weight * vertex(rest, c.vertices[i]);

@@ -44,7 +44,7 @@ struct ContactPoint {
   double area;          // m^2
   double normal_force;  // N
   // Number of vertices of the point: 1 of a vertex, 3 of an interior point, 2 of an edge.
-  int own;
+  int own_vertex_count;
   // The vertex, or the index of the interior point in this step; -1 of a pair of edges.
   int point;
   int object;    // of the point
@@ -52,7 +52,9 @@ struct ContactPoint {
   int law;       // of the pair table
 
   PointKind kind() const {
-    return own == 1 ? PointKind::vertex : own == 3 ? PointKind::interior : PointKind::edges;
+    return own_vertex_count == 1   ? PointKind::vertex
+           : own_vertex_count == 3 ? PointKind::interior
+                                   : PointKind::edges;
   }
   std::array<int, 2> objects() const {
     return {std::min(object, opposite), std::max(object, opposite)};

@@ -12,7 +12,7 @@ namespace {
 // Feature of a point.
 struct Feature {
   int point, object, law;              // vertex or interior point; object of the feature
-  int own;                             // number of vertices of the point: 1, or 3 of an interior point
+  int own_vertex_count;                // of the point: 1, or 3 of an interior point
   std::array<int, 3> own_vertices;
   Vec3 own_coefficients;
   std::array<int, 3> vertices;         // of the feature; the rest is -1
@@ -21,9 +21,9 @@ struct Feature {
   double gap, weight;                  // m, m^2
   double force;                        // along the normal [N]; negative for negative weights
 
-  int arity() const { return own + 1 + (vertices[1] >= 0) + (vertices[2] >= 0); }
+  int arity() const { return own_vertex_count + 1 + (vertices[1] >= 0) + (vertices[2] >= 0); }
 };
-// Sort key of features: (own, point, object, law), then the index of the feature. Vertices come
+// Sort key of features: (own_vertex_count, point, object, law), then the index of the feature. Vertices come
 // before interior points.
 using FeatureKey = std::array<int, 5>;
 
@@ -59,7 +59,7 @@ class FeatureMerging {
     });
     std::vector<FeatureKey> keys;
     keys.reserve(features_.size());
-    for (const Feature& f : features_) keys.push_back({f.own, f.point, f.object, f.law, static_cast<int>(keys.size())});
+    for (const Feature& f : features_) keys.push_back({f.own_vertex_count, f.point, f.object, f.law, static_cast<int>(keys.size())});
     std::sort(keys.begin(), keys.end());
     std::vector<const Feature*> group;
     for (size_t i = 0; i < keys.size(); ++i) {
@@ -84,21 +84,21 @@ class FeatureMerging {
       take_point(s, f);
       f.law = s.law;
       f.weight = s.weight;
-      f.object = object_[s.vertices[f.own]];
+      f.object = object_[s.vertices[f.own_vertex_count]];
       fill_feature(corners(request_.x, s), s.vertices, request_.pressure_laws[s.law], f);
     });
   }
   template <int K>
   static void take_point(const ContactStencil<K>& s, Feature& f) {
     f.point = s.vertices[0];
-    f.own = 1;
+    f.own_vertex_count = 1;
     f.own_vertices = {s.vertices[0], -1, -1};
     f.own_coefficients = Vec3::UnitX();
   }
   template <int K>
   static void take_point(const InteriorStencil<K>& s, Feature& f) {
     f.point = s.point;
-    f.own = 3;
+    f.own_vertex_count = 3;
     f.own_vertices = {s.vertices[0], s.vertices[1], s.vertices[2]};
     f.own_coefficients = s.inside;
   }
@@ -130,7 +130,7 @@ class FeatureMerging {
   void add(const Feature& f, double force, double area) {
     ContactPoint<K>& c = out_.of<K>().emplace_back();
     for (int i = 0; i < K; ++i) {
-      const int j = i - f.own;
+      const int j = i - f.own_vertex_count;
       c.vertices[i] = j < 0 ? f.own_vertices[i] : f.vertices[j];
       c.coefficients[i] = j < 0 ? f.own_coefficients[i] : -f.coefficients[j];
     }
@@ -139,7 +139,7 @@ class FeatureMerging {
     c.gap = f.gap;
     c.area = area;
     c.normal_force = force;
-    c.own = f.own;
+    c.own_vertex_count = f.own_vertex_count;
     c.point = f.point;
     c.object = object_[f.own_vertices[0]];
     c.opposite = f.object;

@@ -55,8 +55,8 @@ FrictionPoints split_by_spin(const ContactPoints& points, const ContactSpins& sp
   std::map<std::pair<int, int>, std::vector<RollingPoint>> groups;
   for_each_record(points, [&]<int K>(const ContactPoint<K>& c) {
     ContactSpins::Columns columns;
-    spins.append({c.vertices.data(), static_cast<size_t>(c.own)}, c.normal, x, columns);
-    spins.append({c.vertices.data() + c.own, static_cast<size_t>(K - c.own)}, c.normal, x, columns);
+    spins.append({c.vertices.data(), static_cast<size_t>(c.own_vertex_count)}, c.normal, x, columns);
+    spins.append({c.vertices.data() + c.own_vertex_count, static_cast<size_t>(K - c.own_vertex_count)}, c.normal, x, columns);
     if (columns.count == 0) split.sliding.of<K>().push_back(c);
     else groups[{K, columns.count}].push_back(rolling_point(c, columns));
   });

@@ -47,7 +47,7 @@ void count_stencils(const ContactSystem& contact, Counter& counter) {
     for (const auto& s : stencils) {
       const int v = s.vertices[0], w = s.vertices[Kind::first_vertices];
       PairCount& count = counter.of(v, w);
-      if constexpr (is_sample<Kind>) ++count.interior_points;
+      if constexpr (is_interior<Kind>) ++count.interior_points;
       else if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) ++count.edges;
       else ++(is_safety_barrier(contact.pairs(), object[v], object[w], s.law) ? count.safety_barriers : count.points);
     }

@@ -65,17 +65,17 @@ void check_points(const ContactPoints& points, const World& world, const VecX& x
     CHECK((frame.transpose() * frame - Mat3::Identity()).norm() <= 1e-12);
     double own = 0, all = 0;
     for (int i = 0; i < K; ++i) {
-      CHECK(object[c.vertices[i]] == (i < c.own ? c.object : c.opposite));
+      CHECK(object[c.vertices[i]] == (i < c.own_vertex_count ? c.object : c.opposite));
       all += c.coefficients[i];
-      if (i < c.own) own += c.coefficients[i];
+      if (i < c.own_vertex_count) own += c.coefficients[i];
     }
     CHECK(own == Approx(1).epsilon(1e-12));
     CHECK(std::abs(all) <= 1e-12);
     CHECK(c.area >= 0);
     switch (c.kind()) {
-      case PointKind::vertex: CHECK((c.own == 1 && c.point == c.vertices[0])); break;
-      case PointKind::interior: CHECK((c.own == 3 && c.point >= 0)); break;
-      case PointKind::edges: CHECK((c.own == 2 && c.point == -1)); break;
+      case PointKind::vertex: CHECK((c.own_vertex_count == 1 && c.point == c.vertices[0])); break;
+      case PointKind::interior: CHECK((c.own_vertex_count == 3 && c.point >= 0)); break;
+      case PointKind::edges: CHECK((c.own_vertex_count == 2 && c.point == -1)); break;
     }
   });
 }
