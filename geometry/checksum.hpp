@@ -1,4 +1,4 @@
-// CRC-32 (zlib's), to notice damage and difference; no protection against intent.
+// CRC-32 (zlib), which detects damage and differences, but not tampering.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace tack {
 
-// Returns the checksum of `size` bytes that follow those with the checksum `before`.
+// Returns the checksum of `size` bytes appended to bytes with the checksum `before`.
 std::uint32_t crc32_of(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
 }  // namespace tack

@@ -1,6 +1,5 @@
-// Ctrl-C: the signal handler sets a flag, minimisers and the time loop look at it, so that a run
-// ends between iterations with everything written. Mesh generation, which may take long before the
-// run, throws Interrupted.
+// Ctrl-C: the signal handler sets a flag. Minimisers and the time loop read it, so that a run ends
+// between iterations with all results written. Mesh generation throws Interrupted.
 #pragma once
 
 #include <atomic>
@@ -9,7 +8,7 @@ namespace tack {
 
 extern std::atomic<bool> interrupt_requested;
 
-// No std::exception, so that nobody takes it for an error.
+// Not a std::exception, so that it is not handled as an error.
 struct Interrupted {};
 
 }  // namespace tack

@@ -32,10 +32,9 @@ constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
-constexpr int patience = sanitized ? 20 : 1;
+constexpr int time_factor = sanitized ? 20 : 1;
 
-// The first byte of what the child sends tells how its work ended; the last is the same again, as a sign that it came
-// to its end.
+// Returns the byte that encodes how the work ended. The child sends it first and last; the last one shows that the message is complete.
 char letter(End end) { return static_cast<char>('A' + static_cast<int>(end)); }
 
 void limit(int resource, rlim_t most) {
@@ -49,12 +48,12 @@ void set_limits(const ProcessLimits& limits) {
   ::signal(SIGTERM, SIG_DFL);
   if (::signal(SIGHUP, SIG_DFL) == SIG_IGN) ::signal(SIGHUP, SIG_IGN);  // nohup
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.processor_time * patience)));
+  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.processor_time * time_factor)));
   if (sanitized) return;
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   limit(RLIMIT_AS, pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) + limits.memory);
-  const int nowhere = ::open("/dev/null", O_WRONLY);  // a crashing library's last words
+  const int nowhere = ::open("/dev/null", O_WRONLY);  // output of a crashing library
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);
 }
@@ -71,7 +70,7 @@ ProcessResult outcome(const std::function<std::string()>& work) {
   }
 }
 
-[[noreturn]] void be_child(const ProcessLimits& limits, const std::function<std::string()>& work, int pipe) {
+[[noreturn]] void run_child(const ProcessLimits& limits, const std::function<std::string()>& work, int pipe) {
   set_limits(limits);
   const ProcessResult result = outcome(work);
   const std::string text = letter(result.end) + result.text + letter(result.end);
@@ -83,19 +82,19 @@ ProcessResult outcome(const std::function<std::string()>& work) {
   ::_exit(0);
 }
 
-// What the child sends until it ends, or until it is killed: when time is out, or the program is interrupted, which any of its threads
-// may be told. A child that waits for ever uses no processor time: hence a limit in wall time.
+// Returns all that the child sends until it ends. Kills it at the time limit or if the program is interrupted (the signal may arrive in
+// any thread). The limit is in wall time, because a child that waits forever uses no processor time.
 std::string receive(int pipe, pid_t child, double seconds) {
   using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds * patience);
+  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds * time_factor);
   std::string text;
   std::array<char, 1 << 16> buffer;
   for (;;) {
-    const double left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
+    const double milliseconds_left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
     pollfd ready = {pipe, POLLIN, 0};
-    const int some = ::poll(&ready, 1, static_cast<int>(std::clamp(std::ceil(left), 0.0, 100.0)));
-    if (interrupt_requested || left <= 0) ::kill(child, SIGKILL);
-    else if (some <= 0) continue;
+    const int event_count = ::poll(&ready, 1, static_cast<int>(std::clamp(std::ceil(milliseconds_left), 0.0, 100.0)));
+    if (interrupt_requested || milliseconds_left <= 0) ::kill(child, SIGKILL);
+    else if (event_count <= 0) continue;
     const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return text;
@@ -116,12 +115,12 @@ ProcessResult end_of(pid_t child) {
 }  // namespace
 
 ProcessResult run_isolated(const ProcessLimits& limits, const std::function<std::string()>& work) {
-  static std::mutex one_at_a_time;  // or children would hold each other's pipes open
+  static std::mutex one_at_a_time;  // otherwise children would keep each other's pipes open
   const std::scoped_lock lock(one_at_a_time);
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(fmt::format("no pipe ({})", std::strerror(errno)));
   const pid_t child = ::fork();
-  if (child == 0) be_child(limits, work, ends[1]);
+  if (child == 0) run_child(limits, work, ends[1]);
   ::close(ends[1]);
   if (child < 0) {
     ::close(ends[0]);

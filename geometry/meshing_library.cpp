@@ -70,7 +70,7 @@ Mesh simplify(const Mesh& mesh, int triangles, const std::string& name, Notes& n
 Mesh subdivide(const Mesh& mesh, SubdivisionRule rule, int times, const std::string& name, Notes& notes) {
   return library().subdivide(mesh, rule, times, name, notes);
 }
-SurfaceDistance distance_from_to(const Mesh& from, const Mesh& to, double spacing) { return library().distance_from_to(from, to, spacing); }
+SurfaceDeviation surface_deviation(const Mesh& from, const Mesh& to, double spacing) { return library().surface_deviation(from, to, spacing); }
 Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& options, const std::string& name, Notes& notes) {
   return library().tetrahedralize(mesh, options, name, notes);
 }

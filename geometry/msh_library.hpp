@@ -1,5 +1,4 @@
-// The shared library of msh/functions.hpp, which is opened when the first .msh file is read or
-// written.
+// Shared library of msh/functions.hpp. Reading or writing the first .msh file opens it.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +7,8 @@
 
 namespace tack {
 
-// Opens it now: before a process is forked, which would have to load it for itself. Throws
-// InputError if it is not there or of another build.
+// Opens the library now. Call it before a fork, so that the child need not load it. Throws
+// InputError if it is missing or of another build.
 void open_msh_library();
 
 void write_msh(const std::filesystem::path& path, const Mesh& mesh);

@@ -11,7 +11,7 @@ namespace tack {
 
 namespace fs = std::filesystem;
 
-// Of what the dynamic loader has opened, the loader knows it; of the program, only what it was called by.
+// The dynamic loader knows the path of a library; for the program it only knows the name of the call.
 fs::path own_file() {
   std::error_code none;
   Dl_info info{};
@@ -27,7 +27,7 @@ fs::path shared_file(const std::string& name) {
   return fs::exists(installed, none) ? installed : share / name;
 }
 
-// Tests are in a folder beside that of the program.
+// Tests are in a folder beside bin/, and use the libraries there.
 fs::path own_library_path(const std::string& name) {
   std::error_code none;
   const fs::path root = own_root();

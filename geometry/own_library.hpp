@@ -1,5 +1,5 @@
-// Shared libraries of tack's own that the program opens when it needs them: beside it in bin/, or
-// in lib/tack where tack is installed.
+// Shared libraries of tack that the program opens on demand: beside it in bin/, or in lib/tack of
+// an installation.
 #pragma once
 
 #include <filesystem>
@@ -7,26 +7,26 @@
 
 namespace tack {
 
-// The file that this code is in: a program, or libtack.so in one of others.
+// Returns the file that contains this code: the program, or libtack.so in another program.
 std::filesystem::path own_file();
 // Returns the parent of the folder that holds the program (bin/) or library (lib/), beside share/.
 std::filesystem::path own_root();
 
-// Returns the path of that name there, or in share/tack/ where tack is installed.
+// Returns the path of a file in share/, or in share/tack/ of an installation.
 std::filesystem::path shared_file(const std::string& name);
 
 std::filesystem::path own_library_path(const std::string& name);
 
 struct OwnLibrary {
   const char* file;       // "libtack_msh.so"
-  const char* table;      // of its functions; it begins with a text that has to be `interface`
+  const char* table;      // symbol of its function table, which begins with the text `interface`
   const char* interface;
-  const char* target;     // that builds it
-  const char* without;    // what cannot be done without it: ".msh files cannot be read or written"
+  const char* target;     // CMake target that builds it
+  const char* without;    // consequence of its absence: ".msh files cannot be read or written"
 };
 
-// Opens it, for good, and returns its table of functions. Throws InputError, with the remedy: not
-// built, broken, or of another build.
+// Opens the library for the rest of the process and returns its function table. Throws InputError,
+// with the remedy, if it is not built, broken, or of another build.
 const void* open_library(const OwnLibrary& library);
 
 }  // namespace tack

@@ -1,7 +1,7 @@
-// Pack of numbers of several elements, one per lane: code written once for numbers computes
-// all of them at a time, by the compiler's own vectors, so that no instruction set is assumed.
-// Lanes do not mix and never branch: differences between them are selected. A scalar of Eigen's
-// fixed-size matrices.
+// Pack of the numbers of several elements, one per lane, as a scalar type of Eigen's fixed-size
+// matrices. Code written for numbers then computes several elements at a time, by the compiler's
+// vector types, without assuming an instruction set. Lanes do not mix and never branch: `select`
+// chooses between results.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace tack {
 
-// Part of the types' names, so that what was compiled for another width is not taken for the same.
+// Namespace by width, so that types of different widths are different types.
 #if defined(__AVX512F__)
 inline namespace packs_of_8 {
 inline constexpr int pack_width = 8;
@@ -25,7 +25,7 @@ inline namespace packs_of_2 {
 inline constexpr int pack_width = 2;
 #endif
 
-// Per lane all bits or none.
+// Mask: all bits or none per lane.
 using PackMask = long long __attribute__((vector_size(8 * pack_width)));
 
 inline bool any(const PackMask& mask) {
@@ -66,9 +66,9 @@ class Pack {
   friend Pack abs(const Pack& a) { return select(a < 0, -a, a); }
   friend Pack sqrt(const Pack& a) { return each_lane(a, [](double x) { return std::sqrt(x); }); }
   friend Pack log(const Pack& a) { return each_lane(a, [](double x) { return std::log(x); }); }
-  // Returns the angle of finite numbers, to four roundings; a zero of either sign counts as +0. By
-  // arcs of at most pi/8 and a polynomial for atan(t) / t in t^2 that is exact at Chebyshev's
-  // points.
+  // Returns the angle of finite numbers, with an error of at most four roundings; zeros count as
+  // +0. Method: reduction to arcs of at most pi/8, and a polynomial in t^2 for atan(t) / t that is
+  // exact at Chebyshev points.
   friend Pack atan2(const Pack& y, const Pack& x) {
     constexpr double quarter = 0.78539816339744830962;  // pi / 4
     constexpr double p[] = {1.0,
@@ -111,7 +111,7 @@ class Pack {
 }  // inline namespace
 
 namespace detail {
-// One step of a transposition by halves: lane l of row i and lane l ^ h of row i ^ h change places.
+// One step of a recursive transposition: swaps lane l of row i with lane l ^ h of row i ^ h.
 template <int h, int... l>
 [[gnu::always_inline]] inline void exchange(Pack::Vector (&rows)[pack_width],
                                             std::integer_sequence<int, l...>) {
@@ -131,7 +131,7 @@ template <int h, int... l>
   if constexpr (pack_width == 8) detail::exchange<4>(rows, lanes);
 }
 
-// Overload for plain numbers, for functions of either.
+// Overloads for plain numbers, for generic functions.
 inline bool any(bool mask) { return mask; }
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
 
@@ -152,8 +152,8 @@ Eigen::Matrix<double, Rows, Columns> get_lane(const PackMatrix<Rows, Columns>& p
   return m;
 }
 
-// out[count * l + i] <- packs[i][l] for the first `lanes` lanes: one array of `count` numbers after
-// the other.
+// Stores out[count * l + i] = packs[i][l] for the first `lanes` lanes: consecutive arrays of
+// `count` numbers.
 inline void store_lanes(const Pack* packs, int count, double* out, int lanes) {
   if (count < pack_width) {
     for (int l = 0; l < lanes; ++l)

@@ -1,5 +1,5 @@
-// The parallel loops of the program. Work is cut into chunks of a fixed size, whatever the number
-// of threads, and partial sums are added in chunk order: the same input gives the same bits.
+// Parallel loops. Work is cut into chunks of a fixed size for any number of threads, and partial
+// sums are added in chunk order: the same input gives the same bits.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -15,8 +15,8 @@ inline int chunk_count(int n, int chunk = chunk_size) { return (n + chunk - 1) /
 
 namespace detail {
 
-// Not inlined: the scheduler calls a body from several places, and copies of it, each optimised in
-// its place, may contract products and sums differently.
+// Not inlined: the scheduler calls a body at several code positions, and copies optimised
+// separately may contract products and sums differently.
 template <class Body>
 [[gnu::noinline]] void run_chunks(int first, int last, int n, int chunk, const Body& body) {
   for (int c = first; c < last; ++c)
@@ -25,7 +25,7 @@ template <class Body>
 
 }  // namespace detail
 
-// body(chunk index, first, last) for each chunk of [0, n).
+// Calls body(chunk index, first, last) for each chunk of [0, n).
 template <class Body>
 void for_each_chunk(int n, const Body& body, int chunk = chunk_size) {
   const int chunks = chunk_count(n, chunk);
@@ -38,7 +38,7 @@ void for_each_chunk(int n, const Body& body, int chunk = chunk_size) {
   });
 }
 
-// body(i) for each i of [0, n).
+// Calls body(i) for each i of [0, n).
 template <class Body>
 void for_each(int n, const Body& body, int chunk = chunk_size) {
   for_each_chunk(n, [&](int, int first, int last) {
@@ -46,7 +46,7 @@ void for_each(int n, const Body& body, int chunk = chunk_size) {
   }, chunk);
 }
 
-// Sum over chunks of body(first, last), in chunk order.
+// Returns the sum over chunks of body(first, last), in chunk order.
 template <class Body>
 double sum_chunks(int n, const Body& body, int chunk = chunk_size) {
   std::vector<double> partial(chunk_count(n, chunk), 0.0);
@@ -56,7 +56,7 @@ double sum_chunks(int n, const Body& body, int chunk = chunk_size) {
   return sum;
 }
 
-// Minimum over chunks of body(first, last), starting from `start`.
+// Returns the minimum of `start` and body(first, last) over all chunks.
 template <class Body>
 double min_chunks(int n, double start, const Body& body, int chunk = chunk_size) {
   std::vector<double> partial(chunk_count(n, chunk), start);

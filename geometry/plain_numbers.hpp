@@ -1,6 +1,6 @@
-// Numbers with a decimal point for libraries that read and write them by the locale (strtod,
-// printf), whatever locale an embedding program has set: Qt, GTK and Python's locale.setlocale()
-// do. The guard acts on its thread, while it lives.
+// Guard under which libraries read and write numbers with a decimal point (strtod, printf), for any
+// locale that an embedding program has set (Qt, GTK, Python's locale.setlocale()). It acts on its
+// thread during its lifetime.
 #pragma once
 
 #include <clocale>

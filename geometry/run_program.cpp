@@ -12,12 +12,12 @@ extern char** environ;
 
 namespace tack {
 
-int run_program(std::vector<std::string> words, const ProgramPlaces& places) {
+int run_program(std::vector<std::string> words, const ProgramStreams& streams) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  if (!places.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, places.folder.c_str());
-  if (!places.output.empty()) posix_spawn_file_actions_addopen(&actions, 1, places.output.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
-  if (places.errors_too) posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  if (!streams.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, streams.folder.c_str());
+  if (!streams.output.empty()) posix_spawn_file_actions_addopen(&actions, 1, streams.output.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
+  if (streams.errors_to_output) posix_spawn_file_actions_adddup2(&actions, 1, 2);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none;

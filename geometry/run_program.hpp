@@ -1,4 +1,4 @@
-// Other programs, started and waited for.
+// Runs other programs.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +7,14 @@
 
 namespace tack {
 
-struct ProgramPlaces {
-  std::filesystem::path folder = {};    // where it works; empty: here
-  std::filesystem::path output = {};    // file of its standard output; empty: this program's
-  bool errors_too = false;              // and what it complains of
+struct ProgramStreams {
+  std::filesystem::path folder = {};  // working folder; empty: the current one
+  std::filesystem::path output = {};  // file of its standard output; empty: that of this program
+  bool errors_to_output = false;      // standard error goes there too
 };
 
-// Its exit code; -1 if it could not be started, or was ended. Ctrl-C ends it.
-int run_program(std::vector<std::string> words, const ProgramPlaces& places = {});
+// Runs a program, waits for it and returns its exit code; -1 if it could not start or was killed.
+// Ctrl-C ends it.
+int run_program(std::vector<std::string> words, const ProgramStreams& streams = {});
 
 }  // namespace tack

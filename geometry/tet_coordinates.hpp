@@ -1,4 +1,4 @@
-// A point in terms of the corners of a tet.
+// Barycentric coordinates in a tet.
 #pragma once
 
 #include <Eigen/LU>
@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// Its barycentric coordinates; they add up to one, and are positive inside.
+// Returns the barycentric coordinates of a point; their sum is one, and they are positive inside.
 inline std::array<double, 4> tet_coordinates(const std::array<Vec3, 4>& corners,
                                              const Vec3& point) {
   const Vec3 w = edges_of(corners).inverse() * (point - corners[0]);

@@ -1,5 +1,5 @@
-// The edges of a tet from its first vertex to the others, as columns [m]; their determinant is six
-// times its volume.
+// Edge matrix of a tet: edges from its first vertex to the others, as columns [m]. Its determinant
+// is six times the volume.
 #pragma once
 
 #include "geometry/types.hpp"

@@ -66,7 +66,7 @@ TractionTable::Read TractionTable::read() const {
   if (smooth) smooth_out(table, *smooth, traction);
   Read result;
   result.rows = static_cast<int>(gap.size());
-  if (const int count = turns(traction, least_turn * largest_of(traction)); count > most_turns) {
+  if (const int count = count_reversals(traction, least_turn * largest_of(traction)); count > most_turns) {
     const double reach = smooth ? 1.5 * *smooth : std::min(advised / count, most_advised) * (gap.back() - gap.front());
     result.doubts.push_back(fmt::format("{}: its traction turns {} times between rising and falling, as noise does: the curve follows it, and surfaces feel its "
                                         "slopes; `smooth: {:.2g} m`, say, averages it", file, count, reach));

@@ -27,7 +27,7 @@ const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 void print_defects(const Mesh& surface) {
   const SurfaceDefects d = find_defects(surface);
   fmt::print("  manifold {}, closed {}, crosses itself {}; parts {}, holes {}\n", yes_or_no(d.manifold()), yes_or_no(d.closed()),
-             yes_or_no(!d.crossings.empty()), d.parts, d.holes);
+             yes_or_no(!d.crossings.empty()), d.component_count, d.holes);
   if (d.volume != 0) fmt::print("  encloses {:.10g} m^3\n", d.volume);
   if (!d.doubled_vertices.empty())
     fmt::print("  {} vertices where another one is, the first {} at {}\n", d.doubled_vertices.size(), d.doubled_vertices[0][1],

@@ -66,7 +66,7 @@ PlacedShape of_file(const Value& root, const std::string& path) {
 }
 
 // Returns true for the surface of a solid; sheets, rods and particles enclose no volume.
-bool closed(const Mesh& mesh) { return !mesh.triangles.empty() && OrientedSurface(oriented_alike(mesh.triangles)).closed(); }
+bool closed(const Mesh& mesh) { return !mesh.triangles.empty() && OrientedSurface(consistently_oriented(mesh.triangles)).closed(); }
 
 }  // namespace
 

@@ -55,12 +55,12 @@ int count_of(const std::vector<int>& components) { return components.empty() ? 0
 
 // Reverses closed connected components whose normals point inwards.
 std::vector<Triangle> outwards(const std::vector<Triangle>& triangles, const VecX& rest) {
-  const std::vector<int> components = parts_of(triangles);
+  const std::vector<int> components = components_by_edges(triangles);
   std::vector<Triangle> all;
   for (int i = 0; i < count_of(components); ++i) {
     std::vector<Triangle> component = of_component(triangles, components, i);
     const OrientedSurface surface(component);
-    if (surface.closed() && surface.volume(rest, surface.mean_place(rest)) < 0) component = reversed(std::move(component));
+    if (surface.closed() && surface.volume(rest, surface.mean_position(rest)) < 0) component = reversed(std::move(component));
     all.insert(all.end(), component.begin(), component.end());
   }
   return all;
@@ -69,7 +69,7 @@ std::vector<Triangle> outwards(const std::vector<Triangle>& triangles, const Vec
 // Orients triangles consistently. Returns false, with triangles unchanged, if that is impossible.
 bool orient(std::vector<Triangle>& triangles) {
   try {
-    triangles = oriented_alike(triangles);
+    triangles = consistently_oriented(triangles);
     return true;
   } catch (const InputError&) {
     return false;
@@ -137,7 +137,7 @@ CavityWall cavity_wall(const Selection& selection, const SelectionContext& conte
 std::vector<Triangle> pressed_triangles(const Selection& selection, const SelectionContext& context) {
   CavityWall wall = cavity_wall(selection, context);
   try {
-    return wall.solid ? wall.triangles : outwards(oriented_alike(std::move(wall.triangles)), context.rest);
+    return wall.solid ? wall.triangles : outwards(consistently_oriented(std::move(wall.triangles)), context.rest);
   } catch (const InputError& error) {
     throw InputError(fmt::format("the surface of object '{}': {}", context.body.name, error.what()));
   }
@@ -153,7 +153,7 @@ ExposedTriangles exposed_triangles(const Selection& selection, const SelectionCo
   const auto first_sheet = body.triangles.end() - static_cast<std::ptrdiff_t>(body.sheet.size());
   for (const bool solid : {true, false}) {
     const std::vector<Triangle> all(solid ? body.triangles.begin() : first_sheet, solid ? first_sheet : body.triangles.end());
-    const std::vector<int> components = parts_of(all);
+    const std::vector<int> components = components_by_edges(all);
     for (int p = 0; p < count_of(components); ++p) {
       std::vector<Triangle> component = of_component(all, components, p);
       if (!solid && !orient(component)) {
@@ -161,7 +161,7 @@ ExposedTriangles exposed_triangles(const Selection& selection, const SelectionCo
         continue;
       }
       const OrientedSurface surface(component);
-      const double volume = surface.volume(context.rest, surface.mean_place(context.rest));
+      const double volume = surface.volume(context.rest, surface.mean_position(context.rest));
       if (!solid && !surface.closed()) take(component, exposed.open);
       else if (volume > 0) take(component, exposed.closed);
       else if (!solid) take(reversed(std::move(component)), exposed.closed);
@@ -179,16 +179,16 @@ CavitySurface cavity_surface(const std::vector<CavityWall>& walls, const VecX& r
     if (wall.solid) faces.insert(wall.triangles.begin(), wall.triangles.end());
   }
   try {
-    all = oriented_alike(std::move(all));
+    all = consistently_oriented(std::move(all));
     slits = slits_between(all, rest, who);
     all.insert(all.end(), slits.begin(), slits.end());
-    all = outwards(oriented_alike(std::move(all)), rest);
+    all = outwards(consistently_oriented(std::move(all)), rest);
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw what.starts_with(who) ? InputError(what) : InputError(fmt::format("{}: {}", who, what));
   }
   // A component within another one is the inner boundary of the enclosed volume.
-  const std::vector<int> components = parts_of(all);
+  const std::vector<int> components = components_by_edges(all);
   const std::vector<int> enclosing = enclosing_windings(all, components, [&](int v) -> Vec3 { return vertex(rest, v); });
   std::vector<Triangle> oriented;
   for (int p = 0; p < count_of(components); ++p) {
@@ -201,7 +201,7 @@ CavitySurface cavity_surface(const std::vector<CavityWall>& walls, const VecX& r
     oriented.insert(oriented.end(), component.begin(), component.end());
   }
   const OrientedSurface surface(oriented);
-  const double volume = surface.volume(rest, surface.mean_place(rest)), area = surface.area(rest);
+  const double volume = surface.volume(rest, surface.mean_position(rest)), area = surface.area(rest);
   if (!(volume > volume_fraction_min * area * std::sqrt(area)))
     throw InputError(fmt::format("{}: its surface encloses {:.3g} m^3 at rest; {}", who, volume,
                                  volume < 0 ? "it is on the wrong side of the faces of solids: choose those of a cavity" : "leave space between its walls"));

@@ -30,7 +30,7 @@ double VolumeTerm::amount() const { return not_a_number; }
 
 void VolumeTerm::begin_step(const StepStart& start) {
   FollowingLoad::begin_step(start);
-  origin_ = surface_.mean_place(start.x);
+  origin_ = surface_.mean_position(start.x);
   boundary_.clear();
   cone_volume_t0_ = 0;
   if (surface_.closed()) return;
@@ -57,7 +57,7 @@ void VolumeTerm::derivatives(const VecX& x, Projection projection, double* gradi
   for_each(static_cast<int>(surface_.edges().size()), [&](int i) {
     const auto& e = surface_.edges()[i];
     const Vec3 a = vertex(x, e.a), b = vertex(x, e.b), left = vertex(x, e.left);
-    Vec3 g = surface_.share(e, x);
+    Vec3 g = surface_.edge_area_vector(e, x);
     if (e.right < 0) g += boundary_[i] - (a - origin_).cross(b - origin_) / 6;
     double* const slots = gradient + 6 * static_cast<size_t>(i);
     Eigen::Map<Vec3>{slots} = Eigen::Map<Vec3>{slots + 3} = -p * g;

@@ -1,10 +1,12 @@
 // Transfer of material data from old tets to new tets that fill the same volume. Each new tet gets,
 // from the old tets that it overlaps, the stress-free volume and the volume means of the elastic
 // strain and of the accumulated plastic strain.
-//   conserved  mass; over any region that tets fill before and after: the integrals of the Kirchhoff
+//   conserved  mass; over any region that tets fill before and after: the integrals of the
+//   Kirchhoff
 //              stress over the stress-free volume (of the Cauchy stress over space) and of the
 //              plastic strain
-//   yield      means lie within the yield surface, which is convex and grows linearly with hardening
+//   yield      means lie within the yield surface, which is convex and grows linearly with
+//   hardening
 //   lost       stored energy, by the variance of the strain
 #pragma once
 

@@ -50,19 +50,19 @@ class FaceOwners {
 
 // Returns the outer vertices of each object, ascending. Remeshing keeps them and their order.
 std::vector<std::vector<int>> outer_vertices(const FrameFile& frame, const Surface& surface) {
-  const auto array = std::find_if(frame.of_cells.begin(), frame.of_cells.end(), [](const FrameArray& a) { return a.name == "object"; });
+  const auto array = std::find_if(frame.cell_arrays.begin(), frame.cell_arrays.end(), [](const FrameArray& a) { return a.name == "object"; });
   std::vector<int> object(frame.mesh.vertices.size(), 0);
   int cell = 0;
   const auto note = [&](const auto& elements) {
     for (const auto& element : elements) {
-      for (const int v : element) object[v] = array == frame.of_cells.end() ? 0 : static_cast<int>(array->values(cell));
+      for (const int v : element) object[v] = array == frame.cell_arrays.end() ? 0 : static_cast<int>(array->values(cell));
       ++cell;
     }
   };
   note(frame.mesh.tets);
   note(frame.mesh.triangles);
   note(frame.mesh.edges);
-  for (const int v : frame.mesh.points) object[v] = array == frame.of_cells.end() ? 0 : static_cast<int>(array->values(cell++));
+  for (const int v : frame.mesh.points) object[v] = array == frame.cell_arrays.end() ? 0 : static_cast<int>(array->values(cell++));
   std::vector<char> outer(object.size(), 0);
   for (const Triangle& t : surface.triangles)
     for (const int v : t) outer[v] = 1;
@@ -105,13 +105,13 @@ FrameSeriesBuilder::FrameSeriesBuilder(const FrameFile& first) {
     keep(v, series_.points);
     cells_.push_back(cell++);
   }
-  const auto object = std::find_if(first.of_cells.begin(), first.of_cells.end(), [](const FrameArray& a) { return a.name == "object"; });
-  for (const int c : cells_) series_.object.push_back(object == first.of_cells.end() ? 0 : static_cast<int>(object->values(c)));
+  const auto object = std::find_if(first.cell_arrays.begin(), first.cell_arrays.end(), [](const FrameArray& a) { return a.name == "object"; });
+  for (const int c : cells_) series_.object.push_back(object == first.cell_arrays.end() ? 0 : static_cast<int>(object->values(c)));
   series_.origin = bounding_box(mesh_).center();
   series_.shown = static_cast<int>(kept_.size());
   outer_ = outer_vertices(first, surface);
-  for (const FrameArray& a : first.of_vertices) series_.fields.push_back({a.name, a.unit, a.components > 1, true, {}});
-  for (const FrameArray& a : first.of_cells)
+  for (const FrameArray& a : first.vertex_arrays) series_.fields.push_back({a.name, a.unit, a.components > 1, true, {}});
+  for (const FrameArray& a : first.cell_arrays)
     if (a.name != "object") series_.fields.push_back({a.name, a.unit, a.components > 1, false, {}});
 }
 
@@ -152,7 +152,7 @@ void FrameSeriesBuilder::add(double time, const FrameFile& now) {
     for (int c = 0; c < 3; ++c) x[c * n + i] = static_cast<float>(position(c));
   }
   std::vector<std::vector<float>> values;
-  for (const auto& field : series_.fields) values.push_back(values_of(field, field.of_vertices ? now.of_vertices : now.of_cells));
+  for (const auto& field : series_.fields) values.push_back(values_of(field, field.of_vertices ? now.vertex_arrays : now.cell_arrays));
   series_.times.push_back(time);
   series_.positions.push_back(std::move(x));
   for (size_t f = 0; f < values.size(); ++f) series_.fields[f].frames.push_back(std::move(values[f]));

@@ -61,7 +61,7 @@ FrameFile first_frame(const World& world) {
   frame.mesh.triangles = std::move(geometry.triangles);
   frame.mesh.edges = std::move(geometry.edges);
   frame.mesh.points = std::move(geometry.points);
-  frame.of_cells.push_back({"object", "", 1, Eigen::Map<const Eigen::VectorXi>(geometry.cell_object.data(), static_cast<Eigen::Index>(geometry.cell_object.size())).cast<double>()});
+  frame.cell_arrays.push_back({"object", "", 1, Eigen::Map<const Eigen::VectorXi>(geometry.cell_object.data(), static_cast<Eigen::Index>(geometry.cell_object.size())).cast<double>()});
   return frame;
 }
 

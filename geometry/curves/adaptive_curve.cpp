@@ -7,18 +7,18 @@
 namespace tack {
 namespace {
 
-constexpr int first_intervals = 128;
-constexpr double narrowest = 1e-9;                        // of the whole
-constexpr std::array<double, 3> looks = {0.5, 0.22, 0.78};  // of an interval; what is odd about its middle has no error there
+constexpr int interval_count_start = 128;
+constexpr double interval_ratio_min = 1e-9;  // shortest interval over last - first
+constexpr std::array<double, 3> test_points = {0.5, 0.22, 0.78};  // fractions of an interval; an odd error vanishes at its middle
 
 struct Jet {
   double value = 0, slope = 0;
 };
-// At x, from what lies within `reach` of it and between first and last.
-using JetOf = std::function<Jet(double x, double reach)>;
+// Returns value and slope at x, from values within `radius` of x and between first and last.
+using JetOf = std::function<Jet(double x, double radius)>;
 
 struct Knot {
-  double x = 0, reach = 0;
+  double x = 0, radius = 0;
   Jet jet;
 };
 struct Interval {
@@ -33,13 +33,13 @@ double hermite(const Knot& a, const Knot& b, double u) {
 class Refinement {
  public:
   Refinement(const JetOf& jet, double first, double last) : jet_(jet), width_(last - first) {
-    for (int i = 0; i <= first_intervals; ++i) knots_.push_back({i == first_intervals ? last : first + i * width_ / first_intervals, 0, {}});
-    intervals_.resize(first_intervals);
+    for (int i = 0; i <= interval_count_start; ++i) knots_.push_back({i == interval_count_start ? last : first + i * width_ / interval_count_start, 0, {}});
+    intervals_.resize(interval_count_start);
   }
 
   AdaptiveCurve run() {
-    do measure();
-    while (halve());
+    do evaluate();
+    while (bisect());
     AdaptiveCurve result;
     std::vector<double> x, values, slopes;
     for (const Knot& k : knots_) x.push_back(k.x), values.push_back(k.jet.value), slopes.push_back(k.jet.slope);
@@ -53,14 +53,14 @@ class Refinement {
  private:
   double length(size_t i) const { return knots_[i + 1].x - knots_[i].x; }
 
-  // Slopes reach no further than the nearest knot: past it there may be a kink.
-  void measure() {
+  // Evaluates knots and errors. Differences stay within the nearest knot: past it there may be a kink.
+  void evaluate() {
     std::vector<char> changed(knots_.size(), 0);
     for (size_t i = 0; i < knots_.size(); ++i) {
       Knot& k = knots_[i];
-      const double left = i > 0 ? length(i - 1) : length(0), right = i + 1 < knots_.size() ? length(i) : left, reach = std::min(left, right);
-      if (k.reach == reach) continue;
-      k.jet = jet_(k.x, k.reach = reach);
+      const double left = i > 0 ? length(i - 1) : length(0), right = i + 1 < knots_.size() ? length(i) : left, radius = std::min(left, right);
+      if (k.radius == radius) continue;
+      k.jet = jet_(k.x, k.radius = radius);
       largest_ = std::max(largest_, std::abs(k.jet.value));
       changed[i] = 1;
     }
@@ -68,7 +68,7 @@ class Refinement {
       Interval& one = intervals_[i];
       if (!changed[i] && !changed[i + 1]) continue;
       one.error = 0;
-      for (const double u : looks) {
+      for (const double u : test_points) {
         const double x = knots_[i].x + u * length(i), value = jet_(x, std::min(u, 1 - u) * length(i)).value;
         largest_ = std::max(largest_, std::abs(value));
         one.error = std::max(one.error, std::abs(value - hermite(knots_[i], knots_[i + 1], u)));
@@ -76,15 +76,15 @@ class Refinement {
     }
   }
 
-  // Whether there was anything to halve: first what is worst, as long as there are knots for it.
-  bool halve() {
+  // Bisects intervals above the tolerance, the worst first while knots are left. Returns false if there are none.
+  bool bisect() {
     std::vector<size_t> worst;
     for (size_t i = 0; i < intervals_.size(); ++i)
-      if (intervals_[i].error > AdaptiveCurve::tolerance * largest_ && length(i) > 2 * narrowest * width_) worst.push_back(i);
-    const size_t room = AdaptiveCurve::most_knots - knots_.size();
-    if (worst.size() > room) {
+      if (intervals_[i].error > AdaptiveCurve::tolerance * largest_ && length(i) > 2 * interval_ratio_min * width_) worst.push_back(i);
+    const size_t free_knots = AdaptiveCurve::most_knots - knots_.size();
+    if (worst.size() > free_knots) {
       std::stable_sort(worst.begin(), worst.end(), [&](size_t a, size_t b) { return intervals_[a].error > intervals_[b].error; });
-      worst.resize(room);
+      worst.resize(free_knots);
       std::sort(worst.begin(), worst.end());
     }
     if (worst.empty()) return false;
@@ -107,17 +107,17 @@ class Refinement {
   const JetOf& jet_;
   double width_, largest_ = 0;
   std::vector<Knot> knots_;
-  std::vector<Interval> intervals_;  // one behind each knot but the last
+  std::vector<Interval> intervals_;  // interval i: from knot i to knot i + 1
 };
 
 }  // namespace
 
 AdaptiveCurve adaptive_curve(const std::function<double(double)>& f, double first, double last) {
-  constexpr double part = 1e-3;  // of the reach: what the differences are off by is nothing beside what a cubic is
-  const JetOf jet = [&](double x, double reach) -> Jet {
-    const double h = part * reach, value = f(x);
-    if (x - h < first || x + h > last) {  // within, by a parabola
-      const double way = x - h < first ? h : -h, near = x + way, far = x + 2 * way;
+  constexpr double step_ratio = 1e-3;  // the error of differences is negligible beside that of the cubic
+  const JetOf jet = [&](double x, double radius) -> Jet {
+    const double h = step_ratio * radius, value = f(x);
+    if (x - h < first || x + h > last) {  // one-sided, by a parabola
+      const double signed_h = x - h < first ? h : -h, near = x + signed_h, far = x + 2 * signed_h;
       const double a = (f(near) - value) / (near - x), b = (f(far) - value) / (far - x);
       return {value, 2 * a - b};
     }
@@ -128,11 +128,11 @@ AdaptiveCurve adaptive_curve(const std::function<double(double)>& f, double firs
 }
 
 AdaptiveCurve adaptive_derivative(const std::function<double(double)>& f, double first, double last) {
-  constexpr double part = 1.0 / 16;  // of the reach; of fourth order
-  const JetOf jet = [&](double x, double reach) -> Jet {
-    double h = part * reach;
-    h = (x + h) - x;  // as a number that the places really differ by
-    if (!(h > 0)) h = part * reach;
+  constexpr double step_ratio = 1.0 / 16;  // differences of fourth order
+  const JetOf jet = [&](double x, double radius) -> Jet {
+    double h = step_ratio * radius;
+    h = (x + h) - x;  // exactly representable difference of the positions
+    if (!(h > 0)) h = step_ratio * radius;
     if (x - 2 * h < first || x + 2 * h > last) {
       const double s = x - 2 * h < first ? h : -h;
       const double a = f(x), b = f(x + s), c = f(x + 2 * s), d = f(x + 3 * s), e = f(x + 4 * s);

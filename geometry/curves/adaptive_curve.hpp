@@ -1,5 +1,5 @@
-// The curve of a function that can only be evaluated: knots where they are needed, slopes by
-// differences.
+// Adaptive cubic interpolation of a function without derivatives: knots where they are needed,
+// slopes by differences.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,8 @@ struct AdaptiveCurve {
   static constexpr int most_knots = 4096;
 
   CubicCurve curve;
-  double error = 0;              // largest difference found, over the largest value
-  double worst_from = 0, worst_to = 0;  // the two knots between which it was found
+  double error = 0;  // largest difference found, over the largest value
+  double worst_from = 0, worst_to = 0;  // knots of the interval where it was found
 };
 
 // Returns the curve of a function between first and last; the function is not evaluated outside.

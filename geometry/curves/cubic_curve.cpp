@@ -14,7 +14,7 @@ void check_knots(const std::vector<double>& x, const std::vector<double>& values
     if (!std::isfinite(x[i]) || !std::isfinite(values[i]) || (i > 0 && !(x[i] > x[i - 1]))) throw std::logic_error("knots of a curve must be finite and ascend");
 }
 
-// Of the parabola through the first three points, at the first, made monotone (h: widths, d: secants).
+// Returns the slope at the first point of the parabola through the first three, limited to be monotone. h: widths; d: secants.
 double end_slope(double h0, double h1, double d0, double d1) {
   const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
   if (slope * d0 <= 0) return 0;
@@ -63,23 +63,23 @@ CubicCurve CubicCurve::monotone(const std::vector<double>& x, const std::vector<
 }
 
 void CubicCurve::find_starts() {
-  const int parts = knots() - 1;
-  parts_per_x_ = parts / (last() - first());
-  starts_.resize(parts + 1);
+  const int bins = knots() - 1;
+  bins_per_x_ = bins / (last() - first());
+  starts_.resize(bins + 1);
   int piece = 0;
-  for (int i = 0; i <= parts; ++i) {
-    const double x = first() + i / parts_per_x_;
+  for (int i = 0; i <= bins; ++i) {
+    const double x = first() + i / bins_per_x_;
     while (piece + 2 < knots() && pieces_[piece + 1].x <= x) ++piece;
     starts_[i] = piece;
   }
 }
 
 int CubicCurve::piece_at(double x) const {
-  const int part = std::min(static_cast<int>((x - first()) * parts_per_x_), knots() - 2);
-  const auto begin = pieces_.begin() + starts_[part], end = pieces_.begin() + starts_[part + 1] + 1;
+  const int bin = std::min(static_cast<int>((x - first()) * bins_per_x_), knots() - 2);
+  const auto begin = pieces_.begin() + starts_[bin], end = pieces_.begin() + starts_[bin + 1] + 1;
   int i = static_cast<int>(std::upper_bound(begin, end, x, [](double at, const Piece& p) { return at < p.x; }) - pieces_.begin()) - 1;
   i = std::clamp(i, 0, knots() - 2);
-  while (i > 0 && x < pieces_[i].x) --i;  // round-off at the ends of parts
+  while (i > 0 && x < pieces_[i].x) --i;  // round-off at bin boundaries
   while (i < knots() - 2 && x >= pieces_[i + 1].x) ++i;
   return i;
 }
@@ -92,7 +92,7 @@ CubicCurve::Sample CubicCurve::at(double x) const {
   const double t = x - p.x, s = q.x - x;
   const double integral = p.integral + t * (p.y + t * (p.m / 2 + t * (p.c / 3 + t * p.k / 4)));
   const double rest = q.rest + s * (q.y - s * (q.m / 2 - s * (p.c_end / 3 - s * p.k / 4)));
-  // from the nearer knot: where the value there is zero, what is left of it beside keeps its digits
+  // from the nearer knot, without cancellation beside a zero there
   if (t < s) return {p.y + t * (p.m + t * (p.c + t * p.k)), p.m + t * (2 * p.c + 3 * t * p.k), integral, rest};
   return {q.y - s * (q.m - s * (p.c_end - s * p.k)), q.m - s * (2 * p.c_end - 3 * s * p.k), integral, rest};
 }
@@ -102,7 +102,7 @@ void CubicCurve::for_each_extreme(int piece, const Act& act) const {
   const Piece &p = pieces_[piece], &q = pieces_[piece + 1];
   const double h = q.x - p.x, discriminant = p.c * p.c - 3 * p.k * p.m;
   act(p.x, p.y);
-  if (discriminant >= 0) {  // of m + 2 c t + 3 k t^2, without cancellation
+  if (discriminant >= 0) {  // roots of m + 2 c t + 3 k t^2, without cancellation
     const double sum = -(p.c + std::copysign(std::sqrt(discriminant), p.c));
     double roots[2] = {p.m / sum, sum / (3 * p.k)};
     if (roots[1] < roots[0]) std::swap(roots[0], roots[1]);

@@ -1,5 +1,5 @@
-// A function of one variable by cubic pieces between knots, of given values and slopes (cubic
-// Hermite): it has a continuous first derivative, and its integral, taken exactly, a second one.
+// Piecewise cubic function of one variable with given values and slopes at knots (cubic Hermite).
+// It has a continuous first derivative; its exact integral has a continuous second one.
 #pragma once
 
 #include <vector>
@@ -11,16 +11,16 @@ class CubicCurve {
   struct Sample {
     double value = 0;
     double slope = 0;
-    double integral = 0;  // from the first knot to here
-    double rest = 0;      // from here to the last knot, to all digits where that is little
+    double integral = 0;  // from the first knot to x
+    double rest = 0;      // from x to the last knot, without cancellation where it is small
   };
   struct Point {
     double x = 0, value = 0;
   };
 
   CubicCurve() = default;
-  // Takes one value and slope per x. Throws std::logic_error without two knots, and unless x
-  // ascends and all is finite.
+  // Takes one value and slope per x. Throws std::logic_error for less than two knots, for x that
+  // does not ascend, and for values that are not finite.
   CubicCurve(const std::vector<double>& x, const std::vector<double>& values,
              const std::vector<double>& slopes);
 
@@ -29,7 +29,7 @@ class CubicCurve {
   // MATLAB, 3.6). Throws as above.
   static CubicCurve monotone(const std::vector<double>& x, const std::vector<double>& values);
 
-  // Extends the values at the ends as constants.
+  // Returns the curve at x; outside of the knots, the values at the ends are constant.
   Sample at(double x) const;
 
   double first() const { return pieces_.front().x; }
@@ -37,16 +37,16 @@ class CubicCurve {
   double total() const { return pieces_.back().integral; }  // from the first knot to the last
   int knots() const { return static_cast<int>(pieces_.size()); }
 
-  // Where it is largest, from a place on: the first such place.
+  // Returns the first point with the largest value at or above `from`.
   Point largest(double from) const;
   Point largest() const { return largest(first()); }
   Point least() const;
 
  private:
-  // From its knot on: y + m t + c t^2 + k t^3 with t = x - knot; the last one is a knot alone.
+  // Piece from a knot on: y + m t + c t^2 + k t^3 with t = x - knot; the last one is only a knot.
   struct Piece {
     double x = 0, y = 0, m = 0, c = 0, k = 0;
-    double c_end = 0;  // c, seen from the other end
+    double c_end = 0;  // c relative to the end of the piece
     double integral = 0, rest = 0;
   };
   // Calls act(x, value) at the ends and the extrema of the piece.
@@ -56,8 +56,8 @@ class CubicCurve {
   void find_starts();
 
   std::vector<Piece> pieces_;
-  std::vector<int> starts_;  // the piece that equal parts of the whole begin in
-  double parts_per_x_ = 0;
+  std::vector<int> starts_;  // per equal bin of the range: the piece in which it begins
+  double bins_per_x_ = 0;
 };
 
 }  // namespace tack

@@ -1,10 +1,9 @@
-// Does a surface intersect itself? Exact answers (CGAL's exact predicates on the double
-// coordinates), independent of the solver's own collision detection, so that it can be trusted to
-// verify the solver.
+// Exact self-intersection test of surfaces (CGAL's exact predicates on double coordinates). It does
+// not depend on the collision detection of the solver, and therefore can verify it.
 //
-// Two triangulated surfaces intersect exactly if an edge of one meets a triangle of the other.
-// Closed sets: touching counts. Pairs that share a vertex are skipped. Degenerate triangles and
-// edges are treated as the segments or points they are.
+// Two triangulated surfaces intersect if and only if an edge of one meets a triangle of the other.
+// Touching counts. Pairs that share a vertex are skipped. Degenerate triangles and edges are
+// treated as segments or points.
 #pragma once
 
 #include <vector>
@@ -19,9 +18,9 @@ struct EdgeTriangleHit {
   friend bool operator==(const EdgeTriangleHit&, const EdgeTriangleHit&) = default;
 };
 
-// The first `max_hits` intersecting pairs, sorted by edge, then triangle. x [m]: 3 coordinates for
-// every global vertex. With `movable_only`, pairs in which no vertex is movable are skipped. Throws
-// SimulationError if a coordinate of x is not finite, InputError if x is too short.
+// Returns the first `max_hits` intersecting pairs, sorted by edge, then triangle. x [m]: 3
+// coordinates for every global vertex. movable_only: pairs without a movable vertex are skipped.
+// Throws SimulationError if a coordinate is not finite, InputError if x is too short.
 std::vector<EdgeTriangleHit> find_intersections(const CollisionMesh& mesh, const VecX& x,
                                                 const CollidingObjects& colliding, int max_hits,
                                                 bool movable_only = true);

@@ -8,12 +8,12 @@
 
 namespace tack {
 
-// The lowest index of a tetrahedron whose volume is not positive (inverted or exactly flat), or -1.
-// x [m]: 3 coordinates for every global vertex. A coordinate that is not finite makes its
-// tetrahedra count as inverted.
+// Returns the lowest index of a tetrahedron whose volume is not positive (inverted or exactly
+// flat); -1: none. x [m]: 3 coordinates for every global vertex. Tetrahedra with a coordinate that
+// is not finite count as inverted.
 int first_inverted_tet(const std::vector<Tet>& tets, const VecX& x);
 
-// Returns whether a point lies in a closed tetrahedron of positive volume.
+// Returns true if a point is in a closed tetrahedron of positive volume.
 bool tet_contains(const Tet& tet, const VecX& x, const Vec3& point);
 
 }  // namespace tack

@@ -1,7 +1,7 @@
-// A fast proof that a segment and a triangle are disjoint: a direction along which their
-// projections are apart by more than any rounding error. Tried are the triangle's normal, the three
-// in-plane normals of its edges and the three cross products of its edges with the segment; for
-// exact numbers that is complete, except for parallel or degenerate pairs.
+// Fast proof that a segment and a triangle are disjoint: an axis on which their projections are
+// apart by more than the rounding error. The axes are the triangle's normal, the three in-plane
+// normals of its edges and the three cross products of its edges with the segment. In exact
+// arithmetic these axes suffice, except for parallel or degenerate pairs.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,9 +12,9 @@
 
 namespace tack {
 
-// True only if the closed segment pq and the closed triangle abc are certainly disjoint.
-// For any direction, a projection of differences of size m has an error below
-// 8 eps |direction|_1 m, so rounding in the direction itself does no harm.
+// Returns true only if the closed segment pq and the closed triangle abc are certainly disjoint.
+// On any axis, the projection of a difference of size m has an error below 8 eps |axis|_1 m, so
+// that rounding of the axis itself has no effect.
 inline bool certainly_disjoint(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
                                const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a, aq = q - a;

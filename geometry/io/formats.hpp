@@ -1,6 +1,5 @@
-// The readers behind read_mesh, one foreign library per .cpp. They
-// expect an existing, non-empty file and leave the last checks of indices and coordinates to
-// read_mesh.
+// Readers of mesh formats for read_mesh, one external library per source file. They expect an
+// existing, non-empty file; read_mesh does the last checks of indices and coordinates.
 #pragma once
 
 #include <filesystem>

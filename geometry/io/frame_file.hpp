@@ -1,6 +1,6 @@
 // Reads a frame of a run (framework/output/vtu.hpp), with all of its arrays.
-// Errors: InputError naming the file: unreadable, or cells that are not tets, triangles, edges and
-// points in this order.
+// Errors: InputError naming the file, if it is unreadable or its cells are not tets, triangles,
+// edges and points in this order.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@ namespace tack {
 
 struct FrameArray {
   std::string name;
-  std::string unit;    // SI; empty: it has none, or none is known
+  std::string unit;    // SI; empty: none or unknown
   int components = 1;
   VecX values;         // components * vertices, or * cells
 };
 
 struct FrameFile {
-  Mesh mesh;  // cells are its tets, triangles, edges and points, in this order
-  std::vector<FrameArray> of_vertices, of_cells;
+  Mesh mesh;  // cells: tets, triangles, edges and points, in this order
+  std::vector<FrameArray> vertex_arrays, cell_arrays;
 
   int cells() const;
 };

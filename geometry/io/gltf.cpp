@@ -25,8 +25,8 @@ using Single = std::array<float, 3>;
 
 Single single(const Vec3& x) { return {static_cast<float>(x.x()), static_cast<float>(x.y()), static_cast<float>(x.z())}; }
 
-// The data, and what the JSON says of it. Numbers of the format: 5126 float, 5125 unsigned integer; 34962 vertices, 34963 indices; 0 points,
-// 1 lines, 4 triangles.
+// Binary data and their JSON description. Codes of the format: component types 5126 float, 5125 unsigned integer; targets 34962 vertices,
+// 34963 indices; modes 0 points, 1 lines, 4 triangles.
 class Document {
  public:
   explicit Document(const Mesh& mesh) {
@@ -49,17 +49,17 @@ class Document {
   }
 
   const std::string& data() const { return data_; }
-  // `place`: of the data, "" in a .glb.
-  std::string json(const std::string& place) const {
+  // uri: JSON member with the data; "" in a .glb.
+  std::string json(const std::string& uri) const {
     return fmt::format(R"({{"asset":{{"version":"2.0","generator":"tack"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],)"
                        R"("meshes":[{{"primitives":[{}]}}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}{}}}]}})",
-                       primitives_, accessors_, views_, data_.size(), place);
+                       primitives_, accessors_, views_, data_.size(), uri);
   }
 
  private:
   void append(const void* bytes, std::size_t size) { data_.append(static_cast<const char*>(bytes), size); }
 
-  // Of what was appended since the last one.
+  // Adds a buffer view of the bytes appended since the last one.
   void view(int target) {
     views_ += fmt::format(R"({}{{"buffer":0,"byteOffset":{},"byteLength":{},"target":{}}})", views_.empty() ? "" : ",", begin_, data_.size() - begin_, target);
     begin_ = data_.size();
@@ -143,10 +143,10 @@ Mesh read_gltf(const std::filesystem::path& path) {
     throw InputError(fmt::format("{}: not a valid file of its format{}: export it again, or as one of .obj .ply .off .stl", name,
                                  message.empty() ? "" : " (" + printable(message, 200) + ")"));
   Mesh mesh;
-  const auto parts = vtkSmartPointer<vtkCompositeDataIterator>::Take(scene->NewIterator());
-  for (parts->InitTraversal(); !parts->IsDoneWithTraversal(); parts->GoToNextItem())
-    if (auto* part = vtkDataSet::SafeDownCast(parts->GetCurrentDataObject())) append(mesh, mesh_of(*part, name));
-  // Parts have vertices of their own, and vertices are there once more for each normal and colour.
+  const auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(scene->NewIterator());
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+    if (auto* block = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject())) append(mesh, mesh_of(*block, name));
+  // Blocks have their own vertices, and vertices are repeated for each normal and colour.
   merge_duplicate_vertices(mesh);
   drop_unused_vertices(mesh);
   if (mesh.vertices.empty()) throw InputError(name + ": no geometry found in its scene; is it compressed (Draco)? Export it again without");

@@ -1,9 +1,9 @@
-// Runs a reader of foreign mesh files in a process of its own (geometry/isolated_process.hpp). What
-// VTK, Gmsh and CGAL do with a hostile file (crash, loop, take all memory) becomes an error that
-// names the file; checks before (precheck.hpp) only cover the damage that somebody thought of.
+// Runs a reader of mesh files in a child process (geometry/isolated_process.hpp). If VTK, Gmsh or
+// CGAL crashes, loops or takes all memory on a damaged file, that becomes an error that names the
+// file. Earlier checks (precheck.hpp) cover only known kinds of damage.
 //
-// Limits: 1 GiB of memory and 64 times the file's size more than the program has; 5 s of processor
-// time and a second for each 256 KiB; ten times that in wall time.
+// Limits: memory of the program plus 1 GiB plus 64 times the size of the file; processor time of 5
+// s plus 1 s per 256 KiB; ten times that in wall time.
 #pragma once
 
 #include <filesystem>

@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-// Each list is its count and its values as they lie in memory.
+// Writes a list as its count and its values as in memory.
 template <class List>
 void write(std::string& bytes, const List& list) {
   const std::uint64_t count = list.size();

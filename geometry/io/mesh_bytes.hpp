@@ -1,4 +1,4 @@
-// A mesh as bytes, for the way from one process to another of the same program.
+// Conversion between meshes and bytes, to pass a mesh from one process of a program to another.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace tack {
 
 std::string bytes_of(const Mesh& mesh);
-// Nothing if they are not just those of a mesh: who wrote them may have been damaged.
+// Returns the mesh; none if the bytes are not exactly those of a mesh: the writer may have crashed.
 std::optional<Mesh> mesh_from(std::string_view bytes);
 
 }  // namespace tack

@@ -1,7 +1,6 @@
 // Wavefront .obj: v, f, l, p and the group names g and o; normals, texture coordinates, materials
-// and smoothing are skipped. Read here rather than by a library because coordinates have to keep
-// double precision and vertices their order, which VTK's reader (single precision, vertices
-// duplicated per normal) and CGAL's (no lines) do not offer.
+// and smoothing are skipped. This reader keeps double precision and the order of vertices; VTK's
+// reader has single precision and duplicates vertices per normal, CGAL's reads no lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +47,7 @@ class ObjReader {
   }
 
  private:
-  // A backslash at the end of a line continues it.
+  // Reads a statement. A backslash at the end of a line continues it.
   bool next_line(std::string& text) {
     text.clear();
     std::string part;
@@ -79,7 +78,7 @@ class ObjReader {
   }
 
   void read_vertex(const std::vector<std::string_view>& words) {
-    // More than three numbers are a weight or a colour.
+    // Further numbers are a weight or a colour.
     if (words.size() < 4) fail("a vertex needs three coordinates");
     Vec3 x;
     for (int i = 0; i < 3; ++i) x[i] = number(words[i + 1]);
@@ -101,7 +100,7 @@ class ObjReader {
     for (int v : indices(words)) mesh_.points.push_back(v);
   }
 
-  // "i", "i/t", "i//n" or "i/t/n": from 1, or negative, counted back from the latest vertex.
+  // Reads indices "i", "i/t", "i//n" or "i/t/n": from 1, or negative, counted back from the last vertex.
   std::vector<int> indices(const std::vector<std::string_view>& words) {
     const int count = static_cast<int>(mesh_.vertices.size());
     std::vector<int> result;

@@ -26,7 +26,7 @@ void check_indices(const Mesh& mesh, const std::vector<int>& polygon, const std:
   }
 }
 
-// Twice the polygon's area vector; the sum of any fan's normals.
+// Returns twice the area vector of the polygon, the sum of the normals of any fan.
 Vec3 area_vector(const Mesh& mesh, const std::vector<int>& polygon) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
@@ -53,7 +53,7 @@ void add_polygon(Mesh& mesh, const std::vector<int>& polygon, const std::string&
   const std::size_t n = polygon.size();
   const Vec3 facing = area_vector(mesh, polygon);
   std::size_t corner = 0;
-  // A triangle has no choice; if it is flat, validate_mesh says so.
+  // A triangle has one fan; validate_mesh reports flat ones.
   while (n > 3 && corner < n && !sees_all(mesh, polygon, corner, facing)) ++corner;
   if (corner == n) {
     throw InputError(fmt::format("{}: a polygon of {} vertices that no fan of triangles from a "

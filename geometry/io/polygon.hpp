@@ -1,4 +1,4 @@
-// Cutting the polygons of mesh files into triangles.
+// Triangulation of the polygons of mesh files.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace tack {
 
-// Appends the polygon (vertices in order around it, at least 3) as a fan from its first corner from
-// which every triangle of the fan faces the polygon's own way: for convex polygons the first
-// corner. Errors: InputError when there is no such corner (strongly concave) or an index is out of
-// range. `where` names the file and the polygon.
+// Appends a polygon (at least 3 vertices, in order around it) as a fan from the first corner from
+// which every triangle has the orientation of the polygon; for convex polygons, its first corner.
+// Throws InputError, beginning with `where`, if there is no such corner (strongly concave) or an
+// index is out of range. where: the file and the polygon.
 void add_polygon(Mesh& mesh, const std::vector<int>& polygon, const std::string& where);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// .ply and .off through CGAL, which keeps double precision and the order of the vertices.
+// Readers of .ply and .off by CGAL, which keeps double precision and the order of the vertices.
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Simple_cartesian.h>

@@ -20,7 +20,7 @@ namespace {
 
 std::ifstream open(const std::string& name) { return std::ifstream(name, std::ios::binary); }
 
-// Reads one list of `count` cells "k i1 ... ik", of `size` numbers altogether.
+// Reads a list of `count` cells "k i1 ... ik"; returns true if it has `size` numbers in total.
 bool has_cells(std::istream& file, long count, long size) {
   long read = 0, corners = 0, index = 0;
   for (long cell = 0; cell < count; ++cell) {
@@ -33,7 +33,7 @@ bool has_cells(std::istream& file, long count, long size) {
   return read == size;
 }
 
-// At least `count` numbers of four bytes more.
+// Returns true if at least `count` numbers of four bytes follow.
 bool has_numbers(std::istream& file, long count) {
   const auto here = file.tellg();
   file.seekg(0, std::ios::end);
@@ -104,7 +104,7 @@ void precheck_stl(const std::string& name) {
   std::ifstream file = open(name);
   char start[512] = {};
   file.read(start, sizeof start - 1);
-  // Binary headers may begin with "solid" too, but hold no facets as text.
+  // Binary headers may begin with "solid" too, but do not contain "facet".
   if (std::strncmp(start, "solid", 5) == 0 && std::strstr(start, "facet")) return;
   std::uint32_t triangles = 0;
   std::memcpy(&triangles, start + 80, sizeof triangles);

@@ -1,5 +1,5 @@
-// Checks of mesh files before a library reads them: damage on which that library (CGAL 5.5,
-// VTK 9.1, Gmsh 4.8) would crash, run something else or return a part without a word.
+// Checks of mesh files before a library reads them, for damage on which that library (CGAL 5.5,
+// VTK 9.1, Gmsh 4.8) would crash, run a script, or silently return an incomplete mesh.
 // Errors: InputError naming the file, the damage and the remedy.
 #pragma once
 
@@ -7,20 +7,20 @@
 
 namespace tack {
 
-// Every property belongs to an element, and every element has a name and a count.
+// Checks that every property belongs to an element, and every element has a name and a count.
 void precheck_ply(const std::string& name);
 
-// A binary file is as long as its number of triangles says.
+// Checks that the size of a binary file fits its number of triangles.
 void precheck_stl(const std::string& name);
 
-// Legacy .vtk before version 5: lists of cells hold as many numbers as they announce.
+// Checks in legacy .vtk before version 5 that lists of cells have the announced number of entries.
 void precheck_vtk(const std::string& name);
 
-// Buffers are as long as they say, and what is read of them lies in them.
+// Checks the sizes of buffers, and that views and accessors lie inside them.
 void precheck_gltf(const std::string& name);
 
-// Version 2.2 or 4.1 (anything else Gmsh would run as a script of its geometry language); in an
-// ASCII 2.2 file, elements use nodes that exist.
+// Checks that the version is 2.2 or 4.1 (Gmsh would run any other file as a script of its geometry
+// language), and in an ASCII 2.2 file that elements use existing nodes.
 void precheck_msh(const std::string& name);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// VTK reads what a glTF file says is there, whether it is or not.
+// Checks of glTF files: VTK reads beyond the end of buffers if a file announces too much.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -29,28 +29,28 @@ std::uint32_t number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-struct Parts {
+struct Chunks {
   std::string json;
-  std::uint64_t binary = 0;  // bytes behind it
+  std::uint64_t binary = 0;  // bytes of the binary chunk
 };
 
-// A .glb: "glTF", version, length, then chunks of a length, a kind and what they hold.
-Parts parts_of(std::string bytes, const std::string& name) {
+// Returns the chunks of a .glb: "glTF", version, length, then chunks of length, kind and content.
+Chunks chunks_of(std::string bytes, const std::string& name) {
   if (!bytes.starts_with("glTF")) return {std::move(bytes), 0};
-  Parts parts;
+  Chunks chunks;
   if (number_at(bytes, 8) != bytes.size()) throw damaged(name, fmt::format("it has {} bytes, and says {}", bytes.size(), number_at(bytes, 8)));
   const std::uint64_t length = number_at(bytes, 12), next = 20 + length;
   if (bytes.compare(16, 4, "JSON") != 0 || next > bytes.size()) throw damaged(name, "its first chunk is no JSON, or cut");
   if (next + 8 <= bytes.size()) {
-    parts.binary = number_at(bytes, next);
-    if (next + 8 + parts.binary > bytes.size()) throw damaged(name, "its data are cut");
+    chunks.binary = number_at(bytes, next);
+    if (next + 8 + chunks.binary > bytes.size()) throw damaged(name, "its data are cut");
   }
-  parts.json = bytes.substr(20, length);
-  return parts;
+  chunks.json = bytes.substr(20, length);
+  return chunks;
 }
 
-std::uint64_t bytes_behind(const Json& buffer, const Parts& parts, const fs::path& folder) {
-  if (!buffer.contains("uri")) return parts.binary;
+std::uint64_t bytes_behind(const Json& buffer, const Chunks& chunks, const fs::path& folder) {
+  if (!buffer.contains("uri")) return chunks.binary;
   const std::string uri = buffer["uri"];
   const std::size_t comma = uri.find(',');
   if (uri.starts_with("data:") && comma != uri.npos) {
@@ -59,20 +59,20 @@ std::uint64_t bytes_behind(const Json& buffer, const Parts& parts, const fs::pat
   }
   std::error_code none;
   const std::uintmax_t size = fs::file_size(folder / uri, none);
-  return none ? std::numeric_limits<std::uint64_t>::max() : size;  // VTK says which it does not find
+  return none ? std::numeric_limits<std::uint64_t>::max() : size;  // VTK reports a missing file
 }
 
-// Numbers of an entry, which the format leaves out where they are 0.
+// Returns a number of an entry; the format omits zeros.
 std::uint64_t number(const Json& entry, const char* key) { return entry.value(key, std::uint64_t(0)); }
 
-void check(const Json& document, const Parts& parts, const std::string& name) {
+void check(const Json& document, const Chunks& chunks, const std::string& name) {
   const std::map<int, std::uint64_t> sizes = {{5120, 1}, {5121, 1}, {5122, 2}, {5123, 2}, {5125, 4}, {5126, 4}};
   const std::map<std::string, std::uint64_t> counts = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
   const Json none = Json::array();
   const Json& buffers = document.contains("buffers") ? document["buffers"] : none;
   const Json& views = document.contains("bufferViews") ? document["bufferViews"] : none;
   for (std::size_t i = 0; i < buffers.size(); ++i)
-    if (number(buffers[i], "byteLength") > bytes_behind(buffers[i], parts, fs::path(name).parent_path()))
+    if (number(buffers[i], "byteLength") > bytes_behind(buffers[i], chunks, fs::path(name).parent_path()))
       throw damaged(name, fmt::format("buffer {} has less than the {} bytes that it should", i, number(buffers[i], "byteLength")));
   for (std::size_t i = 0; i < views.size(); ++i) {
     const Json& buffer = buffers.at(number(views[i], "buffer"));
@@ -95,12 +95,12 @@ void check(const Json& document, const Parts& parts, const std::string& name) {
 
 void precheck_gltf(const std::string& name) {
   std::ifstream file(name, std::ios::binary);
-  const Parts parts = parts_of({std::istreambuf_iterator<char>(file), {}}, name);
+  const Chunks chunks = chunks_of({std::istreambuf_iterator<char>(file), {}}, name);
   try {
-    check(Json::parse(parts.json), parts, name);
+    check(Json::parse(chunks.json), chunks, name);
   } catch (const InputError&) {
     throw;
-  } catch (const std::exception& error) {  // no JSON, or numbers of what is not there
+  } catch (const std::exception& error) {  // invalid JSON, or indices out of range
     throw damaged(name, printable(error.what(), 200));
   }
 }

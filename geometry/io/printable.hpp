@@ -1,4 +1,4 @@
-// Text of a file for messages: garbage must not reach the terminal as control characters.
+// Text of files in messages, without control characters for the terminal.
 #pragma once
 
 #include <string>

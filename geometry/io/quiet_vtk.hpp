@@ -1,4 +1,4 @@
-// VTK without what it prints.
+// Suppression of VTK's output.
 #pragma once
 
 #include <vtkLogger.h>
@@ -11,8 +11,8 @@
 
 namespace tack {
 
-// While it lives, what VTK would print on the terminal is collected instead. VTK keeps one output
-// window per process, hence the lock. Its logger, which prints the same once more, is turned off.
+// Collects, during its lifetime, the text that VTK would print on the terminal. VTK has one output
+// window per process, hence the lock. Its logger, which repeats that text, is turned off.
 class QuietVtk {
  public:
   QuietVtk() : lock_(mutex()), before_(vtkOutputWindow::GetInstance()) {
@@ -23,7 +23,8 @@ class QuietVtk {
   QuietVtk(const QuietVtk&) = delete;
   QuietVtk& operator=(const QuietVtk&) = delete;
 
-  // First complaint, without VTK's decoration: "ERROR: In file.cxx, line 3\nClass (0x..): text\n".
+  // Returns the first message, without VTK's prefix: "ERROR: In file.cxx, line 3\nClass (0x..):
+  // text\n".
   std::string first_message() {
     std::string text = window_->GetOutput();
     if (const auto at = text.find('\n'); at != text.npos) text = text.substr(at + 1);

@@ -22,13 +22,13 @@ std::string write_failure(const fs::path& path) {
 
 namespace {
 
-void put_in_place(const fs::path& part, const fs::path& path, bool written) {
+void rename_draft(const fs::path& draft, const fs::path& path, bool written) {
   std::error_code failed;
-  if (written) fs::rename(part, path, failed);
+  if (written) fs::rename(draft, path, failed);
   if (written && !failed) return;
   if (failed) errno = failed.value();
   const std::string message = write_failure(path);
-  fs::remove(part, failed);
+  fs::remove(draft, failed);
   throw InputError(message);
 }
 
@@ -36,29 +36,29 @@ void put_in_place(const fs::path& part, const fs::path& path, bool written) {
 
 void replace_file(const fs::path& path, std::string_view content) {
   std::error_code none;
-  // /dev/stdout is a link to whatever standard output is.
+  // /dev/stdout is a link to the standard output.
   const bool special = fs::is_other(path, none) || path.string().starts_with("/dev/");
-  const fs::path part = special ? path : fs::path(path.string() + ".part");
+  const fs::path draft = special ? path : fs::path(path.string() + ".part");
   errno = 0;
-  std::ofstream out(part, std::ios::binary | std::ios::trunc);
+  std::ofstream out(draft, std::ios::binary | std::ios::trunc);
   out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
   if (special && out.fail()) throw InputError(write_failure(path));
-  if (!special) put_in_place(part, path, !out.fail());
+  if (!special) rename_draft(draft, path, !out.fail());
 }
 
 void replace_file_by(const fs::path& path, const std::function<bool(const fs::path&)>& write) {
-  const fs::path part = path.parent_path() / (path.stem().string() + ".part" + path.extension().string());
+  const fs::path draft = path.parent_path() / (path.stem().string() + ".part" + path.extension().string());
   errno = 0;
   bool written = false;
   try {
-    written = write(part);
+    written = write(draft);
   } catch (...) {
     std::error_code none;
-    fs::remove(part, none);
+    fs::remove(draft, none);
     throw;
   }
-  put_in_place(part, path, written);
+  rename_draft(draft, path, written);
 }
 
 }  // namespace tack

@@ -14,7 +14,7 @@
 namespace tack {
 namespace {
 
-// Checked here because VTK itself follows numbers out of range.
+// Throws InputError for indices out of range, which VTK does not check.
 void check_corners(const Mesh& mesh, vtkIdList& corners, const std::string& where) {
   const auto count = static_cast<vtkIdType>(mesh.vertices.size());
   for (const vtkIdType v : corners) {

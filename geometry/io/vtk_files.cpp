@@ -1,4 +1,4 @@
-// .stl, .vtk (legacy) and .vtu through VTK.
+// Readers of .stl, .vtk (legacy) and .vtu by VTK.
 #include <fmt/format.h>
 #include <vtkCellData.h>
 #include <vtkCellTypes.h>
@@ -44,7 +44,7 @@ std::string unit_of(vtkDataArray& array) {
 std::vector<FrameArray> arrays_of(vtkFieldData& data) {
   std::vector<FrameArray> arrays;
   for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
-    vtkDataArray* array = data.GetArray(i);  // null: of texts
+    vtkDataArray* array = data.GetArray(i);  // null: an array of strings
     if (!array || !array->GetName()) continue;
     const int components = array->GetNumberOfComponents();
     FrameArray& out = arrays.emplace_back(FrameArray{array->GetName(), unit_of(*array), components, {}});
@@ -55,7 +55,8 @@ std::vector<FrameArray> arrays_of(vtkFieldData& data) {
   return arrays;
 }
 
-// Tets, triangles, edges and points in this order, so that a cell's number follows from that of its element.
+// Throws InputError unless cells are tets, triangles, edges and points in this order, so that the index of an element gives that of its
+// cell.
 void check_order(vtkDataSet& data, const FrameFile& frame, const std::string& name) {
   const Mesh& mesh = frame.mesh;
   const std::array<std::pair<int, std::size_t>, 4> expected = {{{VTK_TETRA, mesh.tets.size()}, {VTK_TRIANGLE, mesh.triangles.size()},
@@ -80,8 +81,8 @@ FrameFile read_frame(const std::filesystem::path& path) {
   FrameFile frame;
   frame.mesh = mesh_of(*data, name);
   check_order(*data, frame, name);
-  frame.of_vertices = arrays_of(*data->GetPointData());
-  frame.of_cells = arrays_of(*data->GetCellData());
+  frame.vertex_arrays = arrays_of(*data->GetPointData());
+  frame.cell_arrays = arrays_of(*data->GetCellData());
   return frame;
 }
 

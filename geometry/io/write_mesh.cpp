@@ -19,9 +19,9 @@
 namespace tack {
 namespace {
 
-template <class... Parts>
-void add(std::string& text, fmt::format_string<Parts...> format, Parts&&... parts) {
-  fmt::format_to(std::back_inserter(text), format, std::forward<Parts>(parts)...);
+template <class... Arguments>
+void add(std::string& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
 }
 
 std::string off_text(const Mesh& mesh) {
@@ -41,7 +41,7 @@ std::string ply_text(const Mesh& mesh) {
   return text;
 }
 
-// ASCII: the binary form has single precision only.
+// Writes ASCII, because binary .stl has single precision only.
 std::string stl_text(const Mesh& mesh) {
   std::string text = "solid mesh\n";
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -88,20 +88,20 @@ std::string grid_text(const Mesh& mesh) {
   else return writer->GetOutputString();
 }
 
-// Gmsh does not tell what it could not write: such a file has no end.
-bool write_whole_msh(const std::filesystem::path& path, const Mesh& mesh) {
+// Writes a .msh file; returns true if it is complete. Gmsh does not report failures: an incomplete file lacks its end.
+bool write_complete_msh(const std::filesystem::path& path, const Mesh& mesh) {
   write_msh(path, mesh);
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   constexpr std::string_view end = "$EndElements\n";
   std::string last(end.size(), '\0');
   file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
   file.read(last.data(), static_cast<std::streamsize>(last.size()));
-  errno = 0;  // not of what was written
+  errno = 0;  // not an error of writing
   return file && last == end;
 }
 
-// What cannot be written is told before anything is.
-void require_place_for(const Mesh& mesh, const std::filesystem::path& path) {
+// Throws InputError, before anything is written, for elements or positions that the format does not support.
+void require_supported(const Mesh& mesh, const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   const bool all = extension == ".vtk" || extension == ".vtu" || extension == ".msh", gltf = extension == ".glb" || extension == ".gltf", lines = all || gltf || extension == ".obj";
   if (!lines && extension != ".off" && extension != ".ply" && extension != ".stl")
@@ -119,7 +119,7 @@ void require_place_for(const Mesh& mesh, const std::filesystem::path& path) {
 }  // namespace
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
-  require_place_for(mesh, path);
+  require_supported(mesh, path);
   const std::string extension = path.extension().string();
   if (extension == ".obj") replace_file(path, obj_text(mesh));
   if (extension == ".off") replace_file(path, off_text(mesh));
@@ -129,7 +129,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   if (extension == ".gltf") replace_file(path, gltf_text(mesh));
   if (extension == ".vtk") replace_file(path, grid_text<vtkUnstructuredGridWriter>(mesh));
   if (extension == ".vtu") replace_file(path, grid_text<vtkXMLUnstructuredGridWriter>(mesh));
-  if (extension == ".msh") replace_file_by(path, [&](const std::filesystem::path& part) { return write_whole_msh(part, mesh); });
+  if (extension == ".msh") replace_file_by(path, [&](const std::filesystem::path& draft) { return write_complete_msh(draft, mesh); });
 }
 
 }  // namespace tack

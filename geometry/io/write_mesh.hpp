@@ -2,9 +2,9 @@
 //   .vtu .vtk .msh (4.1, binary)   everything
 //   .obj .glb .gltf                all but tets
 //   .off .ply .stl (ASCII)         triangles only
-// Coordinates keep every bit, but in .vtk (ASCII) and glTF (single precision). Groups are not
-// written. Errors: InputError naming the file and the remedy: another extension, elements that the
-// format does not know, vertices that glTF would put into one place, a file
+// Coordinates keep every bit, except in .vtk (ASCII) and glTF (single precision). Groups are not
+// written. Errors: InputError naming the file and the remedy, for an unknown extension, elements
+// that the format does not support, vertices that coincide in the precision of glTF, and a file
 // that cannot be written.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Signed distances to primitives about the origin: negative inside, exact everywhere. Lengths in
-// metres. What has an axis stands along y.
+// metres. Axes are along y.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,8 @@ inline double torus_distance(const Vec3& p, double radius, double tube) {
   return std::hypot(std::hypot(p.x(), p.z()) - radius, p.y()) - tube;
 }
 
-// A frustum: radii at y = -height / 2 and height / 2, one of which may be zero.
+// Returns the distance to a frustum with radii at y = -height / 2 and height / 2, one of which may
+// be zero.
 inline double cone_distance(const Vec3& p, double bottom, double top, double height) {
   const Vec2 q(std::hypot(p.x(), p.z()), p.y());
   const Vec2 low(bottom, -height / 2), high(top, height / 2);

@@ -1,7 +1,7 @@
-// Distances on the voxels near a surface (OpenVDB's narrow band), and surfaces from them. Lengths
-// in metres; a voxel is a cube. Numbers are kept in single precision in units of a voxel and from a
-// point of the body, so that its scale and position do not matter. Same input, same bits, whatever
-// the number of threads.
+// Signed distances on the voxels near a surface (OpenVDB's narrow band), and surfaces extracted
+// from them. Lengths in metres; voxels are cubes. Distances are stored in single precision, in
+// units of a voxel and relative to a point of the body, so that its size and position do not affect
+// accuracy. The same input gives the same bits for any number of threads.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,7 +13,8 @@
 
 namespace tack {
 
-// Signed distances or less, negative inside, at many points at once; called from several threads.
+// Evaluates lower bounds of signed distances, negative inside, at many points; called from several
+// threads.
 using DistanceFunction = std::function<void(std::span<const Vec3>, std::span<double>)>;
 
 class DistanceGrid {
@@ -25,15 +26,15 @@ class DistanceGrid {
   // Returns the grid of the closed surface of a mesh, up to `band` [m] on both sides.
   static DistanceGrid of(const Mesh& mesh, double voxel, double band);
 
-  // How deep it is where it is deepest, below zero; no less than minus the band's width.
+  // Returns the lowest distance in the band (negative: greatest depth); at least minus its width.
   double lowest() const;
-  // Interpolated between voxels; the band's width where a point is farther.
+  // Interpolates distances between voxels; beyond the band, they are the width of the band.
   void sample(std::span<const Vec3> points, std::span<double> distances) const;
 
   // Returns triangles with outward normals, with a vertex per voxel that the surface crosses; empty
   // if nothing is inside.
   Mesh surface() const;
-  // The voxel that a point lies in.
+  // Returns the voxel that contains a point.
   Eigen::AlignedBox3d voxel_of(const Vec3& point) const;
 
   static constexpr double max_band_voxels = 2e8;

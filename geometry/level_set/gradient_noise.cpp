@@ -11,7 +11,7 @@ std::uint32_t scrambled(std::uint32_t h) {
   return h ^ (h >> 16);
 }
 
-// The slope at a corner of the lattice, along one of the twelve directions to the edges of a cube, times the offset from it.
+// Returns the gradient at a lattice corner, one of the twelve directions to the edges of a cube, times the offset from the corner.
 double at_corner(std::int64_t i, std::int64_t j, std::int64_t k, const Vec3& offset, std::uint32_t seed) {
   std::uint32_t h = seed;
   for (const std::int64_t n : {i, j, k}) h = scrambled(h ^ static_cast<std::uint32_t>(n));

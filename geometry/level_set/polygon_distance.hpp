@@ -1,5 +1,5 @@
-// Signed distance to a polygon in the plane: negative inside by the even-odd rule, exact
-// everywhere.
+// Signed distance to a polygon in the plane, exact everywhere; negative inside by the even-odd
+// rule.
 #pragma once
 
 #include <span>

@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-// Each letter as polylines, separated by blanks: pairs of digits are places on a grid that is 6 high; the first digit, its width.
+// Each letter: its width, then polylines separated by blanks, whose pairs of digits are positions on a grid of height 6.
 const std::map<char, std::string_view>& letters() {
   static const std::map<char, std::string_view> all = {
       {'A', "4 002640 0232"},        {'B', "4 00063645443303 3342413000"}, {'C', "4 4536160501103041"},
@@ -45,9 +45,8 @@ std::vector<Stroke> text_strokes(std::string_view text) {
     const std::string_view lines = found->second;
     for (size_t i = 2; i + 3 < lines.size(); ++i) {
       if (lines[i] == ' ') continue;
-      // The next place of the same polyline, if there is one.
-      const auto place = [&](size_t k) { return Vec2(at + lines[k] - '0', lines[k + 1] - '0'); };
-      if (lines[i + 2] != ' ' && lines[i + 3] != ' ') strokes.push_back({place(i), place(i + 2)});
+      const auto position = [&](size_t k) { return Vec2(at + lines[k] - '0', lines[k + 1] - '0'); };
+      if (lines[i + 2] != ' ' && lines[i + 3] != ' ') strokes.push_back({position(i), position(i + 2)});
       ++i;
     }
     at += lines[0] - '0' + space;

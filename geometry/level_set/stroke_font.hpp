@@ -1,5 +1,4 @@
-// Letters as lines: capitals, digits and . , ! ? - + = / : ' & (small letters are taken for
-// capitals).
+// Letters as strokes: capitals, digits and . , ! ? - + = / : ' & (small letters become capitals).
 #pragma once
 
 #include <array>
@@ -12,8 +11,8 @@ namespace tack {
 
 using Stroke = std::array<Vec2, 2>;
 
-// Returns the strokes of a line of text, its capitals one unit high, centred at the origin; x runs
-// to the right, y up. Throws InputError for a character that is not known.
+// Returns the strokes of a line of text with capitals of height 1, centred at the origin; x to the
+// right, y up. Throws InputError for an unknown character.
 std::vector<Stroke> text_strokes(std::string_view text);
 
 }  // namespace tack

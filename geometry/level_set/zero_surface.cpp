@@ -17,7 +17,7 @@ struct Samples {
   std::vector<Vec3> slopes;
 };
 
-// Slopes by central differences.
+// Returns values and slopes (central differences).
 Samples sampled(const DistanceFunction& function, std::span<const Vec3> points, double step) {
   constexpr int probes = 7;
   std::vector<Vec3> at(probes * points.size());
@@ -41,9 +41,9 @@ Samples sampled(const DistanceFunction& function, std::span<const Vec3> points, 
 
 using Boxes = std::vector<Eigen::AlignedBox3d>;
 
-// Moves vertices onto the zero by Newton's method, each within its box; returns the unit normals there, zero where the function
-// is flat.
-std::vector<Vec3> snapped(std::vector<Vec3>& vertices, const DistanceFunction& function, double voxel, const Boxes& boxes) {
+// Moves vertices to the zero of the function by Newton's method, each within its box. Returns the unit normals there; zero where the
+// function is flat.
+std::vector<Vec3> project_to_surface(std::vector<Vec3>& vertices, const DistanceFunction& function, double voxel, const Boxes& boxes) {
   constexpr int rounds = 4;
   std::vector<Vec3> normals(vertices.size());
   tbb::parallel_for(tbb::blocked_range<size_t>(0, vertices.size(), 256), [&](const auto& range) {
@@ -63,7 +63,7 @@ std::vector<Vec3> snapped(std::vector<Vec3>& vertices, const DistanceFunction& f
   return normals;
 }
 
-// Neighbours of each vertex: vertex i's are list[first[i]] to before list[first[i + 1]].
+// Neighbours of vertices: those of vertex i are list[first[i]] to before list[first[i + 1]].
 struct Rings {
   std::vector<int> first, list;
 };
@@ -76,15 +76,15 @@ Rings rings_of(const Mesh& mesh) {
   for (size_t i = 0; i + 1 < rings.first.size(); ++i) rings.first[i + 1] += rings.first[i];
   rings.list.resize(rings.first.back());
   std::vector<int> at(rings.first.begin(), rings.first.end() - 1);
-  // Of a closed surface, each neighbour follows in one triangle.
+  // On a closed surface, each neighbour follows the vertex in exactly one triangle.
   for (const Triangle& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) rings.list[at[t[k]]++] = t[(k + 1) % 3];
   return rings;
 }
 
-// Where the planes of a vertex and its neighbours meet best within its box: in a corner, on a crease, or where it is.
-Vec3 crease(int v, const Mesh& mesh, const Rings& rings, const std::vector<Vec3>& normals, const Eigen::AlignedBox3d& box) {
-  constexpr double small = 0.05;  // of the largest eigenvalue: no plane stands across it
+// Returns the point of the box that is closest to the planes of a vertex and its neighbours: on a corner, on a crease, or the vertex itself.
+Vec3 crease_position(int v, const Mesh& mesh, const Rings& rings, const std::vector<Vec3>& normals, const Eigen::AlignedBox3d& box) {
+  constexpr double small = 0.05;  // relative to the largest eigenvalue; smaller ones: no plane constrains that direction
   Mat3 squares = Mat3::Zero();
   Vec3 right = Vec3::Zero();
   const Vec3& x = mesh.vertices[v];
@@ -96,17 +96,17 @@ Vec3 crease(int v, const Mesh& mesh, const Rings& rings, const std::vector<Vec3>
   for (int k = rings.first[v]; k < rings.first[v + 1]; ++k) add(rings.list[k]);
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(squares);
   for (int least = 0; least < 2; ++least) {
-    Vec3 way = Vec3::Zero();
+    Vec3 step = Vec3::Zero();
     for (int k = least; k < 3; ++k)
       if (eigen.eigenvalues()[k] > small * eigen.eigenvalues()[2])
-        way += eigen.eigenvectors().col(k).dot(right) / eigen.eigenvalues()[k] * eigen.eigenvectors().col(k);
-    if (box.contains(Vec3(x + way))) return x + way;
+        step += eigen.eigenvectors().col(k).dot(right) / eigen.eigenvalues()[k] * eigen.eigenvectors().col(k);
+    if (box.contains(Vec3(x + step))) return x + step;
   }
   return x;
 }
 
-// Vertices of the triangles and edges that cross, first found first.
-std::set<int> tangled(const Mesh& mesh) {
+// Returns the vertices of triangles and edges that cross.
+std::set<int> crossing_vertices(const Mesh& mesh) {
   const Surface surface = extract_surface(mesh);
   CollisionMesh all;
   all.vertices = surface.vertices;
@@ -125,13 +125,13 @@ std::set<int> tangled(const Mesh& mesh) {
   return vertices;
 }
 
-// Where parts of the surface are closer than a voxel, vertices that were moved may have gone through others: these go back, to
-// the earlier of their places if the later is no better.
-void untangle(Mesh& mesh, const std::vector<Vec3>& before, const std::vector<Vec3>& at_first) {
+// Moves vertices back until no triangle crosses an edge. Where the surface is closer to itself than a voxel, moved vertices may have
+// crossed it. They return to `before`, and to `at_first` if that does not help.
+void undo_crossings(Mesh& mesh, const std::vector<Vec3>& before, const std::vector<Vec3>& at_first) {
   constexpr int rounds = 8;
   std::vector<char> back(mesh.vertices.size(), 0);
   for (int round = 0; round < rounds; ++round) {
-    const std::set<int> vertices = tangled(mesh);
+    const std::set<int> vertices = crossing_vertices(mesh);
     if (vertices.empty()) return;
     for (const int v : vertices) {
       back[v] = back[v] || mesh.vertices[v] == before[v] ? 2 : 1;
@@ -145,25 +145,25 @@ void untangle(Mesh& mesh, const std::vector<Vec3>& before, const std::vector<Vec
 Mesh zero_surface(const DistanceFunction& function, const Eigen::AlignedBox3d& box, double voxel) {
   const DistanceGrid grid = DistanceGrid::of(function, box, voxel);
   Mesh mesh = grid.surface();
-  constexpr double margin = 0.1;  // voxels by which vertices may leave theirs; on creases they stay, or two would meet
+  constexpr double margin = 0.1;  // in voxels: vertices may leave their voxel by it; those on creases may not, or two would coincide
   Boxes own, boxes;
   for (const Vec3& x : mesh.vertices) {
     own.push_back(grid.voxel_of(x));
     boxes.emplace_back(own.back().min().array() - margin * voxel, own.back().max().array() + margin * voxel);
   }
   const std::vector<Vec3> at_first = mesh.vertices;
-  const std::vector<Vec3> normals = snapped(mesh.vertices, function, voxel, boxes);
+  const std::vector<Vec3> normals = project_to_surface(mesh.vertices, function, voxel, boxes);
   const Rings rings = rings_of(mesh);
-  constexpr double sharp = 0.8;  // cosine of an angle that a smooth surface does not turn by within a voxel
+  constexpr double sharp = 0.8;  // cosine of the angle between normals of neighbours, above which the surface is smooth
   std::vector<Vec3> moved = mesh.vertices;
   tbb::parallel_for(size_t{0}, moved.size(), [&](size_t i) {
-    bool turns = false;
-    for (int k = rings.first[i]; k < rings.first[i + 1] && !turns; ++k) turns = normals[rings.list[k]].dot(normals[i]) < sharp;
-    if (turns) moved[i] = crease(static_cast<int>(i), mesh, rings, normals, own[i]);
+    bool sharp_edge = false;
+    for (int k = rings.first[i]; k < rings.first[i + 1] && !sharp_edge; ++k) sharp_edge = normals[rings.list[k]].dot(normals[i]) < sharp;
+    if (sharp_edge) moved[i] = crease_position(static_cast<int>(i), mesh, rings, normals, own[i]);
   });
   std::swap(mesh.vertices, moved);
-  untangle(mesh, moved, at_first);
-  flip_slivers(mesh, 0.02 * voxel);  // along creases, three vertices may be in a line
+  undo_crossings(mesh, moved, at_first);
+  flip_slivers(mesh, 0.02 * voxel);  // along creases, three vertices may be collinear
   return mesh;
 }
 

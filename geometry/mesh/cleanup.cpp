@@ -24,13 +24,13 @@ struct CellHash {
   }
 };
 
-// Hash grid of the vertices kept so far: cells as wide as the tolerance, so the 27 cells around a
-// point hold every kept vertex within reach.
+// Hash grid of the vertices kept so far. Cells are as wide as the tolerance, so that the 27 cells
+// around a point contain every kept vertex within the tolerance.
 class KeptVertices {
  public:
   explicit KeptVertices(double tolerance) : tolerance_(tolerance) {}
 
-  // Number of the first kept vertex within the tolerance; x itself is kept when there is none.
+  // Returns the index of the first kept vertex within the tolerance; keeps x if there is none.
   int find_or_keep(const Vec3& x) {
     const Cell cell = cell_of(x);
     int best = -1;
@@ -87,7 +87,7 @@ void remap(std::vector<Element>& elements, const std::vector<int>& new_index) {
   });
 }
 
-// new_index[old] is -1 for a vertex that disappears (which then no element uses).
+// Renumbers all vertices. new_index[old] is -1 for a removed vertex, which no element uses.
 void remap_vertices(Mesh& mesh, const std::vector<int>& new_index) {
   remap(mesh.tets, new_index);
   remap(mesh.triangles, new_index);
@@ -103,7 +103,7 @@ void remap_vertices(Mesh& mesh, const std::vector<int>& new_index) {
   }
 }
 
-// All sub-elements with N vertices of `elements`, sorted for binary search.
+// Appends all sub-elements with N vertices, each with ascending vertices.
 template <std::size_t N, class Element>
 void collect_faces(const std::vector<Element>& elements, std::vector<std::array<int, N>>& faces) {
   const int corners = static_cast<int>(Element{}.size());

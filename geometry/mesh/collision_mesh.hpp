@@ -1,5 +1,5 @@
-// The surface complex that contact sees: the vertices, edges and triangles of every object, as
-// indices into the global configuration. Purely topological; positions [m] come with each call.
+// Surface complex for contact: the vertices, edges and triangles of every object, as indices into
+// the global configuration. Topology only; positions [m] are passed with each call.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@ struct CollisionMesh {
   std::vector<Triangle> triangles;   // global vertex ids, oriented outwards where closed
   std::vector<int> vertex_object;    // per global vertex: object id, also for interior vertices
   std::vector<char> vertex_movable;  // per global vertex: 0 if it never moves
-  // Per global vertex: vertices of one group (>= 0) never move against each other; -1: in no group.
-  // May be empty: no groups but what is not movable.
+  // Rigid group per global vertex: vertices of one group (>= 0) keep their distances; -1: in no
+  // group. Empty: no groups except the vertices that never move.
   std::vector<int> vertex_group;
   std::vector<int> codim_edges;      // indices into edges: those in no triangle (rods), ascending
   std::vector<int> codim_points;     // global ids of vertices in no edge (particles), ascending
 };
 
-// The largest object id, and one more.
+// Returns the largest object id plus one.
 inline int object_count(const CollisionMesh& mesh) {
   const auto last = std::max_element(mesh.vertex_object.begin(), mesh.vertex_object.end());
   return last == mesh.vertex_object.end() ? 0 : *last + 1;

@@ -9,7 +9,7 @@ namespace {
 
 template <class T>
 std::uint32_t checksum(const std::vector<T>& values, std::uint32_t before = 0) {
-  const std::uint64_t count = values.size();  // so that what one list lacks does not count as the next one's
+  const std::uint64_t count = values.size();  // separates the list from the next one
   before = crc32_of(&count, sizeof count, before);
   return crc32_of(values.data(), values.size() * sizeof(T), before);
 }

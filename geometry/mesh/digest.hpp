@@ -1,4 +1,4 @@
-// Digest of a mesh, to recognise it: counts, and checksums of its arrays.
+// Digest of a mesh by which it is recognised: counts, and checksums of its arrays.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct MeshDigest {
 
 MeshDigest digest_of(const Mesh& mesh);
 
-// Returns the first difference: "8 vertices there, 27 here", "vertices at other places", ...; "" if
-// there is none.
+// Returns the first difference: "8 vertices there, 27 here", "its vertices lie elsewhere", ...; ""
+// if there is none.
 std::string difference(const MeshDigest& there, const MeshDigest& here);
 
 }  // namespace tack

@@ -29,11 +29,11 @@ class Flipper {
   }
 
  private:
-  // Of the directed edge a to b of one triangle.
+  // Returns the key of the directed edge from a to b.
   static std::uint64_t key(int a, int b) { return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b); }
 
   double length(int a, int b) const { return (mesh_.vertices[a] - mesh_.vertices[b]).norm(); }
-  // The lowest of its three.
+  // Returns the smallest of the three heights.
   double height(const Triangle& t) const {
     const double longest = std::max({length(t[0], t[1]), length(t[1], t[2]), length(t[2], t[0])});
     return longest > 0 ? 2 * triangle_area(mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]) / longest : 0;

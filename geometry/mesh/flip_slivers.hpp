@@ -1,4 +1,4 @@
-// Triangles as flat as a line, mended by turning their longest edge.
+// Repair of nearly degenerate triangles by flipping their longest edge.
 #pragma once
 
 #include "geometry/mesh/mesh.hpp"

@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-// Sums over tets, which may be of negative volume.
+// Sums over tets, whose volumes may be negative.
 struct Sums {
   double volume = 0;
   Vec3 first = Vec3::Zero();
@@ -26,7 +26,7 @@ struct Sums {
   }
 };
 
-// Every edge is used once in each direction.
+// Throws InputError unless every edge is used once in each direction.
 void check_closed(const std::vector<Triangle>& triangles) {
   std::map<Edge, int> uses;
   for (const Triangle& t : triangles)
@@ -42,19 +42,20 @@ void check_closed(const std::vector<Triangle>& triangles) {
                                    "close it, or give tets", edge[0], edge[1]));
 }
 
-// Space counts once: a part within another is a cavity, and only a part within a cavity faces outwards again.
+// Throws InputError if a component inside another one is not a cavity, or a component inside a cavity faces inwards: space would
+// count twice.
 void check_nesting(const Mesh& mesh) {
-  const std::vector<int> part = parts_of(mesh.triangles);
+  const std::vector<int> component = components_by_edges(mesh.triangles);
   const auto at = [&](int v) { return mesh.vertices[v]; };
-  const std::vector<int> around = enclosing_windings(mesh.triangles, part, at);
+  const std::vector<int> around = enclosing_windings(mesh.triangles, component, at);
   if (around.size() < 2) return;
   std::vector<double> volume(around.size(), 0);
   std::vector<int> first(around.size(), -1);
-  for (size_t t = 0; t < part.size(); ++t) {
-    int& vertex = first[part[t]];
+  for (size_t t = 0; t < component.size(); ++t) {
+    int& vertex = first[component[t]];
     if (vertex < 0) vertex = mesh.triangles[t][0];
     const auto x = [&](int k) { return Vec3(at(mesh.triangles[t][k]) - at(vertex)); };
-    volume[part[t]] += x(0).dot(x(1).cross(x(2)));
+    volume[component[t]] += x(0).dot(x(1).cross(x(2)));
   }
   for (size_t p = 0; p < around.size(); ++p) {
     const bool outwards = volume[p] > 0;

@@ -9,12 +9,13 @@ namespace tack {
 struct MassProperties {
   double volume = 0;               // m^3
   Vec3 centroid = Vec3::Zero();    // m
-  Mat3 moments = Mat3::Zero();     // of (x - centroid) (x - centroid)^T over the volume [m^5]
+  Mat3 moments = Mat3::Zero();     // integral of (x - centroid) (x - centroid)^T [m^5]
 };
 
-// Throws InputError if there are neither tets nor triangles, or if the surface is not closed, not
-// oriented alike throughout, inside out, or has closed parts within each other that would count the
-// inner one twice (a cavity faces inwards). Edges and points are not asked.
+// Returns the mass properties. Throws InputError if there are neither tets nor triangles, or if the
+// surface is not closed, not consistently oriented, inside out, or has closed components within
+// each other of which the inner one would count twice (a cavity faces inwards). Edges and points
+// are ignored.
 MassProperties mass_properties(const Mesh& mesh);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
 // One model for solids (tets), shells (triangles), rods (edges) and particles (points) over one
-// list of vertices. A mesh may mix them, but what takes part in contact may not yet
+// list of vertices. A mesh may mix them; rods and particles need a size for contact
 // (framework/setup/contact_support.hpp). Coordinates in metres, angles in radians.
 // A tet (a, b, c, d) is positive when (b-a) x (c-a) . (d-a) > 0; a triangle's normal is
 // (b-a) x (c-a).
@@ -29,17 +29,17 @@ struct Mesh {
 
 void translate(Mesh& mesh, const Vec3& offset);
 
-// About the origin, right-handed; the axis needs no normalisation.
+// Rotates about an axis through the origin, right-handed; the axis needs no normalisation.
 void rotate(Mesh& mesh, const Vec3& axis, double angle);
 
-// About the origin. An odd number of negative factors mirrors the mesh; tets and triangles are then
-// re-ordered, so that volumes stay positive and normals stay on the same side.
+// Scales about the origin. An odd number of negative factors mirrors the mesh; tets and triangles
+// are then reordered, so that volumes stay positive and normals stay on the same side.
 void scale(Mesh& mesh, const Vec3& factors);
 
-// Adds a copy of `other` behind `mesh`; groups of the same name are united.
+// Appends a copy of `other` to `mesh`; groups of the same name are united.
 void append(Mesh& mesh, const Mesh& other);
 
-// Smallest axis-aligned box around the vertices; isEmpty() for a mesh without any.
+// Returns the smallest axis-aligned box around the vertices; isEmpty() without vertices.
 Eigen::AlignedBox3d bounding_box(const Mesh& mesh);
 
 }  // namespace tack

@@ -16,20 +16,20 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 double angle_between(const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)) * degrees; }
 
-void add(AngleHistogram& h, double angle, int element, const Vec3& place) {
+void add(AngleHistogram& h, double angle, int element, const Vec3& centroid) {
   ++h.count[std::clamp(static_cast<int>(angle / 10), 0, AngleHistogram::bins - 1)];
   h.largest = std::max(h.largest, angle);
   if (angle >= h.smallest && h.worst >= 0) return;
   h.smallest = angle;
   h.worst = element;
-  h.place = place;
+  h.centroid = centroid;
 }
 
-std::string place_text(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]); }
+std::string position_text(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x[0], x[1], x[2]); }
 
 void add_angles(Notes& notes, const AngleHistogram& h, const char* what, const char* element) {
   notes.push_back(fmt::format("{} from {:.3g} to {:.3g} degrees; smallest in {} {} at {}", what, h.smallest, h.largest, element,
-                              h.worst, place_text(h.place)));
+                              h.worst, position_text(h.centroid)));
   const long most = *std::max_element(h.count.begin(), h.count.end());
   for (int i = 0; i < AngleHistogram::bins; ++i)
     if (h.count[i] > 0)
@@ -47,7 +47,7 @@ AngleHistogram dihedral_angles(const Mesh& mesh) {
     const Vec3 middle = (x[0] + x[1] + x[2] + x[3]) / 4;
     for (int i = 0; i < 4; ++i)
       for (int j = i + 1; j < 4; ++j) {
-        // Of the edge from i to j: between the parts, across it, of the ways to the other two corners.
+        // Dihedral angle at the edge from i to j: between the components, across it, of the vectors to the other two corners.
         const int k = i == 0 ? (j == 1 ? 2 : 1) : 0, l = 6 - i - j - k;
         const Vec3 e = (x[j] - x[i]).normalized();
         const auto across = [&](const Vec3& p) -> Vec3 { return (p - x[i]) - e * e.dot(p - x[i]); };

@@ -1,4 +1,4 @@
-// How good the elements of a mesh are, and the lines that tell it.
+// Quality of the elements of a mesh, and report lines on it.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ struct AngleHistogram {
   static constexpr int bins = 18;  // of 10 degrees each
   std::array<long, bins> count{};
   double smallest = 180, largest = 0;
-  int worst = -1;       // the element with the smallest
-  Vec3 place = Vec3::Zero();  // its centroid [m]
+  int worst = -1;                // element with the smallest angle
+  Vec3 centroid = Vec3::Zero();  // of that element [m]
 };
 
 struct EdgeLengths {
@@ -25,15 +25,16 @@ AngleHistogram dihedral_angles(const Mesh& mesh);   // of the tets
 AngleHistogram triangle_angles(const Mesh& mesh);   // of the explicit triangles
 EdgeLengths edge_lengths(const Mesh& mesh);         // of tets and triangles
 
-// Largest ratio of circumradius to shortest edge among the tets (0.612 if regular), and the tet
-// that has it.
+// Largest ratio of circumradius to shortest edge of the tets (0.612 for a regular tet), and its
+// tet.
 struct RadiusEdge {
   double largest = 0;
   int worst = -1;
 };
 RadiusEdge radius_edge(const Mesh& mesh);
 
-// Counts, edges, volume, angles with their histogram, the worst element by number and place.
+// Returns lines on counts, edges, volume, the histogram of angles, and the index and centroid of
+// the worst element.
 Notes quality_notes(const Mesh& mesh);
 
 }  // namespace tack

@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// The solid angle that a triangle covers as seen from a point, positive if it faces away (Van Oosterom and Strackee 1983).
+// Returns the solid angle of a triangle seen from the origin; positive if it faces away (Van Oosterom and Strackee 1983).
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
@@ -16,15 +16,15 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-std::vector<int> enclosing_windings(const std::vector<Triangle>& triangles, const std::vector<int>& part,
+std::vector<int> enclosing_windings(const std::vector<Triangle>& triangles, const std::vector<int>& component,
                                     const std::function<Vec3(int)>& at) {
-  const int count = part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1;
+  const int count = component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
   if (count < 2) return std::vector<int>(static_cast<size_t>(count), 0);
   std::vector<std::vector<Triangle>> members(static_cast<size_t>(count));
   std::vector<Eigen::AlignedBox3d> boxes(static_cast<size_t>(count));
   for (size_t t = 0; t < triangles.size(); ++t) {
-    members[part[t]].push_back(triangles[t]);
-    for (const int v : triangles[t]) boxes[part[t]].extend(at(v));
+    members[component[t]].push_back(triangles[t]);
+    for (const int v : triangles[t]) boxes[component[t]].extend(at(v));
   }
   std::vector<int> windings;
   for (int p = 0; p < count; ++p) {

@@ -1,4 +1,5 @@
-// Closed surfaces within each other: a cavity faces inwards, and what floats in it outwards again.
+// Closed surfaces within each other: a cavity faces inwards; a component inside a cavity faces
+// outwards.
 #pragma once
 
 #include <functional>
@@ -8,12 +9,12 @@
 
 namespace tack {
 
-// How often the others enclose each part of closed triangles: their winding number at one of its
-// vertices, +1 for a part around it that faces outwards, -1 for one that faces inwards. part: of
-// each triangle, from 0 (parts_of); at: the place of a vertex [m]. Parts may not intersect each
-// other; one that touches another has the nearest whole number.
+// Returns, per connected component of closed triangles, the winding number of the other components
+// at one of its vertices: +1 for each enclosing component that faces outwards, -1 for each one that
+// faces inwards. component: index per triangle (components_by_edges); at: position of a vertex [m].
+// Components must not intersect; where two touch, the winding number is rounded.
 std::vector<int> enclosing_windings(const std::vector<Triangle>& triangles,
-                                    const std::vector<int>& part,
+                                    const std::vector<int>& component,
                                     const std::function<Vec3(int)>& at);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// The elements of a mesh by the object that they are of.
+// Ranges of elements of a collision mesh by object.
 #pragma once
 
 #include <array>

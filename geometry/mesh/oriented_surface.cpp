@@ -14,7 +14,7 @@ namespace {
 
 Edge key_of(int a, int b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
-// The triangles at each edge, in their order.
+// Returns the triangles at each edge, ascending.
 std::map<Edge, std::vector<int>> triangles_at_edges(const std::vector<Triangle>& triangles) {
   std::map<Edge, std::vector<int>> at;
   for (size_t t = 0; t < triangles.size(); ++t)
@@ -26,15 +26,16 @@ bool leads(const Triangle& t, int a, int b) { return (t[0] == a && t[1] == b) ||
 
 int opposite(const Triangle& t, int a, int b) { return t[0] + t[1] + t[2] - a - b; }
 
-// Each triangle with its neighbours, from the first of its part: visit(triangle, neighbour, edge).
+// Visits the triangles of each connected component from its first one: begin(first), then visit(triangle, neighbour, edge,
+// whether the neighbour was visited before).
 template <class Begin, class Visit>
-void walk(const std::vector<Triangle>& triangles, const Begin& begin, const Visit& visit) {
+void for_each_neighbour(const std::vector<Triangle>& triangles, const Begin& begin, const Visit& visit) {
   const auto at = triangles_at_edges(triangles);
-  std::vector<char> seen(triangles.size(), 0);
+  std::vector<char> visited(triangles.size(), 0);
   std::vector<int> open;
   for (size_t first = 0; first < triangles.size(); ++first) {
-    if (seen[first]) continue;
-    seen[first] = 1;
+    if (visited[first]) continue;
+    visited[first] = 1;
     begin(static_cast<int>(first));
     open.assign(1, static_cast<int>(first));
     while (!open.empty()) {
@@ -44,8 +45,8 @@ void walk(const std::vector<Triangle>& triangles, const Begin& begin, const Visi
         const Edge edge = key_of(triangles[t][k], triangles[t][(k + 1) % 3]);
         for (const int other : at.at(edge)) {
           if (other == t) continue;
-          const bool known = seen[other];
-          seen[other] = 1;
+          const bool known = visited[other];
+          visited[other] = 1;
           visit(t, other, edge, known);
           if (!known) open.push_back(other);
         }
@@ -95,22 +96,22 @@ void OrientedSurface::add_areas(const VecX& x, double factor, VecX& sum) const {
   }
 }
 
-Vec3 OrientedSurface::share(const SurfaceEdge& e, const VecX& x) const {
+Vec3 OrientedSurface::edge_area_vector(const SurfaceEdge& e, const VecX& x) const {
   const Vec3 a = vertex(x, e.a), along = vertex(x, e.b) - a, left = vertex(x, e.left);
   return along.cross(left - (e.right >= 0 ? Vec3(vertex(x, e.right)) : a)) / 12;
 }
 
-Vec3 OrientedSurface::mean_place(const VecX& x) const {
+Vec3 OrientedSurface::mean_position(const VecX& x) const {
   Vec3 sum = Vec3::Zero();
   for (const int v : vertices_) sum += vertex(x, v);
   return sum / static_cast<double>(vertices_.size());
 }
 
-std::vector<Triangle> oriented_alike(std::vector<Triangle> triangles) {
+std::vector<Triangle> consistently_oriented(std::vector<Triangle> triangles) {
   for (const auto& [edge, at] : triangles_at_edges(triangles))
     if (at.size() > 2) throw InputError("more than two triangles meet in an edge, so that there is no inside");
-  const std::vector<Triangle> given = triangles;
-  walk(given, [](int) {}, [&](int t, int other, const Edge& edge, bool known) {
+  const std::vector<Triangle> input = triangles;
+  for_each_neighbour(input, [](int) {}, [&](int t, int other, const Edge& edge, bool known) {
     if (leads(triangles[t], edge[0], edge[1]) != leads(triangles[other], edge[0], edge[1])) return;
     if (known) throw InputError("it has one side only, as a Moebius strip, so that there is no inside");
     std::swap(triangles[other][1], triangles[other][2]);
@@ -118,13 +119,13 @@ std::vector<Triangle> oriented_alike(std::vector<Triangle> triangles) {
   return triangles;
 }
 
-std::vector<int> parts_of(const std::vector<Triangle>& triangles) {
-  std::vector<int> part(triangles.size(), -1);
+std::vector<int> components_by_edges(const std::vector<Triangle>& triangles) {
+  std::vector<int> component(triangles.size(), -1);
   int count = 0;
-  walk(triangles, [&](int t) { part[t] = count++; }, [&](int t, int other, const Edge&, bool known) {
-    if (!known) part[other] = part[t];
+  for_each_neighbour(triangles, [&](int t) { component[t] = count++; }, [&](int t, int other, const Edge&, bool known) {
+    if (!known) component[other] = component[t];
   });
-  return part;
+  return component;
 }
 
 std::vector<std::vector<int>> boundary_loops(const std::vector<Triangle>& triangles) {
@@ -155,10 +156,10 @@ std::vector<Triangle> stitched(std::span<const int> first, std::span<const int> 
     if (distance(first[0], second[j]) < distance(first[0], second[from])) from = j;
   std::vector<Triangle> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const int way : {1, -1}) {
+  for (const int direction : {1, -1}) {
     const auto count = static_cast<int>(second.size());
     const auto of_first = [&](size_t i) { return first[i % first.size()]; };
-    const auto of_second = [&](size_t j) { return second[((static_cast<int>(from) + way * static_cast<int>(j)) % count + count) % count]; };
+    const auto of_second = [&](size_t j) { return second[((static_cast<int>(from) + direction * static_cast<int>(j)) % count + count) % count]; };
     std::vector<Triangle> strip;
     double length = 0;
     for (size_t i = 0, j = 0; i < first.size() || j < second.size();) {

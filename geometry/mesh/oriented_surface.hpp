@@ -3,7 +3,8 @@
 //     V(x) = 1/6 sum_t det(a, b, c):
 // for a closed surface that of its interior, for any o; for an open one that of the cone from o.
 //
-// The area vector of a vertex, its force under a unit pressure, sums up a third of its triangles':
+// The area vector of a vertex, its force under a unit pressure, is a third of the sum of those of
+// its triangles:
 //     N_v = 1/6 sum_{t with v} (b - a) x (c - a)
 //         = dV/dv + 1/6 sum_{boundary edges u -> w with v} u x w.
 // Area vectors of a closed surface are the gradient of V; along a boundary they are no gradient.
@@ -24,11 +25,11 @@ namespace tack {
 class OrientedSurface {
  public:
   struct SurfaceEdge {
-    int a, b;   // as in the triangle (a, b, left); the other is (b, a, right)
+    int a, b;         // order in the triangle (a, b, left); the other one is (b, a, right)
     int left, right;  // right: -1 at a boundary
   };
 
-  // triangles: of one orientation throughout (oriented_alike).
+  // triangles: with consistent orientation (consistently_oriented).
   explicit OrientedSurface(std::vector<Triangle> triangles);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -38,12 +39,11 @@ class OrientedSurface {
 
   double volume(const VecX& x, const Vec3& origin) const;
   double area(const VecX& x) const;
-  // Adds factor times the areas of all vertices (3n) [m^2].
+  // Adds factor times the area vectors of all vertices (3n) [m^2].
   void add_areas(const VecX& x, double factor, VecX& sum) const;
-  // Returns the contribution of an edge to the area vectors of both ends: a third of half of its
-  // triangles.
-  Vec3 share(const SurfaceEdge& e, const VecX& x) const;
-  Vec3 mean_place(const VecX& x) const;  // of its vertices
+  // Returns the contribution of an edge to the area vectors of both ends: a sixth of its triangles.
+  Vec3 edge_area_vector(const SurfaceEdge& e, const VecX& x) const;
+  Vec3 mean_position(const VecX& x) const;  // mean over its vertices [m]
 
  private:
   std::vector<Triangle> triangles_;
@@ -53,19 +53,19 @@ class OrientedSurface {
 };
 
 // Returns the triangles with consistent orientation; each connected component keeps the orientation
-// of its first triangle. Throws InputError, without a place, if there is none (a Moebius strip), or
-// if an edge has more than two triangles.
-std::vector<Triangle> oriented_alike(std::vector<Triangle> triangles);
+// of its first triangle. Throws InputError, without a source location, if there is none (a Moebius
+// strip), or if an edge has more than two triangles.
+std::vector<Triangle> consistently_oriented(std::vector<Triangle> triangles);
 
 // Returns the connected component of each triangle, by edges, numbered from 0.
-std::vector<int> parts_of(const std::vector<Triangle>& triangles);
+std::vector<int> components_by_edges(const std::vector<Triangle>& triangles);
 
 // Returns the boundary loops of triangles of consistent orientation. Throws InputError, without a
-// place, where two of them meet in a vertex.
+// source location, where two loops meet in a vertex.
 std::vector<std::vector<int>> boundary_loops(const std::vector<Triangle>& triangles);
 
-// Returns triangles that close the slit between two loops, each vertex joined to the nearest one of
-// the other loop at x; of any orientation.
+// Returns triangles that close the slit between two loops: each vertex is joined to the nearest one
+// of the other loop at x. Their orientation is arbitrary.
 std::vector<Triangle> stitched(std::span<const int> first, std::span<const int> second,
                                const VecX& x);
 

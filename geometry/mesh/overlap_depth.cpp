@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-constexpr int samples_across = 8;  // of what is common to two boxes
+constexpr int samples_across = 8;  // samples across the intersection of two boxes
 
 double angle_at(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a;
@@ -24,7 +24,7 @@ Aabb moved(Aabb box, const Vec3& by) {
   return box;
 }
 
-// The part of a segment within a box, as parameters.
+// Returns the parameters of the segment inside the box; none if it misses the box.
 std::optional<std::pair<double, double>> clipped(const Vec3& p, const Vec3& q, const Aabb& box) {
   double first = 0, last = 1;
   for (int k = 0; k < 3; ++k) {
@@ -51,7 +51,7 @@ SurfaceDistance::SurfaceDistance(const Mesh& mesh) : vertices_(mesh.vertices) {
   for (const int v : used_) box_.include(vertices_[v]);
   corner_.assign(vertices_.size(), Vec3::Zero());
   std::vector<Aabb> boxes;
-  std::map<Edge, std::pair<Vec3, int>> sums;  // of each edge: the normals at it, and how often it is run along less how often back
+  std::map<Edge, std::pair<Vec3, int>> sums;  // per edge: sum of normals, and uses along minus uses against its direction
   const auto edge = [](int a, int b) { return Edge{std::min(a, b), std::max(a, b)}; };
   double sixfold = 0;
   for (const Triangle& t : triangles_) {
@@ -81,19 +81,19 @@ SurfaceDistance::SurfaceDistance(const Mesh& mesh) : vertices_(mesh.vertices) {
   tree_ = Bvh(boxes);
 }
 
-std::optional<SurfaceDistance::Closest> SurfaceDistance::at(const Vec3& x, double reach) const {
-  // Most points are near: they look around nearby first.
-  for (double r = (box_.hi - box_.lo).norm() / 64; r < reach; r *= 4)
+std::optional<SurfaceDistance::Closest> SurfaceDistance::at(const Vec3& x, double range) const {
+  // Most points are near the surface: small ranges are searched first.
+  for (double r = (box_.hi - box_.lo).norm() / 64; r < range; r *= 4)
     if (const auto found = within(x, r)) return found;
-  return within(x, reach);
+  return within(x, range);
 }
 
-std::optional<SurfaceDistance::Closest> SurfaceDistance::within(const Vec3& x, double reach) const {
+std::optional<SurfaceDistance::Closest> SurfaceDistance::within(const Vec3& x, double range) const {
   if (triangles_.empty()) return std::nullopt;
   Aabb box;
   box.include(x);
-  box.inflate(reach);
-  double least = reach * reach;
+  box.inflate(range);
+  double least = range * range;
   Vec3 closest, normal;
   int nearest = -1;
   detail::visit_groups(tree_, box, false, -1, [&](int group) {
@@ -114,16 +114,16 @@ std::optional<SurfaceDistance::Closest> SurfaceDistance::within(const Vec3& x, d
     }
   });
   if (nearest < 0) return std::nullopt;
-  const Vec3 way = x - closest;
+  const Vec3 offset = x - closest;
   const double distance = std::sqrt(least);
   if (!closed_) {
     if (distance == 0) return std::nullopt;
-    return Closest{distance, way / distance};
+    return Closest{distance, offset / distance};
   }
-  const bool inside = way.dot(normal) < 0;
-  // On the surface the way has no direction that means anything.
+  const bool inside = offset.dot(normal) < 0;
+  // On the surface, the direction of the offset is round-off.
   if (distance <= 1e-9 * (box_.hi - box_.lo).norm()) return Closest{inside ? -distance : distance, normal.normalized()};
-  return Closest{inside ? -distance : distance, way / (inside ? -distance : distance)};
+  return Closest{inside ? -distance : distance, offset / (inside ? -distance : distance)};
 }
 
 void SurfaceDistance::sample(const Aabb& box, double spacing, std::vector<Sample>& samples) const {
@@ -133,33 +133,33 @@ void SurfaceDistance::sample(const Aabb& box, double spacing, std::vector<Sample
   for (size_t e = 0; e < edges_.size(); ++e) {
     const auto& [v, w] = edges_[e];
     const Vec3 &p = vertices_[v], &q = vertices_[w];
-    const bool short_one = (q - p).norm() < spacing;  // its vertices will do
-    const auto part = short_one ? std::nullopt : clipped(p, q, box);
-    if (!part) continue;
-    const int n = static_cast<int>((q - p).norm() * (part->second - part->first) / spacing) + 1;
+    const bool is_short = (q - p).norm() < spacing;  // its vertices suffice
+    const auto clip = is_short ? std::nullopt : clipped(p, q, box);
+    if (!clip) continue;
+    const int n = static_cast<int>((q - p).norm() * (clip->second - clip->first) / spacing) + 1;
     for (int i = 0; i <= n; ++i) {
-      const double u = part->first + (part->second - part->first) * i / n;
+      const double u = clip->first + (clip->second - clip->first) * i / n;
       samples.push_back({p + u * (q - p), outwards * edge_[e]});
     }
   }
-  // Inside of triangles, on the lines of a grid of the two directions that they lie in most.
+  // Interiors of triangles: points of a grid in the coordinate plane that is most parallel to the triangle.
   for (size_t i = 0; i < triangles_.size(); ++i) {
     const Vec3 &a = vertices_[triangles_[i][0]], &b = vertices_[triangles_[i][1]], &c = vertices_[triangles_[i][2]];
-    Aabb part;
-    part.include(a);
-    part.include(b);
-    part.include(c);
-    if (!part.overlaps(box)) continue;
-    part.lo = part.lo.cwiseMax(box.lo);
-    part.hi = part.hi.cwiseMin(box.hi);
-    if ((part.hi - part.lo).maxCoeff() < spacing) continue;  // likewise
+    Aabb clip;
+    clip.include(a);
+    clip.include(b);
+    clip.include(c);
+    if (!clip.overlaps(box)) continue;
+    clip.lo = clip.lo.cwiseMax(box.lo);
+    clip.hi = clip.hi.cwiseMin(box.hi);
+    if ((clip.hi - clip.lo).maxCoeff() < spacing) continue;  // its vertices suffice
     int z = 0;
     face_[i].cwiseAbs().maxCoeff(&z);
     if (face_[i][z] == 0) continue;
     const int x = (z + 1) % 3, y = (z + 2) % 3;
-    const auto first = [&](int k) { return std::ceil((part.lo[k] - box.lo[k]) / spacing); };
-    for (double m = first(x); box.lo[x] + m * spacing <= part.hi[x]; ++m)
-      for (double n = first(y); box.lo[y] + n * spacing <= part.hi[y]; ++n) {
+    const auto first = [&](int k) { return std::ceil((clip.lo[k] - box.lo[k]) / spacing); };
+    for (double m = first(x); box.lo[x] + m * spacing <= clip.hi[x]; ++m)
+      for (double n = first(y); box.lo[y] + n * spacing <= clip.hi[y]; ++n) {
         Vec3 at;
         at[x] = box.lo[x] + m * spacing;
         at[y] = box.lo[y] + n * spacing;
@@ -170,29 +170,29 @@ void SurfaceDistance::sample(const Aabb& box, double spacing, std::vector<Sample
   }
 }
 
-std::optional<OverlapDepth> overlap_depth(const SurfaceDistance& first, const Vec3& a, const SurfaceDistance& second, const Vec3& b, double reach,
+std::optional<OverlapDepth> overlap_depth(const SurfaceDistance& first, const Vec3& a, const SurfaceDistance& second, const Vec3& b, double range,
                                           double deepest) {
   Aabb box = moved(first.box(), a), other = moved(second.box(), b);
-  box.inflate(reach);
-  other.inflate(reach);
+  box.inflate(range);
+  other.inflate(range);
   if (!box.overlaps(other)) return std::nullopt;
   box.lo = box.lo.cwiseMax(other.lo);
   box.hi = box.hi.cwiseMin(other.hi);
   const double spacing = (box.hi - box.lo).maxCoeff() / samples_across;
   std::optional<OverlapDepth> worst, beyond;
   std::vector<SurfaceDistance::Sample> samples;
-  const auto look = [&](const SurfaceDistance& of, const Vec3& by, const SurfaceDistance& in, const Vec3& around, double way) {
+  const auto examine = [&](const SurfaceDistance& of, const Vec3& by, const SurfaceDistance& in, const Vec3& around, double sign) {
     samples.clear();
     of.sample(moved(box, -by), spacing, samples);
     for (const auto& [p, normal] : samples) {
-      const auto closest = in.at(p + by - around, std::max(reach, deepest));
-      if (!closest || closest->distance >= reach) continue;
+      const auto closest = in.at(p + by - around, std::max(range, deepest));
+      if (!closest || closest->distance >= range) continue;
       auto& found = normal.dot(closest->away) <= 0 ? worst : beyond;
-      if (!(found && found->distance <= closest->distance)) found = OverlapDepth{closest->distance, p + by, way * closest->away};
+      if (!(found && found->distance <= closest->distance)) found = OverlapDepth{closest->distance, p + by, sign * closest->away};
     }
   };
-  look(first, a, second, b, 1);
-  look(second, b, first, a, -1);
+  examine(first, a, second, b, 1);
+  examine(second, b, first, a, -1);
   if (beyond && beyond->distance < 0 && !(worst && worst->distance < 0)) {
     const Vec3 between = first.middle() + a - second.middle() - b;
     const double length = between.norm();

@@ -1,8 +1,8 @@
 // Overlap depth of two surfaces, and the direction that separates them. Lengths in metres.
 //
-// A surface that encloses a volume has a signed distance, negative inside: that to the closest
-// triangle, with the sign of the angle-weighted normal there (Baerentzen and Aanaes 2005); it needs
-// no grid. One that is open has a distance without a sign.
+// A closed surface has a signed distance, negative inside: the distance to the closest triangle,
+// with the sign of the angle-weighted normal there (Baerentzen and Aanaes 2005). It needs no grid.
+// An open surface has an unsigned distance.
 #pragma once
 
 #include <optional>
@@ -21,15 +21,15 @@ class SurfaceDistance {
     double distance;  // negative inside of a closed surface
     Vec3 away;        // unit gradient
   };
-  // Returns none if nothing is within `reach`, or for a point on an open surface.
-  std::optional<Closest> at(const Vec3& x, double reach) const;
+  // Returns none if the surface is farther than `range`, or for a point on an open surface.
+  std::optional<Closest> at(const Vec3& x, double range) const;
 
   const Aabb& box() const { return box_; }
   bool closed() const { return closed_; }
-  // m^3; of an open surface, edges and points: that of a ball of its extent.
+  // Volume [m^3]; for an open surface, edges and points: volume of a ball of its extent.
   double volume() const { return volume_; }
-  // Returns its points within a box: vertices, and points of edges and triangles that are longer
-  // than the spacing.
+  // Appends points of the surface within a box: vertices, and points of edges and triangles that
+  // are longer than the spacing.
   struct Sample {
     Vec3 at, normal;  // outwards, of any length; zero on an open surface
   };
@@ -37,35 +37,35 @@ class SurfaceDistance {
   Vec3 middle() const { return 0.5 * (box_.lo + box_.hi); }
 
  private:
-  std::optional<Closest> within(const Vec3& x, double reach) const;
+  std::optional<Closest> within(const Vec3& x, double range) const;
 
-  std::vector<Vec3> vertices_;  // of the mesh
+  std::vector<Vec3> vertices_;  // all vertices of the mesh
   std::vector<int> used_;
   std::vector<Edge> edges_;
-  std::vector<Vec3> edge_;  // of each, the normals of its triangles, summed
+  std::vector<Vec3> edge_;  // per edge: sum of the normals of its triangles
   std::vector<Triangle> triangles_;
-  // Unit normals of triangles; angle-weighted ones of vertices.
+  // Unit normals of triangles; angle-weighted normals of vertices.
   std::vector<Vec3> face_, corner_;
-  std::vector<std::array<Vec3, 3>> side_;          // per triangle, of its edges
+  std::vector<std::array<Vec3, 3>> side_;  // per triangle: normals of its edges
   Bvh tree_;
   Aabb box_;
   bool closed_ = false;
   double volume_ = 0;
 };
 
-// Counts those points of one surface in the other whose normal faces the exit direction: past the
-// medial surface the exit direction leads deeper. Without such points, the surfaces separate along
-// the line between their centres.
+// Only points of one surface inside the other count whose normal is against the exit direction:
+// past the medial surface, the exit direction leads deeper. Without such points, the surfaces
+// separate along the line between their centres.
 struct OverlapDepth {
   double distance;  // smallest distance; negative: overlap depth
-  Vec3 at;          // there
-  Vec3 away;        // unit: where the first one has to go
+  Vec3 at;          // point of the smallest distance
+  Vec3 away;        // unit direction in which the first surface has to move
 };
 
-// Returns the overlap depth of two surfaces, moved by a and b; none if their distance is at least
-// `reach`, or the overlap too deep.
+// Returns the overlap depth of two surfaces, translated by a and b; none if their distance is at
+// least `range`, or the overlap deeper than `deepest` [m].
 std::optional<OverlapDepth> overlap_depth(const SurfaceDistance& first, const Vec3& a,
                                           const SurfaceDistance& second, const Vec3& b,
-                                          double reach, double deepest);
+                                          double range, double deepest);
 
 }  // namespace tack

@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-constexpr double tolerance = 1e-7;  // of the smaller tet's longest edge
+constexpr double tolerance = 1e-7;  // in longest edges of the smaller tet
 
 using Corners = std::array<Vec3, 4>;
 
@@ -21,7 +21,7 @@ double longest_edge(const Corners& x) {
   return std::sqrt(longest);
 }
 
-// Whether their shadows along an axis share at most `slack` [m]. Any axis that shows it proves it.
+// Returns true if their projections on an axis overlap by at most `slack` [m]. One such axis is a proof.
 bool apart(const Corners& a, const Corners& b, const Vec3& axis, double slack) {
   double low_a = axis.dot(a[0]), high_a = low_a, low_b = axis.dot(b[0]), high_b = low_b;
   for (int i = 1; i < 4; ++i) {
@@ -32,7 +32,7 @@ bool apart(const Corners& a, const Corners& b, const Vec3& axis, double slack) {
   return std::min(high_a - low_b, high_b - low_a) <= slack * axis.norm();
 }
 
-// The axes along which two tets that are apart can be told apart: the faces' normals, and those to an edge of each.
+// Tests the axes that suffice for two tets (separating-axis theorem): face normals, and cross products of an edge of each.
 bool apart(const Corners& a, const Corners& b, double slack) {
   for (const Corners* of : {&a, &b})
     for (const auto& [i, j, k] : tet_faces) {
@@ -52,7 +52,7 @@ bool apart(const Corners& a, const Corners& b, double slack) {
 struct TetsOverlap {
   const Mesh& mesh;
 
-  // From a corner of the one, so that round-off is that of their sizes and not of their distance to the origin.
+  // Returns corners relative to `from`, so that round-off scales with their size and not with their distance to the origin.
   Corners corners(int tet, const Vec3& from) const {
     Corners x;
     for (int i = 0; i < 4; ++i) x[i] = mesh.vertices[mesh.tets[tet][i]] - from;

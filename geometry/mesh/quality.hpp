@@ -1,5 +1,5 @@
-// Sizes of elements: volumes [m^3], areas [m^2], and the tets that are inverted. Signs are those of
-// rounded determinants, not of exact predicates.
+// Sizes of elements: volumes [m^3], areas [m^2], and inverted tets. Signs come from rounded
+// determinants, not from exact predicates.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// (b-a) x (c-a) . (d-a) / 6, negative for an inverted tet.
+// Returns (b-a) x (c-a) . (d-a) / 6, negative for an inverted tet.
 double tet_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 double tet_volume(const Mesh& mesh, int tet);
 
@@ -16,10 +16,10 @@ double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
 double triangle_area(const Mesh& mesh, int triangle);
 double triangle_area(const VecX& x, const Triangle& triangle);
 
-// Indices of the tets whose volume is not positive.
+// Returns the indices of tets whose volume is not positive.
 std::vector<int> inverted_tets(const Mesh& mesh);
 
-// Sums over the explicit tets and triangles.
+// Return sums over the explicit tets and triangles.
 double total_volume(const Mesh& mesh);
 double total_area(const Mesh& mesh);
 

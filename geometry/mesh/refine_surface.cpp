@@ -57,7 +57,7 @@ class Refinement {
     x_.push_back(sum);
   }
 
-  // -1: the edge stays whole.
+  // Returns the new vertex of an edge; -1: the edge is not divided.
   int middle(int a, int b) const {
     const Edge e = sorted(Edge{a, b});
     const auto at = std::lower_bound(edges_.begin(), edges_.end(), e);
@@ -78,7 +78,7 @@ class Refinement {
       parts.insert(parts.end(), {{t[0], m[0], m[2]}, {m[0], t[1], m[1]}, {m[2], m[1], t[2]}, {m[0], m[1], m[2]}});
       return;
     }
-    // The edge that is alone, halved or whole, becomes that from corner 0 to corner 1.
+    // Rotates the corners so that the one bisected (or the one undivided) edge is from corner 0 to corner 1.
     while ((m[0] >= 0) != (halved == 1)) {
       std::rotate(t.begin(), t.begin() + 1, t.end());
       std::rotate(m.begin(), m.begin() + 1, m.end());
@@ -87,7 +87,7 @@ class Refinement {
       parts.insert(parts.end(), {{t[0], m[0], t[2]}, {m[0], t[1], t[2]}});
       return;
     }
-    parts.push_back({m[2], m[1], t[2]});  // the rest has four corners: the shorter diagonal
+    parts.push_back({m[2], m[1], t[2]});  // the remaining quadrilateral is cut along its shorter diagonal
     if ((x_[t[0]] - x_[m[1]]).squaredNorm() <= (x_[t[1]] - x_[m[2]]).squaredNorm()) {
       parts.insert(parts.end(), {{t[0], t[1], m[1]}, {t[0], m[1], m[2]}});
     } else {
@@ -99,7 +99,7 @@ class Refinement {
   int old_, first_middle_ = 0;
   double edge_length_;  // m
   int most_;
-  std::vector<Edge> edges_;  // that are long, ascending
+  std::vector<Edge> edges_;  // long edges, ascending
   RefinedSurface surface_;
 };
 

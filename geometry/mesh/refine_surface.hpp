@@ -1,8 +1,7 @@
-// Triangles divided until no edge is longer than asked: every long edge at its middle, alike in all
-// its triangles, so that what was closed stays closed. The new vertices are sums of the old ones of
-// the triangle, or edge, that they lie in, with weights that are multiples of powers of one half
-// and add up to one exactly. The old vertices stay. Errors: InputError if that would take more than
-// `most` new vertices.
+// Division of triangles until no edge is longer than a given length. Every long edge is bisected in
+// all its triangles, so that a closed surface stays closed. A new vertex is a weighted sum of the
+// old vertices of the triangle or edge that it lies in; the weights are multiples of powers of one
+// half, and their sum is exactly one. Old vertices stay.
 #pragma once
 
 #include <utility>
@@ -13,15 +12,16 @@
 namespace tack {
 
 struct RefinedSurface {
-  // Per new vertex: old vertices, ascending, and their weights. Numbers of new vertices follow
+  // Per new vertex: old vertices, ascending, and their weights. Indices of new vertices follow
   // those of the old ones.
   std::vector<std::vector<std::pair<int, double>>> added;
-  std::vector<Triangle> triangles;  // oriented as the old ones that they are part of
+  std::vector<Triangle> triangles;  // oriented as the old triangles
 };
 
 constexpr int most_added_vertices = 1000000;
 
-// edge_length [m].
+// Returns the divided triangles. edge_length: largest edge length [m]. Throws InputError if that
+// takes more than `most` new vertices.
 RefinedSurface refine_surface(std::vector<Vec3> vertices, std::vector<Triangle> triangles,
                               double edge_length, int most = most_added_vertices);
 

@@ -1,4 +1,4 @@
-// Elements and lists in ascending order, by which the same one is known again.
+// Elements and lists in ascending order, for comparison.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 namespace tack {
 
-// Its vertices, whatever their order was.
+// Returns the element with its vertices in ascending order.
 template <class Element>
 Element sorted(Element element) {
   std::sort(element.begin(), element.end());

@@ -13,7 +13,7 @@
 namespace tack {
 namespace {
 
-// A face of a tet: `key` is sorted, to meet the same face of the neighbour.
+// A face of a tet. `key`: its vertices, ascending, equal to that of the neighbour.
 struct Face {
   Triangle key;
   int tet;

@@ -4,10 +4,10 @@
 //              tet, in theirs: sheets, which have two sides
 //   edges      unique edges of those triangles and explicit edges, as (smaller, larger), sorted
 //   vertices   every vertex of the above and of the particles, ascending
-//   codim_edges  numbers (into `edges`) of the edges of no triangle: rods
+//   codim_edges  indices into `edges` of edges of no triangle: rods
 //   codim_points vertices of no tet, triangle or edge: particles
-// Vertices are those of the mesh. The tets have to be positive (validate.hpp).
-// Errors: InputError when more than two tets share a face.
+// Vertices are indices into the mesh. Tets must be positive (validate.hpp).
+// Errors: InputError if more than two tets share a face.
 #pragma once
 
 #include <vector>
@@ -27,12 +27,12 @@ struct Surface {
 
 Surface extract_surface(const Mesh& mesh);
 
-// A third of the area of the incident surface triangles [m^2], one per vertex of the mesh (zero
-// inside and on rods and particles). Their sum is the area of the surface.
+// Returns, per vertex of the mesh, a third of the area of its surface triangles [m^2]; zero inside
+// and on rods and particles. The sum is the area of the surface.
 std::vector<double> vertex_areas(const Mesh& mesh, const Surface& surface);
 
-// A third of the area of each incident triangle [m^2], one per surface edge (zero for rods). Their
-// sum is the area of the surface.
+// Returns, per surface edge, a third of the area of its triangles [m^2]; zero for rods. The sum is
+// the area of the surface.
 std::vector<double> edge_areas(const Mesh& mesh, const Surface& surface);
 
 }  // namespace tack

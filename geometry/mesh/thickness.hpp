@@ -1,4 +1,4 @@
-// 2 V / A of a closed surface [m]: the thickness of a plate, half that of a bar.
+// Thickness 2 V / A of a closed surface [m]: the thickness of a plate, half of that of a bar.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@ namespace tack {
 
 class Thickness {
  public:
-  // A triangle of the surface, seen counter-clockwise from outside.
+  // Adds a triangle of the surface, counter-clockwise from outside.
   void add(const std::array<Vec3, 3>& corners) {
     const auto& [a, b, c] = corners;
     if (!origin_) origin_ = a;
@@ -24,7 +24,7 @@ class Thickness {
   double thickness() const { return area_ > 0 ? 2 * volume_ / area_ : 0; }
 
  private:
-  std::optional<Vec3> origin_;  // what is far from the coordinates' origin would lose its digits
+  std::optional<Vec3> origin_;  // reduces round-off far from the origin
   double volume_ = 0, area_ = 0;  // m^3, m^2
 };
 

@@ -35,7 +35,7 @@ Mesh triangle_surface(const Mesh& mesh, const std::string& name) {
 }
 
 double enclosed_volume_of(const Mesh& surface) {
-  // From a corner of it, so that round-off is that of its size and not of its distance to the origin.
+  // Relative to a corner, so that round-off scales with its size and not with its distance to the origin.
   const Vec3& origin = surface.vertices[surface.triangles[0][0]];
   double volume = 0;
   for (const auto& [a, b, c] : surface.triangles)
@@ -43,7 +43,7 @@ double enclosed_volume_of(const Mesh& surface) {
   return volume;
 }
 
-std::vector<int> parts_of(const Mesh& surface) {
+std::vector<int> components_by_vertices(const Mesh& surface) {
   std::vector<int> root(surface.vertices.size());
   for (size_t v = 0; v < root.size(); ++v) root[v] = static_cast<int>(v);
   const auto find = [&](int v) {
@@ -54,19 +54,19 @@ std::vector<int> parts_of(const Mesh& surface) {
     root[find(b)] = find(a);
     root[find(c)] = find(a);
   }
-  std::vector<int> number(surface.vertices.size(), -1), part;
+  std::vector<int> number(surface.vertices.size(), -1), component;
   int parts = 0;
   for (const Triangle& t : surface.triangles) {
     int& n = number[find(t[0])];
     if (n < 0) n = parts++;
-    part.push_back(n);
+    component.push_back(n);
   }
-  return part;
+  return component;
 }
 
 namespace {
 
-// With the size of the mesh, which tells whether its units are what they are taken for.
+// Returns a remedy that names the size of the mesh, which shows a wrong unit.
 std::string remedy_of_size(const Mesh& mesh) {
   return fmt::format("ask for longer edges; or, if the mesh, which is {:.4g} m large, was made in other units, such as millimetres, scale it first "
                      "(place: {{scale: [0.001, 0.001, 0.001]}}; `tack mesh scale FILE factor=0.001 -o FILE`)", bounding_box(mesh).diagonal().norm());

@@ -134,8 +134,8 @@ std::vector<Edge> sorted_edges_of_triangles_and_tets(const Mesh& mesh) {
   return edges;
 }
 
-// Of elements that stand for themselves: those on larger ones are no part of what touches, and may be there any number of times.
-// `on_larger` gives what those are, sorted, each with its vertices sorted.
+// Throws InputError for an element that is listed twice. Elements that are faces or edges of larger ones are ignored: they are not
+// part of the surface. on_larger: returns those faces or edges, sorted, each with its vertices ascending.
 template <class Element, class OnLarger>
 void check_doubled(const Mesh& mesh, const std::vector<Element>& elements, const char* kind, const OnLarger& on_larger, const std::string& name) {
   std::vector<std::pair<Element, int>> found;  // by their vertices

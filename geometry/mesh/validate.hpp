@@ -1,5 +1,5 @@
-// Is a mesh fit to simulate? Every failed demand throws InputError that names the mesh (usually its
-// file), the first offending element and what to do about it. Demands, in this order:
+// Validation of meshes for simulation. A failed check throws InputError with the mesh (usually its
+// file), the first offending element and the remedy. Checks, in this order:
 //   at least one element; indices within the vertices; finite coordinates; no vertex twice in an
 //   element; no tet with volume <= 1e-14 L^3, no triangle with area <= 1e-14 L^2, no edge of
 //   length zero (L: the element's longest edge); no vertex that no element uses; no tets that
@@ -14,7 +14,7 @@ namespace tack {
 
 void validate_mesh(const Mesh& mesh, const std::string& name);
 
-// The demands without which a mesh cannot even be looked at.
+// Checks without which other functions must not use a mesh.
 void validate_indices(const Mesh& mesh, const std::string& name);
 void validate_coordinates(const Mesh& mesh, const std::string& name);
 

@@ -36,7 +36,7 @@ bool corefine(Boolean kind, CgalMesh& a, CgalMesh& b, CgalMesh& out) {
   return false;
 }
 
-// New vertices closer to each other than round-off explains become one, if that leaves a closed manifold.
+// Returns the result with new vertices merged within round-off, if it then is still a closed manifold.
 Mesh result_of(const CgalMesh& m, const std::string& name) {
   if (m.number_of_faces() == 0) throw InputError(name + ": nothing is left; move or scale one of the two");
   const Mesh exact = from_cgal(m);
@@ -46,7 +46,7 @@ Mesh result_of(const CgalMesh& m, const std::string& name) {
   return defects.closed() && defects.manifold() && defects.flipped.empty() ? merged : exact;
 }
 
-// Where surfaces nearly touch, rounding can make triangles cross or lose their area.
+// Adds a warning for defects: where surfaces nearly touch, rounding may make triangles cross or degenerate.
 void warn_of_rounding(const Mesh& result, Notes& notes) {
   const SurfaceDefects defects = find_defects(result);
   if (defects.bounds_volume()) return;

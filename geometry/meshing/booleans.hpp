@@ -1,6 +1,5 @@
-// Union, difference and intersection of solids, and what a plane leaves of one (CGAL's
-// corefinement: which triangles meet is decided exactly; the new vertices are rounded to the
-// nearest double).
+// Union, difference and intersection of solids, and cuts by a plane (CGAL's corefinement: which
+// triangles meet is decided exactly; new vertices are rounded to the nearest double).
 #pragma once
 
 #include "geometry/mesh/mesh.hpp"
@@ -17,9 +16,9 @@ enum class Boolean { unite, subtract, intersect };  // A or B, A without B, A an
 Mesh boolean(Boolean kind, const Mesh& a, const Mesh& b, const std::string& name_a,
              const std::string& name_b, Notes& notes);
 
-// The part of a solid on the side of the plane against `normal`, closed by the cut. The normal
-// needs no unit length. Throws InputError as above, also for a normal of length zero or if nothing
-// is left.
+// Returns the part of a solid on the negative side of the plane, closed by the cut. The normal
+// needs no unit length. Throws InputError as `boolean` does, also for a normal of length zero or an
+// empty result.
 Mesh cut(const Mesh& mesh, const Vec3& point, const Vec3& normal, const std::string& name,
          Notes& notes);
 

@@ -1,4 +1,4 @@
-// Between a mesh and CGAL's: for the .cpp files of this folder only.
+// Conversion between Mesh and CGAL's surface mesh, for source files of this folder only.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,7 +18,7 @@ using CgalMesh = CGAL::Surface_mesh<CgalPoint>;
 inline CgalPoint cgal_point(const Vec3& v) { return {v[0], v[1], v[2]}; }
 inline Vec3 vec3(const CgalPoint& p) { return {p.x(), p.y(), p.z()}; }
 
-// Converts an oriented manifold (require_oriented_manifold), elements in the same order.
+// Converts an oriented manifold (require_oriented_manifold); elements keep their order.
 inline CgalMesh to_cgal(const Mesh& surface) {
   CgalMesh result;
   result.reserve(surface.vertices.size(), 3 * surface.triangles.size(), surface.triangles.size());
@@ -30,7 +30,7 @@ inline CgalMesh to_cgal(const Mesh& surface) {
   return result;
 }
 
-// Elements in their order, without what was removed.
+// Converts to Mesh; elements keep their order, removed ones are left out.
 inline Mesh from_cgal(const CgalMesh& mesh) {
   Mesh result;
   std::vector<int> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1);

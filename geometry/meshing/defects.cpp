@@ -27,7 +27,7 @@ Triangle sorted(Triangle t) {
 }
 
 struct Uses {
-  std::vector<int> along, against;  // triangles that run along the edge from the smaller vertex to the larger, and back
+  std::vector<int> along, against;  // triangles with the edge from the smaller to the larger vertex, and with the opposite one
   std::size_t count() const { return along.size() + against.size(); }
 };
 
@@ -103,7 +103,7 @@ void find_edge_defects(const EdgeUses& uses, SurfaceDefects& d) {
   std::sort(d.flipped.begin(), d.flipped.end());
 }
 
-// A vertex is pinched if its triangles, connected over the edges that meet there, are more than one fan.
+// Finds pinched vertices: their triangles, connected by edges at the vertex, are more than one fan.
 void find_pinched_vertices(const Mesh& m, SurfaceDefects& d) {
   std::vector<std::vector<int>> around(m.vertices.size());
   for (std::size_t t = 0; t < m.triangles.size(); ++t)
@@ -138,7 +138,7 @@ int count_cycles(const std::vector<OpenEdge>& open) {
   return static_cast<int>(std::count_if(root.begin(), root.end(), [](const auto& r) { return r.first == r.second; }));
 }
 
-// Whether two triangles that are not degenerate meet in more than the vertices that they share.
+// Predicate: two non-degenerate triangles meet in more than their common vertices.
 class Crossing {
  public:
   explicit Crossing(const Mesh& mesh) : mesh_(mesh) {}
@@ -156,7 +156,7 @@ class Crossing {
   }
 
  private:
-  // Turns shared vertices to the front of both, in the same order; returns how many there are.
+  // Moves common vertices to the front of both triangles, in the same order; returns their number.
   static int shared_first(Triangle& a, Triangle& b) {
     int shared = 0;
     for (int i = 0; i < 3; ++i) {
@@ -175,7 +175,7 @@ class Crossing {
   const Mesh& mesh_;
 };
 
-struct EnoughCrossings {};
+struct CrossingLimitReached {};
 
 void find_crossings(const Mesh& m, SurfaceDefects& d) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
@@ -187,20 +187,20 @@ void find_crossings(const Mesh& m, SurfaceDefects& d) {
     boxes.emplace_back(box, static_cast<int>(t));
   }
   const Crossing crossing(m);
-  const auto look = [&](const Box& a, const Box& b) {
+  const auto check_pair = [&](const Box& a, const Box& b) {
     const int s = std::min(a.info(), b.info()), t = std::max(a.info(), b.info());
     if (!crossing(s, t)) return;
     d.crossings.push_back({s, t});
-    if (d.crossings.size() >= most_crossings) throw EnoughCrossings();
+    if (d.crossings.size() >= crossing_count_max) throw CrossingLimitReached();
   };
   try {
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), look);
-  } catch (const EnoughCrossings&) {
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), check_pair);
+  } catch (const CrossingLimitReached&) {
   }
   std::sort(d.crossings.begin(), d.crossings.end());
 }
 
-// "12 open edges: 3-4 of triangle 7, ...".
+// Appends a line such as "12 open edges: 3-4 of triangle 7, ...".
 template <class List, class Text>
 void add_line(std::vector<std::string>& lines, const List& list, const char* one, const char* many, const Text& text) {
   if (list.empty()) return;
@@ -229,8 +229,8 @@ SurfaceDefects find_defects(const Mesh& surface, bool crossings) {
   find_edge_defects(edge_uses(surface.triangles), d);
   find_pinched_vertices(surface, d);
   if (crossings) find_crossings(surface, d);
-  const std::vector<int> parts = parts_of(surface);
-  d.parts = parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1;
+  const std::vector<int> components = components_by_vertices(surface);
+  d.component_count = components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + 1;
   d.holes = count_cycles(d.open_edges);
   if (d.closed() && d.flipped.empty() && d.crowded_edges.empty() && !surface.triangles.empty()) d.volume = enclosed_volume_of(surface);
   return d;
@@ -252,7 +252,7 @@ std::vector<std::string> list_defects(const SurfaceDefects& d) {
   add_line(lines, d.flipped, "pair of neighbours with normals on different sides: triangles",
            "pairs of neighbours with normals on different sides: triangles", pair);
   add_line(lines, d.crossings, "pair of triangles that cross",
-           d.crossings.size() < most_crossings ? "pairs of triangles that cross" : "or more pairs of triangles that cross", pair);
+           d.crossings.size() < crossing_count_max ? "pairs of triangles that cross" : "or more pairs of triangles that cross", pair);
   if (d.inside_out()) lines.push_back("inside out: its normals point inwards");
   return lines;
 }

@@ -1,6 +1,6 @@
-// Defects of a surface of triangles, by name and number. All lists are sorted; numbers are those of
-// the mesh. Crossings are found by CGAL's exact predicates; closed sets, touching counts. No more
-// crossings are listed than the first `most_crossings` are looked for.
+// Defects of a surface of triangles. All lists are sorted and contain indices of the mesh.
+// Crossings are found by CGAL's exact predicates; touching counts. The search for crossings ends
+// after `crossing_count_max`.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 namespace tack {
 
 struct OpenEdge {
-  int triangle;  // the only one that has it
-  Edge edge;     // in its direction
+  int triangle;  // its only triangle
+  Edge edge;     // in the direction of the triangle
 };
 
 struct CrowdedEdge {
@@ -22,22 +22,22 @@ struct CrowdedEdge {
 };
 
 struct SurfaceDefects {
-  // triangles: a vertex twice, or corners on one line (exactly).
+  // Triangles with a repeated vertex or exactly collinear corners.
   std::vector<int> degenerate;
-  // Triangles of the same three vertices as an earlier one: earlier, later.
+  // Pairs of triangles with the same three vertices: earlier, later.
   std::vector<std::array<int, 2>> duplicates;
-  // Vertices where an earlier one is (exactly): earlier, later.
+  // Pairs of vertices with exactly equal positions: earlier, later.
   std::vector<std::array<int, 2>> doubled_vertices;
-  std::vector<OpenEdge> open_edges;                   // of one triangle only
-  std::vector<CrowdedEdge> crowded_edges;             // not manifold
-  // Where surfaces touch in this vertex alone: not manifold either.
+  std::vector<OpenEdge> open_edges;        // edges of one triangle
+  std::vector<CrowdedEdge> crowded_edges;  // non-manifold edges
+  // Non-manifold vertices: surfaces touch in the vertex alone.
   std::vector<int> pinched_vertices;
-  std::vector<std::array<int, 2>> flipped;            // neighbours with normals on different sides
-  // Triangles that meet in more than what they share.
+  std::vector<std::array<int, 2>> flipped;  // neighbours with normals on different sides
+  // Pairs of triangles that meet in more than their common vertices.
   std::vector<std::array<int, 2>> crossings;
-  int parts = 0;                                      // that share no vertex
-  int holes = 0;                                      // cycles of open edges
-  // Enclosed [m^3], if closed() and nothing is flipped; else 0.
+  int component_count = 0;  // connected components, by vertices
+  int holes = 0;            // cycles of open edges
+  // Enclosed volume [m^3], if closed() and nothing is flipped; else 0.
   double volume = 0;
 
   bool closed() const { return open_edges.empty(); }
@@ -45,16 +45,17 @@ struct SurfaceDefects {
     return crowded_edges.empty() && pinched_vertices.empty() && duplicates.empty();
   }
   bool inside_out() const { return volume < 0; }
-  // Fit for all tools that ask for the inside of something.
+  // Returns true if the surface bounds a solid.
   bool bounds_volume() const;
 };
 
-inline constexpr int most_crossings = 1000;
+inline constexpr int crossing_count_max = 1000;
 
-// The mesh has triangles only (triangle_surface). Without `crossings`, those are not looked for.
+// Finds the defects of a mesh of triangles (triangle_surface). crossings: whether to search for
+// them.
 SurfaceDefects find_defects(const Mesh& surface, bool crossings = true);
 
-// A line for each kind of defect there is: how many, and the first ten by number. Empty: none.
+// Returns a line per kind of defect that occurs: their number, and the first ten indices.
 std::vector<std::string> list_defects(const SurfaceDefects& defects);
 
 // Throws InputError, beginning with `name`, that lists the defects of a surface that does not bound

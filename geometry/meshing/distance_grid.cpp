@@ -15,7 +15,7 @@ namespace tack {
 
 struct DistanceGrid::Impl {
   openvdb::FloatGrid::Ptr grid;  // in voxels, its transform the identity
-  Vec3 base;                     // its origin, in voxels from that of space
+  Vec3 base;                     // origin of the grid relative to that of space [voxels]
 };
 
 namespace {
@@ -25,12 +25,13 @@ using openvdb::FloatGrid;
 
 constexpr int leaf = 8, surface_band = 3;  // voxels
 
-// Of the grid's nodes: bodies of round sizes about the origin would have nodes on their surfaces, and voxels of no area there.
+// Shift of the grid's nodes. Without it, bodies of round sizes about the origin would have nodes on their surface, and degenerate triangles there.
 const Vec3 shift(0.137, 0.271, 0.391);  // voxels
 
-// For what is far from the origin of space, in voxels, as numbers of voxels are ints and places in the grid in single precision.
+// Returns the origin of the grid [voxels], for bodies far from the origin of space: indices of voxels are ints, and positions in the grid have
+// single precision.
 Vec3 base_of(const Eigen::AlignedBox3d& box, double voxel) {
-  constexpr double near = 1e5, multiple = 1 << 20;  // voxels; a multiple of all cubes, so that these lie as they would about the origin
+  constexpr double near = 1e5, multiple = 1 << 20;  // voxels; a multiple of all cube sizes, so that cubes are placed as about the origin
   const Vec3 centre = box.center() / voxel;
   const double far = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   constexpr double resolved = 1e-6;  // of a voxel
@@ -43,17 +44,17 @@ Vec3 base_of(const Eigen::AlignedBox3d& box, double voxel) {
 
 Vec3 node(const Coord& c, const Vec3& base, double voxel) { return voxel * (Vec3(c.x(), c.y(), c.z()) + base + shift); }
 
-// Cubes of `size` voxels, by their lowest ones, that the surface may come near to.
+// Returns the cubes of `size` voxels, by their lowest voxel, that may be near the surface.
 std::vector<Coord> near_surface(const DistanceFunction& function, const std::vector<Coord>& cubes, int size, const Vec3& base, double voxel) {
   std::vector<char> near(cubes.size());
-  const double reach = (std::sqrt(3) / 2 * size + surface_band + 1) * voxel;
+  const double distance = (std::sqrt(3) / 2 * size + surface_band + 1) * voxel;
   tbb::parallel_for(tbb::blocked_range<size_t>(0, cubes.size(), 256), [&](const auto& range) {
     std::vector<Vec3> centres;
     for (size_t i = range.begin(); i < range.end(); ++i)
       centres.push_back(node(cubes[i], base, voxel).array() + 0.5 * (size - 1) * voxel);
     std::vector<double> values(centres.size());
     function(centres, values);
-    for (size_t i = 0; i < values.size(); ++i) near[range.begin() + i] = std::abs(values[i]) <= reach;
+    for (size_t i = 0; i < values.size(); ++i) near[range.begin() + i] = std::abs(values[i]) <= distance;
   });
   std::vector<Coord> kept;
   for (size_t i = 0; i < cubes.size(); ++i)
@@ -69,7 +70,7 @@ std::vector<Coord> divided(const std::vector<Coord>& cubes, int half) {
   return parts;
 }
 
-// Leaves near the surface, found from cubes of half the box's size downwards.
+// Returns the leaves near the surface, by division of cubes of half the size of the box.
 std::vector<Coord> surface_leaves(const DistanceFunction& function, const Eigen::AlignedBox3d& box, const Vec3& base, double voxel) {
   const Eigen::Array3d low = (box.min() / voxel - base).array().floor() - surface_band - 1;
   const Eigen::Array3d high = (box.max() / voxel - base).array().ceil() + surface_band + 1;
@@ -163,7 +164,7 @@ Mesh DistanceGrid::surface() const {
   openvdb::tools::volumeToMesh(*impl_->grid, points, triangles, quads, 0.0, 0.0);
   Mesh mesh;
   for (const auto& p : points) mesh.vertices.push_back(voxel_ * (Vec3(p.x(), p.y(), p.z()) + impl_->base + shift));
-  // OpenVDB turns its faces inwards.
+  // OpenVDB's faces are oriented inwards.
   const auto add = [&](openvdb::Index32 a, openvdb::Index32 b, openvdb::Index32 c) {
     mesh.triangles.push_back({static_cast<int>(a), static_cast<int>(c), static_cast<int>(b)});
   };

@@ -14,7 +14,7 @@ extern "C" __attribute__((visibility("default"))) const tack::MeshingFunctions t
     tack::repair,
     tack::simplify,
     tack::subdivide,
-    tack::distance_from_to,
+    tack::surface_deviation,
     tack::tetrahedralize,
     tack::triangulate,
     [](const tack::DistanceFunction& f, const Eigen::AlignedBox3d& box, double voxel) { return tack::DistanceGrid::of(f, box, voxel); },

@@ -1,7 +1,7 @@
-// Functions of the shared library libtack_meshing.so: CGAL's operations and OpenVDB's grids, which
-// take minutes to compile and tenths of a second to load. The program calls the functions of this
-// folder's headers and of level_set/distance_grid.hpp as if they were its own; meshing_library.cpp
-// has those go through this table.
+// Function table of the shared library libtack_meshing.so: CGAL's operations and OpenVDB's grids,
+// which take minutes to compile and tenths of a second to load. The program calls the functions of
+// this folder's headers and of level_set/distance_grid.hpp directly; meshing_library.cpp forwards
+// them to this table.
 #pragma once
 
 #include "geometry/level_set/distance_grid.hpp"
@@ -12,7 +12,7 @@
 #include "geometry/meshing/repair.hpp"
 #include "geometry/meshing/simplify.hpp"
 #include "geometry/meshing/subdivide.hpp"
-#include "geometry/meshing/surface_distance.hpp"
+#include "geometry/meshing/surface_deviation.hpp"
 #include "geometry/meshing/tetrahedralize.hpp"
 #include "geometry/meshing/triangulate.hpp"
 
@@ -33,7 +33,7 @@ struct MeshingFunctions {
   decltype(&tack::repair) repair;
   decltype(&tack::simplify) simplify;
   decltype(&tack::subdivide) subdivide;
-  decltype(&tack::distance_from_to) distance_from_to;
+  decltype(&tack::surface_deviation) surface_deviation;
   decltype(&tack::tetrahedralize) tetrahedralize;
   decltype(&tack::triangulate) triangulate;
   DistanceGrid (*grid_of_function)(const DistanceFunction&, const Eigen::AlignedBox3d&,

@@ -1,5 +1,5 @@
-// Notes of an operation on a mesh: a line each, without a newline. Those that begin with
-// "warning: " are warnings (mesh_warnings.hpp).
+// Notes of a mesh operation: one line each, without newline. A note that begins with "warning: " is
+// a warning (mesh_warnings.hpp).
 #pragma once
 
 #include <string>

@@ -25,7 +25,7 @@ using Traits = Triangulation::Geom_traits;
 using SolidFace = CGAL::AABB_face_graph_triangle_primitive<CgalMesh>;
 using SolidTree = CGAL::AABB_tree<CGAL::AABB_traits<CgalKernel, SolidFace>>;
 
-// Below zero inside of what the offset surface encloses.
+// Implicit function of the offset surface: negative inside.
 class Depth {
  public:
   Depth(const CgalMesh& mesh, double distance) : tree_(faces(mesh).begin(), faces(mesh).end(), mesh), side_(tree_), distance_(distance) {
@@ -34,7 +34,7 @@ class Depth {
 
   double operator()(const CgalPoint& p) const {
     const double away = std::sqrt(tree_.squared_distance(p));
-    // Which side matters only where the sign hangs on it.
+    // The side is found only where the sign depends on it.
     if (away <= std::abs(distance_)) return distance_ > 0 ? away - distance_ : -away - distance_;
     const bool inside = side_(p) == CGAL::ON_BOUNDED_SIDE;
     return (inside ? -away : away) - distance_;
@@ -51,14 +51,14 @@ struct DepthAt {
   double operator()(const Traits::Point_3& p) const { return (*depth)(CgalPoint(p.x(), p.y(), p.z())); }
 };
 
-// Points on the offset surface over those of the old one, no closer than `spacing`: so that no part of it is missed.
+// Returns points on the offset surface over triangles of the old one, at least `spacing` apart, so that no component is missed.
 std::vector<Vec3> points_on_offset(const Mesh& surface, const Depth& depth, double distance, double spacing) {
   std::vector<Vec3> points;
   std::set<std::array<long, 3>> taken;
   for (const auto& [a, b, c] : surface.triangles) {
     const Vec3 &x = surface.vertices[a], &y = surface.vertices[b], &z = surface.vertices[c];
     const Vec3 over = (x + y + z) / 3 + distance * (y - x).cross(z - x).normalized();
-    if (std::abs(depth(cgal_point(over))) > 1e-9 * std::abs(distance)) continue;  // closer to another part
+    if (std::abs(depth(cgal_point(over))) > 1e-9 * std::abs(distance)) continue;  // another triangle is closer
     const Vec3 cell = (over / spacing).array().floor();
     if (taken.insert({std::lround(cell[0]), std::lround(cell[1]), std::lround(cell[2])}).second) points.push_back(over);
   }

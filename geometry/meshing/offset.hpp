@@ -1,5 +1,5 @@
-// Offset surface of a solid: the points at a distance outside (or inside), found as the zero set of
-// the distance by Delaunay refinement (Boissonnat and Oudot, Provably good sampling and meshing of
+// Offset surface of a solid: points at a distance outside (or inside), meshed as a zero set by
+// Delaunay refinement (Boissonnat and Oudot, Provably good sampling and meshing of
 // surfaces, 2005; CGAL).
 #pragma once
 
@@ -11,15 +11,15 @@
 namespace tack {
 
 struct OffsetOptions {
-  double distance = 0;              // outwards if positive [m]
-  double edge_length = 0;           // of the new surface, about [m]
+  double distance = 0;     // outwards if positive [m]
+  double edge_length = 0;  // approximate edge length of the new surface [m]
   // Largest deviation of the new surface from the distance [m]; default: edge_length / 20.
   std::optional<double> deviation = std::nullopt;
 };
 
-// Offsets a solid (require_solid); the result is closed and manifold. Concave edges of the result
-// are cut off by about the deviation. Throws InputError, beginning with `name`, for anything else,
-// and if nothing lies that deep inside.
+// Offsets a solid (require_solid); the result is a closed manifold. Concave edges of the result are
+// cut off by about the deviation. Throws InputError, beginning with `name`, for a surface that is
+// no solid, and for an empty result.
 Mesh offset(const Mesh& mesh, const OffsetOptions& options, const std::string& name, Notes& notes);
 
 }  // namespace tack

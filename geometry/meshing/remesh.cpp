@@ -37,7 +37,7 @@ Remeshed remeshed(CgalMesh m, const RemeshOptions& o, double crease_angle) {
   return {std::move(m), creases};
 }
 
-// Throws InputError for edges longer than the surface. They would not keep its shape: a ball would become a tetrahedron.
+// Throws InputError for edges longer than the surface, which would not preserve its shape: a ball would become a tetrahedron.
 void refuse_too_long_edges(const Mesh& mesh, double edge_length, const std::string& name) {
   const double size = bounding_box(mesh).diagonal().norm();
   if (edge_length <= size) return;
@@ -45,7 +45,7 @@ void refuse_too_long_edges(const Mesh& mesh, double edge_length, const std::stri
                                "edge_length, with its unit (edge_length=5mm), or scale the mesh", name, edge_length, size));
 }
 
-// Edges in which the surface turns back on itself.
+// Returns the number of edges in which the surface folds back on itself.
 long folds(const CgalMesh& m) {
   return std::count_if(m.edges().begin(), m.edges().end(), [&](auto e) {
     const auto h = m.halfedge(e);
@@ -65,8 +65,8 @@ Mesh remesh(const Mesh& mesh, const RemeshOptions& o, const std::string& name, N
   refuse_too_short_edges(surface, o.edge_length, name);
   refuse_too_long_edges(surface, o.edge_length, name);
   const CgalMesh given = to_cgal(surface);
-  // Where a smooth surface is coarse, some of its edges pass for creases. Kept ones that end nowhere fold what is collapsed around
-  // them: then the bluntest are let go.
+  // On a coarse smooth surface, some edges count as creases. Kept edges that end inside the surface make it fold around them. Then the
+  // bluntest ones are given up.
   double crease_angle = o.crease_angle;
   Remeshed made = remeshed(given, o, crease_angle);
   for (const long before = folds(given); folds(made.mesh) > before && crease_angle < flat; made = remeshed(given, o, crease_angle))

@@ -27,14 +27,14 @@ namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-constexpr double most_missing = 0.1;  // of the area of what is taken for a solid
+constexpr double missing_area_fraction_max = 0.1;  // of the area of a component that counts as a solid
 
-// Its triangles with the numbers that they had in the mesh that was given.
-struct Numbered {
+// A mesh, and the indices of its triangles in the input mesh.
+struct NumberedMesh {
   Mesh mesh;
   std::vector<int> numbers;
 
-  // Removes those for which `drop(place)` holds; returns their numbers.
+  // Removes the triangles for which drop(index) is true; returns their indices in the input mesh.
   template <class Drop>
   std::vector<int> remove(const Drop& drop) {
     std::vector<int> removed, kept;
@@ -60,7 +60,8 @@ void note_removed(Notes& notes, const std::vector<int>& removed, const char* wha
   if (!removed.empty()) notes.push_back(fmt::format("removed {} {} triangles: {}", removed.size(), what, first_ten(removed)));
 }
 
-// How far apart coordinates may be that single precision has rounded: four units in the last place of the largest. Less where edges are that short.
+// Returns the rounding error of coordinates in single precision: four units in the last place of the largest one, but at most a quarter of the
+// shortest edge.
 double rounding_of(const Mesh& mesh) {
   constexpr double unit = 1.1920929e-7;  // 2^-23
   double largest = 0, shortest = std::numeric_limits<double>::infinity();
@@ -71,8 +72,8 @@ double rounding_of(const Mesh& mesh) {
   return std::min(4 * unit * largest, shortest / 4);
 }
 
-// Which old vertex each vertex becomes: the first within the distance.
-void merge_vertices(Numbered& s, double distance, Notes& notes) {
+// Merges each vertex with the first one within the distance.
+void merge_vertices(NumberedMesh& s, double distance, Notes& notes) {
   Mesh points;
   points.vertices = s.mesh.vertices;
   for (std::size_t v = 0; v < points.vertices.size(); ++v) {
@@ -96,7 +97,7 @@ std::vector<int> repeated(const std::vector<std::array<int, 2>>& duplicates) {
   return later;
 }
 
-// Sheets that hang on an edge of more than two triangles and end in open edges: no part of what is closed.
+// Returns the triangles of dangling sheets, which begin at an edge of more than two triangles and end in open edges.
 std::vector<int> dangling(const Mesh& mesh, const SurfaceDefects& defects) {
   std::set<Edge> crowded;
   for (const CrowdedEdge& e : defects.crowded_edges) crowded.insert(e.edge);
@@ -135,7 +136,7 @@ std::vector<int> dangling(const Mesh& mesh, const SurfaceDefects& defects) {
   return found;
 }
 
-void clean_triangles(Numbered& s, Notes& notes) {
+void clean_triangles(NumberedMesh& s, Notes& notes) {
   const auto in = [](const std::vector<int>& list) {
     return [&list](int t) { return std::binary_search(list.begin(), list.end(), t); };
   };
@@ -151,23 +152,23 @@ void clean_triangles(Numbered& s, Notes& notes) {
   }
 }
 
-// Neighbours alike; edges of more than two triangles and vertices in which surfaces touch are cut apart.
-CgalMesh oriented(const Numbered& s, Notes& notes) {
+// Orients neighbours consistently, and cuts surfaces apart at non-manifold edges and vertices.
+CgalMesh oriented(const NumberedMesh& s, Notes& notes) {
   std::vector<CgalPoint> points;
   std::vector<std::vector<std::size_t>> polygons;
   for (const Vec3& v : s.mesh.vertices) points.push_back(cgal_point(v));
   for (const auto& [a, b, c] : s.mesh.triangles)
     polygons.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
   pmp::orient_polygon_soup(points, polygons);
-  std::vector<int> turned;
+  std::vector<int> flipped;
   for (std::size_t t = 0; t < polygons.size(); ++t) {
     std::array<Vec3, 3> now;
     for (int i = 0; i < 3; ++i) now[i] = vec3(points[polygons[t][i]]);
     const auto& [a, b, c] = s.mesh.triangles[t];
     const Vec3 normal = (s.mesh.vertices[b] - s.mesh.vertices[a]).cross(s.mesh.vertices[c] - s.mesh.vertices[a]);
-    if (normal.dot((now[1] - now[0]).cross(now[2] - now[0])) < 0) turned.push_back(s.numbers[t]);
+    if (normal.dot((now[1] - now[0]).cross(now[2] - now[0])) < 0) flipped.push_back(s.numbers[t]);
   }
-  if (!turned.empty()) notes.push_back(fmt::format("turned {} triangles to face as their neighbours: {}", turned.size(), first_ten(turned)));
+  if (!flipped.empty()) notes.push_back(fmt::format("turned {} triangles to face as their neighbours: {}", flipped.size(), first_ten(flipped)));
   if (points.size() > s.mesh.vertices.size())
     notes.push_back(fmt::format("cut surfaces apart that touched, at {} vertices", points.size() - s.mesh.vertices.size()));
   CgalMesh m;
@@ -177,20 +178,20 @@ CgalMesh oriented(const Numbered& s, Notes& notes) {
 }
 
 std::vector<Mesh> split(const Mesh& mesh) {
-  const std::vector<int> part = parts_of(mesh);
-  std::vector<Mesh> parts(part.empty() ? 0 : static_cast<std::size_t>(*std::max_element(part.begin(), part.end())) + 1);
-  for (std::size_t t = 0; t < part.size(); ++t) parts[part[t]].triangles.push_back(mesh.triangles[t]);
-  for (Mesh& p : parts) {
+  const std::vector<int> component = components_by_vertices(mesh);
+  std::vector<Mesh> components(component.empty() ? 0 : static_cast<std::size_t>(*std::max_element(component.begin(), component.end())) + 1);
+  for (std::size_t t = 0; t < component.size(); ++t) components[component[t]].triangles.push_back(mesh.triangles[t]);
+  for (Mesh& p : components) {
     p.vertices = mesh.vertices;
     drop_unused_vertices(p);
   }
-  return parts;
+  return components;
 }
 
 struct Filled {
   CgalMesh mesh;
   std::size_t holes = 0, triangles = 0;
-  double area = 0, added = 0;  // of the part, of what fills its holes [m^2]
+  double area = 0, added = 0;  // of the component, of the filling of its holes [m^2]
 };
 
 Filled filled(CgalMesh m) {
@@ -207,18 +208,18 @@ Filled filled(CgalMesh m) {
   return result;
 }
 
-// Part by part. Returns how many holes stay.
-std::size_t treat_holes(CgalMesh& m, Holes how, Notes& notes) {
+// Fills holes of each connected component. Returns the number of holes that stay.
+std::size_t fill_holes(CgalMesh& m, Holes how, Notes& notes) {
   if (CGAL::is_closed(m)) return 0;
   Mesh all;
   Filled closed, open;
-  for (const Mesh& part : split(from_cgal(m))) {
-    const CgalMesh given = to_cgal(part);
-    Filled whole = filled(given);
-    const bool fill = how == Holes::fill || (how == Holes::of_solids && whole.added <= most_missing * whole.area);
-    append(all, from_cgal(fill ? whole.mesh : given));
+  for (const Mesh& component : split(from_cgal(m))) {
+    const CgalMesh input = to_cgal(component);
+    Filled filling = filled(input);
+    const bool fill = how == Holes::fill || (how == Holes::of_solids && filling.added <= missing_area_fraction_max * filling.area);
+    append(all, from_cgal(fill ? filling.mesh : input));
     Filled& sum = fill ? closed : open;
-    sum.holes += whole.holes, sum.triangles += whole.triangles, sum.area += whole.area, sum.added += whole.added;
+    sum.holes += filling.holes, sum.triangles += filling.triangles, sum.area += filling.area, sum.added += filling.added;
   }
   m = to_cgal(all);
   const auto percent = [](const Filled& sum) { return 100 * sum.added / sum.area; };
@@ -230,29 +231,29 @@ std::size_t treat_holes(CgalMesh& m, Holes how, Notes& notes) {
   return open.holes;
 }
 
-// Closed parts that cross each other become one.
-Mesh unite_crossing_parts(const Mesh& mesh, Notes& notes) {
+// Returns the mesh with closed components that cross each other united.
+Mesh unite_crossing_components(const Mesh& mesh, Notes& notes) {
   const SurfaceDefects defects = find_defects(mesh);
-  const std::vector<int> part = parts_of(mesh);
+  const std::vector<int> component = components_by_vertices(mesh);
   std::set<int> crossing;
   for (const auto& [s, t] : defects.crossings)
-    if (part[s] != part[t]) crossing.insert(part[s]), crossing.insert(part[t]);
-  if (crossing.empty() || defects.crossings.size() >= most_crossings) return mesh;
-  std::vector<Mesh> parts = split(mesh);
+    if (component[s] != component[t]) crossing.insert(component[s]), crossing.insert(component[t]);
+  if (crossing.empty() || defects.crossings.size() >= crossing_count_max) return mesh;
+  std::vector<Mesh> components = split(mesh);
   Mesh united, others;
-  for (std::size_t p = 0; p < parts.size(); ++p) {
+  for (std::size_t p = 0; p < components.size(); ++p) {
     if (!crossing.contains(static_cast<int>(p))) {
-      append(others, parts[p]);
+      append(others, components[p]);
       continue;
     }
-    if (find_defects(parts[p], false).inside_out())
-      for (Triangle& t : parts[p].triangles) std::swap(t[1], t[2]);
-    if (!find_defects(parts[p]).bounds_volume()) return mesh;  // crosses itself as well
+    if (find_defects(components[p], false).inside_out())
+      for (Triangle& t : components[p].triangles) std::swap(t[1], t[2]);
+    if (!find_defects(components[p]).bounds_volume()) return mesh;  // crosses itself as well
     try {
       Notes ignored;
-      united = united.triangles.empty() ? parts[p] : boolean(Boolean::unite, united, parts[p], "part", "part", ignored);
+      united = united.triangles.empty() ? components[p] : boolean(Boolean::unite, united, components[p], "part", "part", ignored);
     } catch (const InputError&) {
-      return mesh;  // they touch: what is left of the defects is told
+      return mesh;  // they touch: the remaining defects are reported
     }
   }
   notes.push_back(fmt::format("united {} closed parts that cross each other", crossing.size()));
@@ -265,20 +266,20 @@ void orient_outwards(CgalMesh& m, Notes& notes) {
   const Mesh before = from_cgal(m);
   pmp::orient_to_bound_a_volume(m);
   const Mesh after = from_cgal(m);
-  const std::vector<int> part = parts_of(before);
-  std::set<int> turned;
-  for (std::size_t t = 0; t < part.size(); ++t) {
+  const std::vector<int> component = components_by_vertices(before);
+  std::set<int> flipped;
+  for (std::size_t t = 0; t < component.size(); ++t) {
     const auto normal = [&](const Mesh& mesh) -> Vec3 {
       const auto& [a, b, c] = mesh.triangles[t];
       return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
     };
-    if (normal(before).dot(normal(after)) < 0) turned.insert(part[t]);
+    if (normal(before).dot(normal(after)) < 0) flipped.insert(component[t]);
   }
-  if (!turned.empty()) notes.push_back(fmt::format("turned {} parts to have their normals outwards (hollows: inwards)", turned.size()));
+  if (!flipped.empty()) notes.push_back(fmt::format("turned {} parts to have their normals outwards (hollows: inwards)", flipped.size()));
 }
 
-// Each mesh is its vertices and triangles; where the first of each kind of defect is.
-std::string places(const Mesh& mesh, const SurfaceDefects& d) {
+// Returns lines with the position of the first defect of each kind.
+std::string defect_positions(const Mesh& mesh, const SurfaceDefects& d) {
   std::string text;
   const auto add = [&](const char* what, const Vec3& x) { text += fmt::format("\n  {} at ({:.4g}, {:.4g}, {:.4g})", what, x[0], x[1], x[2]); };
   const auto middle = [&](int t) -> Vec3 {
@@ -293,13 +294,13 @@ std::string places(const Mesh& mesh, const SurfaceDefects& d) {
   return text;
 }
 
-// A sheet whose border was filled encloses nothing: it lies on its own filling.
-void refuse_flat_parts(const Mesh& mesh, const std::string& name) {
+// Throws InputError for a sheet whose border was filled: it coincides with its filling and encloses nothing.
+void refuse_flat_components(const Mesh& mesh, const std::string& name) {
   constexpr double flat = 1e-8;  // volume by area and size
-  for (const Mesh& part : split(mesh)) {
-    const double size = bounding_box(part).diagonal().norm();
-    if (std::abs(enclosed_volume_of(part)) > flat * total_area(part) * size) continue;
-    const Vec3& x = part.vertices[part.triangles[0][0]];
+  for (const Mesh& component : split(mesh)) {
+    const double size = bounding_box(component).diagonal().norm();
+    if (std::abs(enclosed_volume_of(component)) > flat * total_area(component) * size) continue;
+    const Vec3& x = component.vertices[component.triangles[0][0]];
     throw InputError(fmt::format("{}: the part at ({:.4g}, {:.4g}, {:.4g}) is an open sheet: closing its border would lay flat triangles on it that enclose "
                                  "nothing; keep it open (holes=keep), as a sheet may be, or give it a thickness in a modelling program", name,
                                  x[0], x[1], x[2]));
@@ -311,16 +312,16 @@ void refuse(const Mesh& mesh, const SurfaceDefects& before, const SurfaceDefects
   for (const std::string& line : list_defects(before)) text += "\n  " + line;
   text += "\nof which is left, in numbers of the repaired mesh,";
   for (const std::string& line : list_defects(after)) text += "\n  " + line;
-  throw InputError(text + places(left, after) + "\nremedy: mend these places in a modelling program");
+  throw InputError(text + defect_positions(left, after) + "\nremedy: mend these places in a modelling program");
 }
 
 }  // namespace
 
 Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, Notes& notes) {
-  const Mesh given = triangle_surface(mesh, name);
-  const SurfaceDefects before = find_defects(given);
-  Numbered surface{given, {}};
-  for (std::size_t t = 0; t < given.triangles.size(); ++t) surface.numbers.push_back(static_cast<int>(t));
+  const Mesh input = triangle_surface(mesh, name);
+  const SurfaceDefects before = find_defects(input);
+  NumberedMesh surface{input, {}};
+  for (std::size_t t = 0; t < input.triangles.size(); ++t) surface.numbers.push_back(static_cast<int>(t));
   for (const std::string& line : list_defects(before)) notes.push_back("found " + line);
   merge_vertices(surface, o.merge.value_or(rounding_of(surface.mesh)), notes);
   clean_triangles(surface, notes);
@@ -330,12 +331,12 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   pmp::remove_degenerate_faces(m);
   m.collect_garbage();
   if (m.number_of_faces() < all) notes.push_back(fmt::format("removed {} triangles without area by collapses and flips", all - m.number_of_faces()));
-  const std::size_t kept = treat_holes(m, o.holes, notes);
+  const std::size_t kept = fill_holes(m, o.holes, notes);
   Mesh result = from_cgal(m);
   drop_unused_vertices(result);
   if (result.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
-  if (o.holes == Holes::fill) refuse_flat_parts(result, name);
-  result = unite_crossing_parts(result, notes);
+  if (o.holes == Holes::fill) refuse_flat_components(result, name);
+  result = unite_crossing_components(result, notes);
   m = to_cgal(result);
   if (!find_defects(result).crossings.empty()) {
     const std::size_t crossed = find_defects(result).crossings.size();
@@ -352,7 +353,7 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   const SurfaceDefects after = find_defects(result);
   const bool open_on_purpose = kept > 0 && !after.closed() && after.degenerate.empty() && after.manifold() && after.flipped.empty() &&
                              after.crossings.empty();
-  if (!after.bounds_volume() && !open_on_purpose) refuse(given, before, after, result, name);
+  if (!after.bounds_volume() && !open_on_purpose) refuse(input, before, after, result, name);
   if (notes.empty()) notes.push_back("nothing to repair");
   return result;
 }

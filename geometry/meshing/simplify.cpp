@@ -1,6 +1,6 @@
 #include "geometry/meshing/simplify.hpp"
 
-#include <CGAL/number_utils.h>  // first: the next one uses it, and does not include it
+#include <CGAL/number_utils.h>  // first: the next header uses it without including it
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>

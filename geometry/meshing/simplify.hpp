@@ -1,5 +1,5 @@
-// Simplification: edges are collapsed in the order in which that changes shape and volume least
-// (Lindstrom and Turk, Fast and memory efficient polygonal simplification, 1998; CGAL).
+// Simplification by edge collapses, in the order of least change of shape and volume (Lindstrom and
+// Turk, Fast and memory efficient polygonal simplification, 1998; CGAL).
 #pragma once
 
 #include "geometry/mesh/mesh.hpp"
@@ -7,10 +7,10 @@
 
 namespace tack {
 
-// Reduces a surface to at most that many triangles, two at a time. No triangle turns over. Throws
-// InputError, beginning with `name`, for a surface that is no oriented manifold; with fewer
-// triangles already, it stays as it is. Where topology or normals allow no further collapse, more
-// remain: a warning.
+// Reduces a surface to at most `triangles` triangles, two at a time; a surface with fewer stays. No
+// triangle flips. Where topology or normals allow no further collapse, more triangles remain, and a
+// warning is added. Throws InputError, beginning with `name`, for a surface that is no oriented
+// manifold.
 Mesh simplify(const Mesh& mesh, int triangles, const std::string& name, Notes& notes);
 
 }  // namespace tack

@@ -12,7 +12,7 @@
 namespace tack {
 namespace {
 
-// The refinement of Loop's scheme without its smoothing.
+// Refinement of Loop's scheme without smoothing.
 struct Flat {
   CgalMesh& mesh;
   using Vertex = CgalMesh::Vertex_index;

@@ -1,4 +1,4 @@
-// Every triangle into four, again and again.
+// Subdivision of triangles into four each.
 #pragma once
 
 #include "geometry/mesh/mesh.hpp"
@@ -7,14 +7,14 @@
 namespace tack {
 
 enum class SubdivisionRule {
-  // smooths: the limit has continuous curvature (Loop, Smooth subdivision surfaces based on
+  // Smooths; the limit surface has continuous curvature (Loop, Smooth subdivision surfaces based on
   // triangles, 1987; CGAL).
   loop,
-  flat   // at the middles of edges: the same surface
+  flat  // new vertices at the midpoints of edges; the surface is unchanged
 };
 
-// Subdivides an oriented manifold, open or closed; else throws InputError, beginning with `name`,
-// as for too many triangles.
+// Subdivides an oriented manifold, open or closed, `times` times. Throws InputError, beginning with
+// `name`, for other surfaces and for too many triangles.
 Mesh subdivide(const Mesh& mesh, SubdivisionRule rule, int times, const std::string& name,
                Notes& notes);
 

@@ -21,7 +21,7 @@
 #include "geometry/meshing/defects.hpp"
 #include "geometry/mesh/mesh_quality.hpp"
 #include "geometry/meshing/mesh_warnings.hpp"
-#include "geometry/meshing/surface_distance.hpp"
+#include "geometry/meshing/surface_deviation.hpp"
 #include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
@@ -35,7 +35,7 @@ using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 }  // namespace
 }  // namespace tack
 
-// Or CGAL would leave files in the working directory before it reports that something is wrong.
+// Without this specialisation, CGAL writes files to the working directory before it reports an error.
 template <>
 struct CGAL::Dump_c3t3<tack::Complex, true> {
   void dump_c3t3(const tack::Complex&, const std::string&) const {}
@@ -48,12 +48,12 @@ constexpr double degrees = 180 / std::numbers::pi;
 constexpr double no_crease = std::numbers::pi;
 constexpr int seeds_per_patch = 20;
 
-// Lengths with their defaults filled in.
+// Target lengths, with defaults.
 struct Sizes {
   double inside, surface, crease, deviation;  // [m]
 };
 
-// The sharp edges that the domain has found.
+// Sharp edges that the domain has detected.
 class Creases {
  public:
   explicit Creases(const Domain& domain) {
@@ -77,8 +77,8 @@ class Creases {
   CGAL::AABB_tree<CGAL::AABB_traits<CgalKernel, CGAL::AABB_segment_primitive<CgalKernel, Segments::const_iterator>>> tree_;
 };
 
-// As short as the edges of creases beside them, and longer with the distance: long ones beside short ones make slivers
-// that cannot be removed, as nothing moves there.
+// Edge length that grows with the distance from creases. Long edges beside short crease edges make slivers that cannot be
+// removed, because vertices of creases do not move.
 struct GradedSize {
   using FT = CgalKernel::FT;
   using Point_3 = CgalPoint;
@@ -91,8 +91,8 @@ struct GradedSize {
   }
 };
 
-// Edges come out shorter than CGAL's bounds, which are radii of circumscribed balls and not reached by most: the
-// factors make the mean edge about as long as asked.
+// Returns CGAL's criteria. Its bounds limit circumradii, which most elements do not reach; the factors make the mean edge
+// about as long as requested.
 Criteria criteria(const Sizes& s, double radius_edge, const Creases& creases) {
   namespace p = CGAL::parameters;
   return Criteria(p::edge_size = s.crease, p::facet_angle = 25, p::facet_size = GradedSize{&creases, s.crease, s.surface, 0.67},
@@ -100,7 +100,7 @@ Criteria criteria(const Sizes& s, double radius_edge, const Creases& creases) {
                   p::cell_size = GradedSize{&creases, s.crease, s.inside, 0.75});
 }
 
-// Some vertices of a patch, spread over it: each next one is farthest from those before.
+// Returns vertices spread over a patch: each one is the farthest from the previous ones.
 std::vector<CgalPoint> spread(const std::vector<CgalPoint>& points) {
   std::vector<CgalPoint> chosen = {points[0]};
   std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
@@ -116,8 +116,7 @@ std::vector<CgalPoint> spread(const std::vector<CgalPoint>& points) {
   return chosen;
 }
 
-// A smooth part that no initial point has hit is not meshed: gives each such patch some points of its own. Returns
-// whether there was one.
+// Adds points to smooth patches without an initial point, which would not be meshed. Returns true if there were any.
 bool seed_missed_patches(const Domain& domain, Complex& complex) {
   std::set<int> met;
   for (auto f = complex.facets_in_complex_begin(); f != complex.facets_in_complex_end(); ++f)
@@ -141,7 +140,7 @@ bool seed_missed_patches(const Domain& domain, Complex& complex) {
 
 Mesh tets_of(const Complex& complex) {
   Mesh mesh;
-  std::map<Triangulation::Vertex_handle, int> numbers;  // by time stamps, not addresses: ordered alike in every run
+  std::map<Triangulation::Vertex_handle, int> numbers;  // ordered by time stamps, not addresses: equal in every run
   for (auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell) {
     Tet tet{};
     for (int i = 0; i < 4; ++i) {
@@ -155,9 +154,9 @@ Mesh tets_of(const Complex& complex) {
   return mesh;
 }
 
-// CGAL's refinement, step by step. False if it does not end: where creases come so close to each other that the balls which
-// protect them touch, the surface beside them cannot be made manifold, and the point that should do it falls into a ball, again and
-// again, or points are added without end.
+// Runs CGAL's refinement step by step; returns false if it does not end. Where creases are so close that the balls which protect
+// them touch, the surface beside them cannot become manifold: the same point falls into a ball again and again, or points are
+// added without end.
 bool refine(Complex& complex, const Domain& domain, const Criteria& bounds, std::size_t most_vertices) {
   complex.clear_cells_and_facets_from_c3t3();
   CGAL::Mesh_3::Mesher_3<Complex, Criteria, Domain> mesher(complex, domain, bounds, CGAL::parameters::manifold().mesh_topology);
@@ -178,13 +177,13 @@ bool refine(Complex& complex, const Domain& domain, const Criteria& bounds, std:
   return true;
 }
 
-struct Inside {
+struct FilledSurface {
   Mesh tets;
   bool creased = false;
 };
 
-// With edges kept whose angle [rad] is larger. Nothing if that does not end.
-std::optional<Inside> mesh_inside(const CgalMesh& surface, const Sizes& sizes, const TetrahedralizeOptions& o, double crease_angle,
+// Fills the surface, keeping edges with a larger angle [rad] than crease_angle; none if that does not end.
+std::optional<FilledSurface> fill_surface(const CgalMesh& surface, const Sizes& sizes, const TetrahedralizeOptions& o, double crease_angle,
                                   std::size_t most_vertices) {
   namespace p = CGAL::parameters;
   CGAL::get_default_random() = CGAL::Random(0);
@@ -199,40 +198,40 @@ std::optional<Inside> mesh_inside(const CgalMesh& surface, const Sizes& sizes, c
   const double aim = std::max(12.0, o.dihedral_angle * degrees + 1);
   CGAL::perturb_mesh_3(complex, domain, p::time_limit = 0, p::sliver_bound = aim);
   CGAL::exude_mesh_3(complex, p::time_limit = 0, p::sliver_bound = aim);
-  return Inside{tets_of(complex), !creases.none()};
+  return FilledSurface{tets_of(complex), !creases.none()};
 }
 
-// Far more vertices than such tets should have: inside, on the surface, and where it is too curved for their size.
+// Returns a generous bound of the number of vertices: inside, on the surface, and where its curvature needs shorter edges.
 std::size_t most_vertices(const Sizes& s, double volume, double area) {
   const double inside = volume / std::pow(s.inside, 3), on = area / (s.surface * s.surface), curved = area / (s.surface * s.deviation);
   return static_cast<std::size_t>(10000 + 10 * (2 * inside + 2 * on + curved));
 }
 
 struct Deviation {
-  SurfaceDistance from_input, from_tets;
+  SurfaceDeviation from_input, from_tets;
   double largest() const { return std::max(from_input.largest, from_tets.largest); }
 };
 
 Deviation deviation_of(const Mesh& surface, const Mesh& tets, double spacing) {
   const Mesh border = triangle_surface(tets, "tets");
-  return {distance_from_to(surface, border, spacing), distance_from_to(border, surface, spacing)};
+  return {surface_deviation(surface, border, spacing), surface_deviation(border, surface, spacing)};
 }
 
-struct Attempt {
+struct Meshing {
   Mesh tets;
   Deviation deviation;
   AngleHistogram angles;
 
-  bool keeps(double asked, const TetrahedralizeOptions& o) const {
+  bool satisfies(double asked, const TetrahedralizeOptions& o) const {
     return !tets.tets.empty() && deviation.largest() <= asked && angles.smallest >= o.dihedral_angle * degrees;
   }
-  bool better_than(const Attempt& other, double asked) const {
+  bool better_than(const Meshing& other, double asked) const {
     const double excess = std::max(1.0, deviation.largest() / asked), others = std::max(1.0, other.deviation.largest() / asked);
     return excess < others || (excess == others && angles.smallest > other.angles.smallest);
   }
 };
 
-// What keeps the tets from filling a closed manifold; empty: nothing.
+// Returns why the tets do not fill a closed manifold; "": they do.
 std::string flaws_of(const Mesh& tets, const std::string& name) {
   if (tets.tets.empty()) return "no tet came out; ask for shorter edges";
   const SurfaceDefects defects = find_defects(triangle_surface(tets, name), false);
@@ -255,27 +254,26 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
   const CgalMesh m = to_cgal(surface);
   const std::size_t most = most_vertices(sizes, volume, total_area(surface));
   double crease_angle = o.crease_angle;
-  Attempt best;
-  // CGAL bounds the distance from the centre of each face to the surface, and that of curved creases not at all: what
-  // is measured tells how much finer they have to be, the sagitta of a crease growing with the square of its edges.
-  // Slivers that are left are beside creases with edges too long for the curvature around: CGAL protects them by balls
-  // in which nothing is refined. On a coarse surface that is meant to be round everything is a crease; where they cannot all be
-  // protected, the bluntest are let go.
-  for (int attempt = 0; attempt < 5 && !best.keeps(asked, o); ++attempt) {
-    std::optional<Inside> inside;
+  Meshing best;
+  // CGAL bounds the distance from the centre of each face to the surface, but not that of curved creases. The measured deviation
+  // determines the next sizes; the sagitta of a crease grows with the square of its edge length. Remaining slivers are beside
+  // creases with edges too long for the curvature, because CGAL does not refine inside the balls that protect them. On a coarse
+  // round surface every edge is a crease; where they cannot all be protected, the bluntest ones are given up.
+  for (int attempt = 0; attempt < 5 && !best.satisfies(asked, o); ++attempt) {
+    std::optional<FilledSurface> inside;
     std::string flaws;
     const auto fill = [&] {
-      inside = mesh_inside(m, sizes, o, crease_angle, most);
+      inside = fill_surface(m, sizes, o, crease_angle, most);
       flaws = inside ? flaws_of(inside->tets, name)
                      : "the refinement does not end; ask for a larger deviation, or remesh the surface with shorter edges first";
       return flaws.empty();
     };
-    bool whole = fill();
-    for (; !whole && attempt == 0 && crease_angle < no_crease; whole = fill())
+    bool filled = fill();
+    for (; !filled && attempt == 0 && crease_angle < no_crease; filled = fill())
       crease_angle = std::min(crease_angle + 15 / degrees, no_crease);
-    if (!whole && attempt > 0) break;
-    if (!whole) throw InputError(name + ": " + flaws);
-    Attempt now;
+    if (!filled && attempt > 0) break;
+    if (!filled) throw InputError(name + ": " + flaws);
+    Meshing now;
     now.tets = std::move(inside->tets);
     now.deviation = deviation_of(surface, now.tets, asked);
     now.angles = dihedral_angles(now.tets);
@@ -303,15 +301,15 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
                                 "close to each other; if they are not meant, remesh with shorter edges or raise crease_angle",
                                 mesh_warning::rounded_creases, crease_angle * degrees));
   if (deviation.largest() > asked) {
-    const SurfaceDistance& worst =
+    const SurfaceDeviation& worst =
         deviation.from_input.largest > deviation.from_tets.largest ? deviation.from_input : deviation.from_tets;
     notes.push_back(fmt::format("{}{:.3g} m asked for, at ({:.4g}, {:.4g}, {:.4g}); ask for shorter edges, "
-                                "or a smaller crease_angle", mesh_warning::missed_deviation, asked, worst.place[0], worst.place[1], worst.place[2]));
+                                "or a smaller crease_angle", mesh_warning::missed_deviation, asked, worst.position[0], worst.position[1], worst.position[2]));
   }
   if (const AngleHistogram& angles = best.angles; angles.smallest < o.dihedral_angle * degrees)
     notes.push_back(fmt::format("{}{:.3g} degrees of tet {} at ({:.4g}, {:.4g}, {:.4g}) is below the {:.3g} asked "
-                                "for; ask for shorter edges, or remesh the surface first", mesh_warning::missed_angle, angles.smallest, angles.worst, angles.place[0],
-                                angles.place[1], angles.place[2], o.dihedral_angle * degrees));
+                                "for; ask for shorter edges, or remesh the surface first", mesh_warning::missed_angle, angles.smallest, angles.worst, angles.centroid[0],
+                                angles.centroid[1], angles.centroid[2], o.dihedral_angle * degrees));
   return std::move(best.tets);
 }
 

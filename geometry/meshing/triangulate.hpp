@@ -9,10 +9,10 @@
 
 namespace tack {
 
-// corners: in either sense of rotation; they become the first vertices, in their order. Vertices
-// are added inside and on the sides. No edge is longer than the length [m], and no angle is below
-// 20 degrees, except beside corners that are acute. Throws InputError, beginning with `name`, for a
-// polygon whose sides cross or touch.
+// Returns triangles inside a polygon. polygon: corners in either sense of rotation, which become
+// the first vertices, in their order; vertices are added inside and on the sides. No edge is longer
+// than `edge_length` [m], and no angle is below 20 degrees, except at acute corners. Throws
+// InputError, beginning with `name`, for a polygon whose sides cross or touch.
 FlatMesh triangulate(const std::vector<Vec2>& polygon, double edge_length, const std::string& name);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// Functions of the shared library libtack_msh.so: .msh files by Gmsh, which takes longer to load
-// than all else together. The program opens it when it meets the first of them (msh_library.hpp).
+// Function table of the shared library libtack_msh.so: .msh files by Gmsh, which takes longer to
+// load than the rest of the program. The first .msh file opens it (msh_library.hpp).
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// Elements as they are in the file. Throws InputError naming the file.
+// Returns all elements of the file. Throws InputError naming the file.
 Mesh read_msh_by_gmsh(const std::string& path);
 void write_msh_by_gmsh(const std::string& path, const Mesh& mesh);
 

@@ -6,8 +6,8 @@
 
 namespace tack {
 
-// Gmsh holds one global state: one session at a time, started silent and without the user's
-// options.
+// Session of Gmsh, silent and without the user's options. Gmsh has one global state: one session at
+// a time.
 class GmshSession {
  public:
   GmshSession() : lock_(mutex()) {

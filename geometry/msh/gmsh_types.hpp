@@ -1,4 +1,4 @@
-// The numbers of element types in .msh files and in gmsh's interface.
+// Codes of element types in .msh files and in Gmsh's interface.
 #pragma once
 
 namespace tack::gmsh_types {

@@ -1,5 +1,5 @@
-// Argument checks shared by the shapes: InputError naming the shape, the argument and what it may
-// be.
+// Argument checks of shapes. They throw InputError with the shape, the argument and its allowed
+// values.
 #pragma once
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ inline void require_even(const char* shape, const char* what, int value) {
                                shape, what, value, value - 1, value + 1));
 }
 
-// Largest number of vertices: coordinates are numbered by int, and more fit no memory.
+// Limits the number of vertices: coordinates are indexed by int, and more would not fit in memory.
 inline void require_count(const char* shape, double vertices) {
   constexpr double most = 1e7;
   if (vertices <= most) return;

@@ -1,7 +1,8 @@
-// Maps the cube [-1, 1]^n onto the unit ball (n = 3) or disc (n = 2). The shell max|p_i| = m goes
-// to the sphere of radius m, and equal steps along an edge of the shell to nearly equal angles (the
-// equiangular projection of the cubed sphere, Ronchi et al. 1996): q = m tan(pi/4 p/m), x = m
-// q/|q|. The map keeps the mirror symmetries of the cube exactly.
+// Map of the cube [-1, 1]^n onto the unit ball (n = 3) or disc (n = 2). The shell max|p_i| = m maps
+// to the sphere of radius m, and equal steps along an edge of the shell map to nearly equal angles
+// (equiangular projection of the cubed sphere, Ronchi et al. 1996):
+//     q = m tan(pi/4 p/m), x = m q/|q|.
+// The map keeps the mirror symmetries of the cube exactly.
 #pragma once
 
 #include <Eigen/Core>

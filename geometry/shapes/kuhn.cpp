@@ -7,7 +7,7 @@
 namespace tack {
 namespace {
 
-// The even permutations first: the parity of a walk is the sign of its tet.
+// Orders of the axes, even permutations first: the parity is the sign of the tet.
 constexpr std::array<std::array<int, 3>, 6> walks = {
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 

@@ -12,7 +12,7 @@ namespace {
 
 Vec3 around_y(double radius, double angle, double height) { return {radius * std::cos(angle), height, -radius * std::sin(angle)}; }
 
-// Edges from one vertex to another along a straight line; returns the vertices between the two.
+// Adds edges from one vertex to another along a straight line; returns the vertices between them.
 std::vector<int> add_thread(Mesh& mesh, int from, int to, int edges) {
   std::vector<int> inner;
   const Vec3 start = mesh.vertices[from], end = mesh.vertices[to];
@@ -61,8 +61,8 @@ Mesh helix(double radius, double pitch, double turns, int edges) {
   require_count("helix", edges + 1.0);
   Mesh mesh;
   for (int i = 0; i <= edges; ++i) {
-    const double turned = turns * i / edges;
-    mesh.vertices.push_back(around_y(radius, 2 * std::numbers::pi * turned, pitch * (turned - turns / 2)));
+    const double turn = turns * i / edges;
+    mesh.vertices.push_back(around_y(radius, 2 * std::numbers::pi * turn, pitch * (turn - turns / 2)));
     if (i > 0) mesh.edges.push_back({i - 1, i});
   }
   return mesh;
@@ -109,12 +109,12 @@ Mesh web(double radius, double inner_radius, int spokes, int turns, double edge_
   mesh.vertices.push_back(Vec3::Zero());
   mesh.tags["centre"] = {0};
   std::vector<int>& spiral = mesh.tags["spiral"];
-  std::vector<int> last(spokes, 0);  // the outermost vertex of each spoke so far
+  std::vector<int> last(spokes, 0);  // last vertex of each spoke
   const auto connect = [&](int from, int to) {
     const double length = (mesh.vertices[to] - mesh.vertices[from]).norm();
     return add_thread(mesh, from, to, std::max(1, static_cast<int>(std::ceil(length / edge_length - 1e-9))));
   };
-  // The spokes reach beyond the last turn by half the distance of two turns.
+  // The spokes extend beyond the last turn by half the distance of two turns.
   const double rise = (radius - inner_radius) / (turns + 0.5);
   const auto add_on_spoke = [&](int s, double r) {
     const int v = static_cast<int>(mesh.vertices.size());

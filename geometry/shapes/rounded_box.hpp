@@ -1,4 +1,4 @@
-// A box with round edges and corners. Lengths in metres.
+// Rounding of boxes. Lengths in metres.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 
 namespace tack {
 
-// Moves the vertices of a mesh of a box about the origin, tets or a surface, that are nearer to two
-// or three of its sides than `rounding`: edges become quarters of cylinders, corners eighths of
-// balls. Its flat sides stay flat and straight; vertices of the surface lie exactly on the rounded
-// one, those inside follow (cube_to_ball.hpp). Errors: InputError if `rounding` is negative or more
-// than half of a side, or if one of the `cells` along the sides is longer than it.
+// Rounds the edges and corners of a box about the origin, of tets or triangles: it moves vertices
+// that are nearer than `rounding` to two or three sides. Edges become quarters of cylinders,
+// corners eighths of balls. Flat sides stay flat; surface vertices are exactly on the rounded
+// surface, and interior vertices are mapped by cube_to_ball.hpp. Throws InputError if `rounding` is
+// negative or more than half of a side, or if a cell is longer than it.
 void round_box(Mesh& mesh, const Vec3& size, const std::array<int, 3>& cells, double rounding);
 
 }  // namespace tack

@@ -12,7 +12,7 @@
 namespace tack {
 namespace {
 
-constexpr int most_cells = 1'000'000;
+constexpr int cell_count_max = 1'000'000;
 
 class Builder {
  public:
@@ -25,7 +25,7 @@ class Builder {
   Mesh take() { return std::move(mesh_); }
 
  private:
-  // Of vertex (ring i, layer j); on the axis both sides have the same.
+  // Returns the index of the vertex of ring i, layer j; on the axis both sides share it.
   int index(size_t i, size_t j, int side) const {
     const size_t per_layer = 2 * s_.radii.size() - 1;
     return static_cast<int>(j * per_layer + (i == 0 ? 0 : 2 * i - 1 + static_cast<size_t>(side)));
@@ -45,8 +45,8 @@ class Builder {
     }
   }
 
-  // Two triangles, cut along alternating diagonals, each a prism between the sides; prisms are cut by the order of their vertices, so that what is next to
-  // each other fits.
+  // Adds two triangles, with alternating diagonals, each of which makes a prism between the two sides. Prisms are divided by the
+  // order of their vertices, so that neighbours conform.
   void add_cell(size_t i, size_t j) {
     using Corner = std::pair<size_t, size_t>;
     const Corner a{i, j}, b{i + 1, j}, c{i + 1, j + 1}, d{i, j + 1};
@@ -67,23 +67,23 @@ class Builder {
 
 std::vector<double> graded(const std::vector<Vec2>& cells) {
   if (cells.size() < 2 || cells.front().x() != 0) throw InputError("cells of a sector: expects places and lengths there, [[0, 1 mm], [1 cm, 2 mm]], say, the first at 0");
-  std::vector<double> places = {0};
+  std::vector<double> positions = {0};
   for (size_t k = 0; k < cells.size(); ++k) {
     if (!(cells[k].y() > 0)) throw InputError(fmt::format("cells of a sector: the length {:g} m at {:g} m is not positive", cells[k].y(), cells[k].x()));
     if (k == 0) continue;
     const double from = cells[k - 1].x(), to = cells[k].x(), first = cells[k - 1].y(), last = cells[k].y(), length = to - from;
     if (!(length > 0)) throw InputError(fmt::format("cells of a sector: the place {:g} m is not above that before, {:g} m", to, from));
-    // Lengths grow with the place as it does: cells are what an exponential is cut into.
-    const double growth = std::log(last / first), cut = std::abs(growth) < 1e-9 ? length / first : growth * length / (last - first);
-    if (!(cut < most_cells)) throw InputError(fmt::format("cells of a sector: from {:g} to {:g} m there are more than {}", from, to, most_cells));
-    const int count = std::max(1, static_cast<int>(std::ceil(cut - 1e-9)));
+    // Lengths are linear in the position, so that positions are exponential in the cell index.
+    const double growth = std::log(last / first), cell_count = std::abs(growth) < 1e-9 ? length / first : growth * length / (last - first);
+    if (!(cell_count < cell_count_max)) throw InputError(fmt::format("cells of a sector: from {:g} to {:g} m there are more than {}", from, to, cell_count_max));
+    const int count = std::max(1, static_cast<int>(std::ceil(cell_count - 1e-9)));
     for (int i = 1; i < count; ++i) {
-      const double part = double(i) / count;
-      places.push_back(from + length * (std::abs(growth) < 1e-9 ? part : std::expm1(growth * part) / std::expm1(growth)));
+      const double fraction = double(i) / count;
+      positions.push_back(from + length * (std::abs(growth) < 1e-9 ? fraction : std::expm1(growth * fraction) / std::expm1(growth)));
     }
-    places.push_back(to);
+    positions.push_back(to);
   }
-  return places;
+  return positions;
 }
 
 Mesh sector(const Sector& s) {

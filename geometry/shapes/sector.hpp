@@ -1,6 +1,6 @@
-// A thin sector of a body of revolution about y, for axisymmetric problems: one cell wide, of
-// graded cells along radius and depth. Its top is the plane y = 0, or a crown that touches that
-// from below; it lies to both sides of the x axis.
+// Thin sector of a body of revolution about y, for axisymmetric problems: one cell wide, with
+// graded cells along radius and depth. Its top is the plane y = 0, or a crown that touches the
+// plane from below. It extends to both sides of the x axis.
 #pragma once
 
 #include <vector>
@@ -15,15 +15,15 @@ namespace tack {
 std::vector<double> graded(const std::vector<Vec2>& cells);
 
 struct Sector {
-  double angle = 0;             // rad, below pi / 2
-  double crown = 0;             // radius of the top, which is a part of a ball [m]; 0: flat
-  std::vector<double> radii;    // of the vertices, from 0 [m]
-  std::vector<double> depths;   // below the top on the axis, from 0 [m]; the bottom is flat
+  double angle = 0;            // rad, below pi / 2
+  double crown = 0;            // radius of the spherical top [m]; 0: flat
+  std::vector<double> radii;   // of the vertices, from 0 [m]
+  std::vector<double> depths;  // below the top on the axis, from 0 [m]; the bottom is flat
 };
 
-// Vertex groups: axis; left and right, the sides without it, at -angle / 2 and +angle / 2 (turned
-// from x to z); top, bottom and rim. Throws InputError for an angle, radii or depths that are none,
-// and a crown that is smaller than the radius.
+// Returns the mesh. Vertex groups: axis; left and right, the sides without the axis, at -angle / 2
+// and +angle / 2 (from x to z); top, bottom and rim. Throws InputError for invalid angles, radii or
+// depths, and for a crown smaller than the radius.
 Mesh sector(const Sector& shape);
 
 }  // namespace tack

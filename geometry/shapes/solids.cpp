@@ -16,7 +16,7 @@ Mesh box_tets(const Vec3& size, const std::array<int, 3>& cells) {
   for (int k = 0; k <= cells[2]; ++k) {
     for (int j = 0; j <= cells[1]; ++j) {
       for (int i = 0; i <= cells[0]; ++i) {
-        // Placed anew from the node numbers: the fewest roundings, so that faces lie exactly at
+        // Computed from the node indices with the fewest roundings, so that faces are exactly at
         // size/2.
         const Vec3 at(double(i) / cells[0], double(j) / cells[1], double(k) / cells[2]);
         mesh.vertices[v++] = -0.5 * size + size.cwiseProduct(at);

@@ -9,8 +9,8 @@
 namespace tack {
 namespace {
 
-// Two triangles for the cell with the corners (0,0), (1,0), (1,1), (0,1), given in the sense of
-// rotation whose normal is wanted.
+// Adds two triangles for the cell with the corners (0,0), (1,0), (1,1), (0,1), listed in the sense of
+// rotation of the normal. from_origin: the diagonal starts at (0,0).
 void add_cell(Mesh& mesh, const std::array<int, 4>& corner, bool from_origin) {
   const auto& [a, b, c, d] = corner;
   if (from_origin) {
@@ -22,9 +22,9 @@ void add_cell(Mesh& mesh, const std::array<int, 4>& corner, bool from_origin) {
   }
 }
 
-// One side of the box: the plane axis = -size/2 (end 0) or +size/2 (end 1).
+// Adds a side of the box: the plane axis = -size/2 (end 0) or +size/2 (end 1).
 void add_side(Mesh& mesh, const Vec3& size, const std::array<int, 3>& cells, int axis, int end) {
-  // On the lower side u and v are exchanged, which turns the normal around.
+  // On the lower side u and v are exchanged, which reverses the normal.
   const int u = (axis + (end ? 1 : 2)) % 3, v = (axis + (end ? 2 : 1)) % 3;
   const int first = static_cast<int>(mesh.vertices.size()), row = cells[u] + 1;
   for (int j = 0; j <= cells[v]; ++j) {
@@ -55,7 +55,7 @@ constexpr std::array<Triangle, 20> sides = {
      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
      {3, 8, 9},  {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 
-// Rows of points parallel to side (a, b), row j shrinking towards c.
+// Adds rows of points parallel to side (a, b); row j shrinks towards c.
 void add_subdivided(Mesh& mesh, const Triangle& side, double radius, int cells) {
   const auto& [a, b, c] = side;
   int row = static_cast<int>(mesh.vertices.size());
@@ -95,10 +95,10 @@ Mesh grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals
   if (jitter > 0) {
     std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
     // Not std::uniform_real_distribution, which differs between libraries.
-    const auto part = [&] { return jitter * (2 * (random() / 4294967296.0) - 1); };
+    const auto offset = [&] { return jitter * (2 * (random() / 4294967296.0) - 1); };
     for (int k = 1; k < cells[1]; ++k) {
       for (int i = 1; i < cells[0]; ++i) {
-        const double x = part() * size[0] / cells[0], z = part() * size[1] / cells[1];
+        const double x = offset() * size[0] / cells[0], z = offset() * size[1] / cells[1];
         mesh.vertices[static_cast<size_t>(i + row * k)] += Vec3(x, 0, z);
       }
     }
@@ -107,7 +107,7 @@ Mesh grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals
     for (int i = 0; i < cells[0]; ++i) {
       const int a = i + row * k;
       const bool odd = (i + k) % 2 == 1 && diagonals == Diagonals::alternating;
-      // From z to x: that sense has the normal +y.
+      // The sense from z to x has the normal +y.
       add_cell(mesh, {a, a + row, a + row + 1, a + 1}, !odd);
     }
   }

@@ -7,10 +7,10 @@
 namespace tack {
 namespace {
 
-// Of lengths that differ by rounding alone, the first counts as shorter, however a mesh is turned.
-constexpr double alike = 1 - 1e-6;
+// Squared-length ratio below which a diagonal counts as shorter: the choice does not depend on round-off.
+constexpr double length_ratio = 1 - 1e-6;
 
-// The vertices in the middle of edges, appended to a mesh.
+// Midpoints of edges, appended to the vertices of a mesh.
 class Middles {
  public:
   explicit Middles(Mesh& mesh) : mesh_(mesh) {}
@@ -33,8 +33,8 @@ class Middles {
   std::vector<Edge> ends_;
 };
 
-// The tet with its corners in such an order that the middles of its edges 01 and 23 are closest: an even one, so that it stays positive. Of those that are
-// alike the one counts in which the tet's smallest vertex is in an edge with the smaller one.
+// Returns the tet with its corners reordered, by an even permutation, such that the midpoints of its edges 01 and 23 are closest.
+// Among equal lengths, the edge that joins the smallest vertex with the smallest partner counts.
 Tet with_shortest_diagonal(const Tet& t, const std::vector<Vec3>& x) {
   std::array<Tet, 3> orders = {t, {t[0], t[2], t[3], t[1]}, {t[0], t[3], t[1], t[2]}};
   const int least = *std::min_element(t.begin(), t.end());
@@ -43,7 +43,7 @@ Tet with_shortest_diagonal(const Tet& t, const std::vector<Vec3>& x) {
   const auto square = [&](const Tet& o) { return (x[o[0]] + x[o[1]] - x[o[2]] - x[o[3]]).squaredNorm(); };
   Tet best = orders[0];
   for (int i = 1; i < 3; ++i)
-    if (square(orders[i]) < alike * square(best)) best = orders[i];
+    if (square(orders[i]) < length_ratio * square(best)) best = orders[i];
   return best;
 }
 

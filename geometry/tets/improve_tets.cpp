@@ -8,9 +8,9 @@
 namespace tack {
 namespace {
 
-constexpr int most_passes = 12;
+constexpr int pass_count_max = 12;
 
-// Tets that are not good enough, worst first.
+// Returns the tets below the goal, worst first.
 std::vector<int> poor(const TetEditor& mesh, double goal) {
   std::vector<int> tets;
   for (int t = 0; t < mesh.count(); ++t)
@@ -21,7 +21,8 @@ std::vector<int> poor(const TetEditor& mesh, double goal) {
 
 constexpr std::array<Edge, 6> edges = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-// The first change that helps a tet: what keeps the number of vertices first, then merging and adding them.
+// Makes the first change that improves a tet; returns false if there is none. Changes that keep the number of vertices come first,
+// then merging and adding vertices.
 bool improve(TetEditor& mesh, int tet) {
   const Tet t = mesh.tet(tet);
   for (const auto& [i, j] : edges)
@@ -43,8 +44,8 @@ ImprovedTets improve_tets(const std::vector<Vec3>& vertices, const std::vector<T
   TetEditor mesh(vertices, tets);
   ImprovedTets result;
   result.before = mesh.worst_of(tets);
-  std::vector<int> tried;  // per tet: after how many changes nothing helped it; -1: none was tried
-  for (int pass = 0; pass < most_passes; ++pass) {
+  std::vector<int> tried;  // per tet: number of changes when none improved it; -1: not tried
+  for (int pass = 0; pass < pass_count_max; ++pass) {
     const int before = mesh.changes();
     for (const int t : poor(mesh, goal)) {
       if (!mesh.alive(t) || !(mesh.quality(t) < goal)) continue;
@@ -54,15 +55,15 @@ ImprovedTets improve_tets(const std::vector<Vec3>& vertices, const std::vector<T
     }
     if (mesh.changes() == before) break;
   }
-  std::vector<int> number(mesh.places().size(), -1);
+  std::vector<int> number(mesh.positions().size(), -1);
   const auto take = [&](int v) {
     number[v] = static_cast<int>(result.vertices.size());
-    result.vertices.push_back(mesh.place(v));
-    const bool stayed = v < static_cast<int>(vertices.size()) && mesh.place(v) == vertices[v];
+    result.vertices.push_back(mesh.position(v));
+    const bool stayed = v < static_cast<int>(vertices.size()) && mesh.position(v) == vertices[v];
     result.from.push_back(stayed ? v : -1);
   };
   for (const bool surface : {true, false})
-    for (size_t v = 0; v < mesh.places().size(); ++v)
+    for (size_t v = 0; v < mesh.positions().size(); ++v)
       if (mesh.on_surface(static_cast<int>(v)) == surface && !mesh.around(static_cast<int>(v)).empty()) take(static_cast<int>(v));
   std::vector<Tet> alive;
   for (int t = 0; t < mesh.count(); ++t) {

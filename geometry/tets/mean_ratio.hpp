@@ -1,6 +1,6 @@
-// The shape of a tet as a number, its mean ratio
+// Shape measure of a tet, its mean ratio
 //     q = 12 (3 V)^(2/3) / sum of squared edges,
-// 1 for a regular tet, 0 for a flat or an inverted one, whatever the size.
+// 1 for a regular tet, 0 for a flat or an inverted one; independent of the size.
 // Source: Liu and Joe 1994, Relationship between tetrahedron shape measures.
 #pragma once
 

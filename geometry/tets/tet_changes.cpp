@@ -9,20 +9,20 @@
 namespace tack {
 namespace {
 
-constexpr int longest_ring = 12;
-constexpr int largest_cavity = 24;
-constexpr double enough = 1e-3;  // by which part something has to be better
+constexpr int ring_size_max = 12;
+constexpr int cavity_size_max = 24;
+constexpr double improvement_min = 1e-3;  // relative
 
-// The face opposite a corner, counterclockwise as seen from there.
+// Returns the face opposite a corner, counter-clockwise from there.
 Triangle inward(const Tet& t, int corner) {
   constexpr std::array<Triangle, 4> faces = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
   const auto& [i, j, k] = faces[corner];
   return {t[i], t[j], t[k]};
 }
 
-bool better(double quality, double than) { return quality > than * (1 + enough) && quality > 0; }
+bool better(double quality, double than) { return quality > than * (1 + improvement_min) && quality > 0; }
 
-// Triangles of a polygon, the worst of whose tets with both ends of the edge is as good as can be.
+// Triangulation of a ring for which the worst of the tets with both ends of the edge is best.
 class RingFilling {
  public:
   RingFilling(const TetEditor& mesh, int a, int b, const std::vector<int>& ring) : a_(a), b_(b), ring_(ring), n_(static_cast<int>(ring.size())) {
@@ -65,7 +65,7 @@ class RingFilling {
   std::vector<int> split_;
 };
 
-// The faces around a vertex, counterclockwise as seen from it.
+// Returns the faces around a vertex, counter-clockwise from it.
 std::vector<Triangle> link(const TetEditor& mesh, int vertex) {
   std::vector<Triangle> all;
   for (const int t : mesh.around(vertex)) {
@@ -76,12 +76,12 @@ std::vector<Triangle> link(const TetEditor& mesh, int vertex) {
   return all;
 }
 
-// A new vertex, somewhere near a place, and what it sees, for the tets of a cavity.
-bool fill_with_star(TetEditor& mesh, const std::vector<int>& cavity, const std::vector<Triangle>& faces, Vec3 place) {
+// Replaces the tets of a cavity by those of its faces with a new vertex near a position.
+bool fill_with_star(TetEditor& mesh, const std::vector<int>& cavity, const std::vector<Triangle>& faces, Vec3 position) {
   const TetStar star(mesh, faces);
-  star.climb(place);
-  if (!better(star.worst_at(place), mesh.worst_of(cavity))) return false;
-  mesh.replace(cavity, star.tets(mesh.add_vertex(place)));
+  star.improve(position);
+  if (!better(star.worst_at(position), mesh.worst_of(cavity))) return false;
+  mesh.replace(cavity, star.tets(mesh.add_vertex(position)));
   return true;
 }
 
@@ -89,7 +89,7 @@ bool fill_with_star(TetEditor& mesh, const std::vector<int>& cavity, const std::
 
 bool remove_edge(TetEditor& mesh, int a, int b) {
   const std::vector<int> around = mesh.around_edge(a, b), ring = mesh.ring(a, b, around);
-  if (ring.size() < 3 || ring.size() > longest_ring) return false;
+  if (ring.size() < 3 || ring.size() > ring_size_max) return false;
   const RingFilling filling(mesh, a, b, ring);
   if (!better(filling.worst(), mesh.worst_of(around))) return false;
   mesh.replace(around, filling.all());
@@ -128,10 +128,10 @@ bool collapse(TetEditor& mesh, int vertex, int onto) {
 bool smooth(TetEditor& mesh, int vertex) {
   if (mesh.on_surface(vertex)) return false;
   const TetStar star(mesh, link(mesh, vertex));
-  Vec3 place = mesh.place(vertex);
-  star.climb(place);
-  if (place == mesh.place(vertex)) return false;
-  mesh.move(vertex, place);
+  Vec3 position = mesh.position(vertex);
+  star.improve(position);
+  if (position == mesh.position(vertex)) return false;
+  mesh.move(vertex, position);
   return true;
 }
 
@@ -143,15 +143,15 @@ bool split_edge(TetEditor& mesh, int a, int b) {
     faces.push_back({a, c, d});
     faces.push_back({c, b, d});
   }
-  return !ring.empty() && fill_with_star(mesh, around, faces, (mesh.place(a) + mesh.place(b)) / 2);
+  return !ring.empty() && fill_with_star(mesh, around, faces, (mesh.position(a) + mesh.position(b)) / 2);
 }
 
 bool insert(TetEditor& mesh, int tet) {
   Vec3 centre = Vec3::Zero();
-  for (const int v : mesh.tet(tet)) centre += mesh.place(v) / 4;
+  for (const int v : mesh.tet(tet)) centre += mesh.position(v) / 4;
   std::vector<int> cavity = {tet};
-  // The worst face gives way to the tet behind it, until it is one of the surface.
-  while (cavity.size() < largest_cavity) {
+  // Adds the tet behind the worst face to the cavity, until that face is on the surface.
+  while (cavity.size() < cavity_size_max) {
     std::vector<Triangle> faces;
     double worst = std::numeric_limits<double>::infinity();
     int behind = -1;
@@ -161,7 +161,7 @@ bool insert(TetEditor& mesh, int tet) {
         if (other >= 0 && std::find(cavity.begin(), cavity.end(), other) != cavity.end()) continue;
         const Triangle face = inward(mesh.tet(t), corner);
         faces.push_back(face);
-        const double quality = mean_ratio({mesh.place(face[0]), mesh.place(face[1]), mesh.place(face[2]), centre});
+        const double quality = mean_ratio({mesh.position(face[0]), mesh.position(face[1]), mesh.position(face[2]), centre});
         if (quality < worst) worst = quality, behind = other;
       }
     if (fill_with_star(mesh, cavity, faces, centre)) return true;

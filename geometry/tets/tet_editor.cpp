@@ -10,14 +10,14 @@
 namespace tack {
 namespace {
 
-// Of the corner that it leaves out, outward in a positive tet.
+// faces[i]: the face opposite corner i, outward in a positive tet.
 constexpr std::array<Triangle, 4> faces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 bool has(const Tet& tet, int vertex) { return std::find(tet.begin(), tet.end(), vertex) != tet.end(); }
 
 }  // namespace
 
-Tet beginning_with(const Tet& tet, int a, int b) {
+Tet reordered(const Tet& tet, int a, int b) {
   constexpr std::array<Tet, 12> even = {{{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 0, 3, 2}, {1, 2, 0, 3}, {1, 3, 2, 0},
                                          {2, 0, 1, 3}, {2, 1, 3, 0}, {2, 3, 0, 1}, {3, 0, 2, 1}, {3, 1, 0, 2}, {3, 2, 1, 0}}};
   for (const Tet& order : even)
@@ -25,8 +25,8 @@ Tet beginning_with(const Tet& tet, int a, int b) {
   return tet;
 }
 
-TetEditor::TetEditor(std::vector<Vec3> places, std::vector<Tet> tets)
-    : places_(std::move(places)), on_surface_(places_.size(), 0), around_(places_.size()), changed_(places_.size(), 0) {
+TetEditor::TetEditor(std::vector<Vec3> positions, std::vector<Tet> tets)
+    : positions_(std::move(positions)), on_surface_(positions_.size(), 0), around_(positions_.size()), changed_(positions_.size(), 0) {
   replace({}, tets);
   std::vector<std::pair<Triangle, Triangle>> all;  // sorted, and as it is
   for (const Tet& t : tets_)
@@ -39,7 +39,7 @@ TetEditor::TetEditor(std::vector<Vec3> places, std::vector<Tet> tets)
   }
 }
 
-double TetEditor::quality_of(const Tet& t) const { return mean_ratio({places_[t[0]], places_[t[1]], places_[t[2]], places_[t[3]]}); }
+double TetEditor::quality_of(const Tet& t) const { return mean_ratio({positions_[t[0]], positions_[t[1]], positions_[t[2]], positions_[t[3]]}); }
 
 double TetEditor::worst_of(const std::vector<int>& tets) const {
   double worst = std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ std::vector<int> TetEditor::around_edge(int a, int b) const {
 std::vector<int> TetEditor::ring(int a, int b, const std::vector<int>& around) const {
   std::map<int, int> next;
   for (const int t : around) {
-    const Tet tet = beginning_with(tets_[t], a, b);
+    const Tet tet = reordered(tets_[t], a, b);
     next[tet[2]] = tet[3];
   }
   std::vector<int> ring;
@@ -92,7 +92,7 @@ int TetEditor::last_change_near(int tet) const {
   return last;
 }
 
-void TetEditor::note_change(const Tet& tet) {
+void TetEditor::record_change(const Tet& tet) {
   for (const int v : tet) changed_[v] = changes_;
 }
 
@@ -100,7 +100,7 @@ void TetEditor::replace(const std::vector<int>& tets, const std::vector<Tet>& by
   ++changes_;
   for (const int t : tets) {
     alive_[t] = 0;
-    note_change(tets_[t]);
+    record_change(tets_[t]);
     for (const int v : tets_[t]) std::erase(around_[v], t);
   }
   for (const Tet& t : by) {
@@ -109,24 +109,24 @@ void TetEditor::replace(const std::vector<int>& tets, const std::vector<Tet>& by
     alive_.push_back(1);
     quality_.push_back(quality_of(t));
     for (const int v : t) around_[v].push_back(number);
-    note_change(t);
+    record_change(t);
   }
 }
 
-int TetEditor::add_vertex(const Vec3& place) {
-  places_.push_back(place);
+int TetEditor::add_vertex(const Vec3& position) {
+  positions_.push_back(position);
   on_surface_.push_back(0);
   around_.emplace_back();
   changed_.push_back(0);
-  return static_cast<int>(places_.size()) - 1;
+  return static_cast<int>(positions_.size()) - 1;
 }
 
-void TetEditor::move(int vertex, const Vec3& place) {
+void TetEditor::move(int vertex, const Vec3& position) {
   ++changes_;
-  places_[vertex] = place;
+  positions_[vertex] = position;
   for (const int t : around_[vertex]) {
     quality_[t] = quality_of(tets_[t]);
-    note_change(tets_[t]);
+    record_change(tets_[t]);
   }
 }
 

@@ -11,10 +11,10 @@ using Corners = std::array<Vec3, 4>;
 
 double six_volumes(const Corners& x) { return (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]); }
 
-// Where the plane cuts the edge between corners at distances p > 0 and n <= 0 of it.
+// Returns the point where a plane cuts an edge whose corners have the signed distances p > 0 and n <= 0.
 Vec3 cut(const Vec3& in, double p, const Vec3& out, double n) { return in + p / (p - n) * (out - in); }
 
-// Adds the parts of a tet in front of the plane, as tets of either orientation.
+// Appends the part of a tet in front of the plane, cut into tets of either orientation.
 void clip(const Corners& x, const Vec3& point, const Vec3& normal, std::vector<Corners>& parts) {
   std::array<double, 4> d;
   std::array<int, 4> order;
@@ -69,7 +69,7 @@ std::vector<TetOverlap> tet_overlaps(const std::vector<Corners>& ones, const std
     boxes.push_back(box_of(x));
     widest = std::max(widest, boxes.back().high.x() - boxes.back().low.x());
   }
-  std::vector<int> order(others.size());  // from left to right
+  std::vector<int> order(others.size());  // by ascending x
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return boxes[i].low.x() < boxes[j].low.x(); });
   std::vector<TetOverlap> found;

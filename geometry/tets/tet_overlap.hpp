@@ -8,11 +8,12 @@
 
 namespace tack {
 
-// The volume that two positive tets share [m^3]: 0 if they only touch. Off by rounding.
+// Returns the volume of the intersection of two positive tets [m^3], up to rounding; 0 if they only
+// touch.
 double shared_volume(const std::array<Vec3, 4>& a, const std::array<Vec3, 4>& b);
 
 struct TetOverlap {
-  int one, other;  // numbers of tets
+  int one, other;  // indices of tets
   double volume;   // m^3
 };
 

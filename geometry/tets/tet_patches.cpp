@@ -8,9 +8,11 @@
 namespace tack {
 namespace {
 
-constexpr int around_a_vertex = 5;      // least number of tets that make a patch about a vertex,
-constexpr double most_of_them = 0.8;    // and least part of all that it has
-constexpr int left_over = 6, least = 3;  // tets of a patch between others; smaller ones join a neighbour
+// A patch around a vertex has at least that many tets, and that fraction of all tets around the vertex.
+constexpr int tet_count_min = 5;
+constexpr double tet_fraction_min = 0.8;
+// Numbers of tets of a patch between others; smaller ones join a neighbour.
+constexpr int patch_size_min = 3, patch_size_max = 6;
 
 std::vector<int> vertices_of(const std::vector<Tet>& tets, const std::vector<int>& patch) {
   std::vector<int> all;
@@ -34,7 +36,7 @@ class Patches {
   }
 
  private:
-  // Six in a row around an edge that all of them share.
+  // Finds cells: six consecutive tets around an edge that all of them share.
   void cells() {
     std::vector<int> six(6);
     for (int t = 0; t + 6 <= static_cast<int>(tets_.size());) {
@@ -54,7 +56,7 @@ class Patches {
     for (int t = 0; t < static_cast<int>(tets_.size()); ++t)
       for (const int v : tets_[t])
         if (patch_[t] < 0) around[v].push_back(t);
-    std::vector<std::pair<int, int>> order;  // by falling number of tets, then by number
+    std::vector<std::pair<int, int>> order;  // by descending number of tets, then by index
     for (const auto& [v, all] : around) order.emplace_back(-static_cast<int>(all.size()), v);
     std::sort(order.begin(), order.end());
     for (const auto& [minus_count, v] : order) {
@@ -62,7 +64,7 @@ class Patches {
       for (const int t : around[v])
         if (patch_[t] < 0) open.push_back(t);
       const auto count = static_cast<double>(open.size());
-      if (count < around_a_vertex || count < -most_of_them * minus_count) continue;
+      if (count < tet_count_min || count < -tet_fraction_min * minus_count) continue;
       while (static_cast<int>(vertices_of(tets_, open).size()) > largest_patch) open.pop_back();
       take(open);
     }
@@ -70,39 +72,39 @@ class Patches {
 
   void connect() {
     std::map<std::array<int, 3>, int> first;
-    beside_.resize(tets_.size());
+    neighbours_.resize(tets_.size());
     for (int t = 0; t < static_cast<int>(tets_.size()); ++t)
       for (int i = 0; i < 4; ++i) {
         std::array<int, 3> face{tets_[t][(i + 1) % 4], tets_[t][(i + 2) % 4], tets_[t][(i + 3) % 4]};
         std::sort(face.begin(), face.end());
         const auto [at, is_new] = first.try_emplace(face, t);
         if (is_new) continue;
-        beside_[t].push_back(at->second);
-        beside_[at->second].push_back(t);
+        neighbours_[t].push_back(at->second);
+        neighbours_[at->second].push_back(t);
       }
   }
 
-  // What no patch has taken, through faces.
+  // Groups the remaining tets by common faces.
   void between() {
     for (int t = 0; t < static_cast<int>(tets_.size()); ++t) {
       if (patch_[t] >= 0) continue;
       std::vector<int> group{t};
       patch_[t] = count_;
       for (size_t i = 0; i < group.size(); ++i)
-        for (const int s : beside_[group[i]])
-          if (patch_[s] < 0 && group.size() < left_over) {
+        for (const int s : neighbours_[group[i]])
+          if (patch_[s] < 0 && group.size() < patch_size_max) {
             patch_[s] = count_;
             group.push_back(s);
           }
-      if (group.size() >= least || !join_neighbour(group)) members_.push_back(std::move(group)), ++count_;
+      if (group.size() >= patch_size_min || !join_neighbour(group)) members_.push_back(std::move(group)), ++count_;
     }
   }
 
-  // The patch that most of its faces are shared with, of those that have room.
+  // Adds a group to the patch with the most common faces that does not become too large; returns false if there is none.
   bool join_neighbour(const std::vector<int>& group) {
     std::map<int, int> faces;
     for (const int t : group)
-      for (const int s : beside_[t])
+      for (const int s : neighbours_[t])
         if (patch_[s] >= 0 && patch_[s] != count_) --faces[patch_[s]];
     std::vector<std::pair<int, int>> order;
     for (const auto& [patch, minus_shared] : faces) order.emplace_back(minus_shared, patch);
@@ -135,7 +137,7 @@ class Patches {
 
   const std::vector<Tet>& tets_;
   std::vector<int> patch_;
-  std::vector<std::vector<int>> members_, beside_;  // tets of each patch; tets at the faces of each tet
+  std::vector<std::vector<int>> members_, neighbours_;  // tets of each patch; tets at the faces of each tet
   int count_ = 0;
 };
 

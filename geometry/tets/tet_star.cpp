@@ -8,13 +8,13 @@
 namespace tack {
 namespace {
 
-constexpr int most_steps = 8;
-constexpr double enough = 1e-3;     // by which part a step has to make the worst tet better
-constexpr double about_as = 1.1;    // times the worst: those that a step follows together
+constexpr int step_count_max = 8;
+constexpr double improvement_min = 1e-3;  // smallest relative improvement of a step
+constexpr double worst_ratio = 1.1;       // tets up to this ratio to the worst one share the ascent direction
 
-// The gradient of the mean ratio of a positive tet by its last corner.
+// Returns the gradient of the mean ratio of a positive tet by its last corner.
 Vec3 slope(const std::array<Vec3, 4>& x, double quality) {
-  const Vec3 area = (x[1] - x[0]).cross(x[2] - x[0]) / 2;  // the volume grows along it
+  const Vec3 area = (x[1] - x[0]).cross(x[2] - x[0]) / 2;  // gradient of the volume, times 3
   double squares = 0;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < a; ++b) squares += (x[a] - x[b]).squaredNorm();
@@ -24,22 +24,22 @@ Vec3 slope(const std::array<Vec3, 4>& x, double quality) {
 
 }  // namespace
 
-double TetStar::worst_at(const Vec3& place) const {
+double TetStar::worst_at(const Vec3& position) const {
   double worst = std::numeric_limits<double>::infinity();
-  for (const auto& [a, b, c] : faces_) worst = std::min(worst, mean_ratio({mesh_.place(a), mesh_.place(b), mesh_.place(c), place}));
+  for (const auto& [a, b, c] : faces_) worst = std::min(worst, mean_ratio({mesh_.position(a), mesh_.position(b), mesh_.position(c), position}));
   return worst;
 }
 
-bool TetStar::step(Vec3& place) const {
-  const double worst = worst_at(place);
+bool TetStar::step(Vec3& position) const {
+  const double worst = worst_at(position);
   if (!(worst > 0)) return false;
-  double reach = std::numeric_limits<double>::infinity();
+  double step_max = std::numeric_limits<double>::infinity();
   Vec3 of_all = Vec3::Zero(), of_worst = Vec3::Zero();
   for (const Triangle& f : faces_) {
-    const std::array<Vec3, 4> x = {mesh_.place(f[0]), mesh_.place(f[1]), mesh_.place(f[2]), place};
-    for (int i = 0; i < 3; ++i) reach = std::min(reach, (x[i] - place).norm());
+    const std::array<Vec3, 4> x = {mesh_.position(f[0]), mesh_.position(f[1]), mesh_.position(f[2]), position};
+    for (int i = 0; i < 3; ++i) step_max = std::min(step_max, (x[i] - position).norm());
     const double quality = mean_ratio(x);
-    if (quality > about_as * worst) continue;
+    if (quality > worst_ratio * worst) continue;
     const Vec3 s = slope(x, quality);
     of_all += s;
     if (quality == worst) of_worst = s;
@@ -47,18 +47,18 @@ bool TetStar::step(Vec3& place) const {
   for (const Vec3& along : {of_all, of_worst}) {
     const double length = along.norm();
     if (!(length > 0)) continue;
-    for (double way = reach / 2; way > reach / 100; way /= 2) {
-      const Vec3 there = place + way / length * along;
-      if (!(worst_at(there) > (1 + enough) * worst)) continue;
-      place = there;
+    for (double length_step = step_max / 2; length_step > step_max / 100; length_step /= 2) {
+      const Vec3 there = position + length_step / length * along;
+      if (!(worst_at(there) > (1 + improvement_min) * worst)) continue;
+      position = there;
       return true;
     }
   }
   return false;
 }
 
-void TetStar::climb(Vec3& place) const {
-  for (int i = 0; i < most_steps && step(place); ++i) {
+void TetStar::improve(Vec3& position) const {
+  for (int i = 0; i < step_count_max && step(position); ++i) {
   }
 }
 

@@ -1,4 +1,4 @@
-// A point and the faces around it, each of which makes a tet with it: where such a point is best.
+// Optimisation of the position of a point inside a polyhedron: each face makes a tet with it.
 #pragma once
 
 #include "geometry/tets/tet_editor.hpp"
@@ -7,17 +7,17 @@ namespace tack {
 
 class TetStar {
  public:
-  // Faces that are counterclockwise as seen from within.
+  // faces: counter-clockwise from inside.
   TetStar(const TetEditor& mesh, std::vector<Triangle> faces)
       : mesh_(mesh), faces_(std::move(faces)) {}
 
-  double worst_at(const Vec3& place) const;  // the lowest quality of its tets
-  // Moves a place to where the worst tet is better, as far as that goes on.
-  void climb(Vec3& place) const;
+  double worst_at(const Vec3& position) const;  // lowest quality of its tets
+  // Moves a position while that improves the worst tet.
+  void improve(Vec3& position) const;
   std::vector<Tet> tets(int centre) const;
 
  private:
-  bool step(Vec3& place) const;
+  bool step(Vec3& position) const;
 
   const TetEditor& mesh_;
   std::vector<Triangle> faces_;

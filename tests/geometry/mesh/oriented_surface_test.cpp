@@ -42,7 +42,7 @@ VecX two_squares(int n, double gap) {
 }  // namespace
 
 TEST_CASE("a closed surface has its volume, wherever the origin is, and its areas are the gradient", "[mesh]") {
-  const OrientedSurface surface(oriented_alike(tet_faces));
+  const OrientedSurface surface(consistently_oriented(tet_faces));
   CHECK(surface.closed());
   RandomMotions random(1);
   const VecX x = unit_tet() + 0.2 * random.vectors(12);
@@ -52,8 +52,8 @@ TEST_CASE("a closed surface has its volume, wherever the origin is, and its area
   VecX areas = VecX::Zero(12), by_edges = areas;
   surface.add_areas(x, 1, areas);
   for (const auto& e : surface.edges()) {
-    vertex(by_edges, e.a) += surface.share(e, x);
-    vertex(by_edges, e.b) += surface.share(e, x);
+    vertex(by_edges, e.a) += surface.edge_area_vector(e, x);
+    vertex(by_edges, e.b) += surface.edge_area_vector(e, x);
   }
   const VecX differences = gradient_by_differences([&](const VecX& y) { return surface.volume(y, Vec3(1, 1, 1)); }, x, 1e-3);
   CHECK((areas - differences).norm() < 1e-12);
@@ -65,12 +65,12 @@ TEST_CASE("a closed surface has its volume, wherever the origin is, and its area
 TEST_CASE("triangles are turned alike, and what has no two sides is refused", "[mesh]") {
   std::vector<Triangle> mixed = tet_faces;
   std::swap(mixed[2][0], mixed[2][1]);
-  const OrientedSurface surface(oriented_alike(mixed));
+  const OrientedSurface surface(consistently_oriented(mixed));
   CHECK(surface.volume(unit_tet(), Vec3::Zero()) == Approx(1.0 / 6));
   // A strip of an odd number of triangles, closed with half a turn.
   const std::vector<Triangle> moebius{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}};
-  CHECK_THROWS_AS(oriented_alike(moebius), InputError);
-  CHECK_THROWS_AS(oriented_alike({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), InputError);
+  CHECK_THROWS_AS(consistently_oriented(moebius), InputError);
+  CHECK_THROWS_AS(consistently_oriented({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), InputError);
 }
 
 TEST_CASE("the slit between two boundaries is closed: a box of two squares", "[mesh]") {
@@ -87,10 +87,10 @@ TEST_CASE("the slit between two boundaries is closed: a box of two squares", "[m
     const auto strip = stitched(loops[0], loops[1], x);
     CHECK(strip.size() == static_cast<size_t>(8 * n));
     all.insert(all.end(), strip.begin(), strip.end());
-    const OrientedSurface surface(oriented_alike(all));
+    const OrientedSurface surface(consistently_oriented(all));
     CHECK(surface.closed());
     CHECK(std::abs(surface.volume(x, Vec3::Zero())) == Approx(0.25 * n * n));
     CHECK(surface.area(x) == Approx(2 * n * n + 4 * n * 0.25));
-    CHECK(parts_of(all) == std::vector<int>(all.size(), 0));
+    CHECK(components_by_edges(all) == std::vector<int>(all.size(), 0));
   }
 }

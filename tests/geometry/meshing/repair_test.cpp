@@ -38,7 +38,7 @@ std::string check_solid(const Mesh& mesh, double volume, int parts, double withi
   const SurfaceDefects d = find_defects(r.mesh);
   CHECK(d.bounds_volume());
   CHECK(list_defects(d).empty());
-  CHECK(d.parts == parts);
+  CHECK(d.component_count == parts);
   CHECK(d.volume == Approx(volume).epsilon(within));
   return r.told;
 }

@@ -12,7 +12,7 @@
 #include "geometry/meshing/defects.hpp"
 #include "geometry/mesh/mesh_quality.hpp"
 #include "geometry/meshing/mesh_warnings.hpp"
-#include "geometry/meshing/surface_distance.hpp"
+#include "geometry/meshing/surface_deviation.hpp"
 #include "geometry/meshing/tetrahedralize.hpp"
 #include "geometry/mesh/triangle_surface.hpp"
 #include "geometry/shapes/solids.hpp"
@@ -71,8 +71,8 @@ void check_tets(const Mesh& surface, double edge_length, double deviation) {
   Mesh faces;
   faces.vertices = f.mesh.vertices;
   faces.triangles = border.triangles;
-  CHECK(distance_from_to(faces, surface, edge_length / 4).largest <= deviation * 1.05);  // sampled elsewhere than before
-  CHECK(distance_from_to(surface, faces, edge_length / 4).largest <= deviation * 1.05);
+  CHECK(surface_deviation(faces, surface, edge_length / 4).largest <= deviation * 1.05);  // sampled elsewhere than before
+  CHECK(surface_deviation(surface, faces, edge_length / 4).largest <= deviation * 1.05);
   CHECK_FALSE(mesh_warning::given(f.notes, mesh_warning::any));
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("the volumes of union, intersection and difference add up", "[meshing]
 
 TEST_CASE("booleans of what does not meet, or only touches", "[meshing]") {
   const Mesh box = box_surface({1, 1, 1}), far = moved(box, {3, 0, 0});
-  CHECK(find_defects(combined(Boolean::unite, box, far)).parts == 2);
+  CHECK(find_defects(combined(Boolean::unite, box, far)).component_count == 2);
   CHECK(volume(combined(Boolean::subtract, box, far)) == Approx(1));
   CHECK_THROWS_WITH(combined(Boolean::intersect, box, far), Contains("nothing is left"));
   const Mesh hollow = combined(Boolean::subtract, box, box_surface({0.5, 0.5, 0.5}));

@@ -12,7 +12,7 @@
 #include "geometry/meshing/remesh.hpp"
 #include "geometry/meshing/simplify.hpp"
 #include "geometry/meshing/subdivide.hpp"
-#include "geometry/meshing/surface_distance.hpp"
+#include "geometry/meshing/surface_deviation.hpp"
 #include "geometry/mesh/triangle_surface.hpp"
 #include "tests/support/broken_meshes.hpp"
 
@@ -69,7 +69,7 @@ TEST_CASE("a remeshed sphere keeps its area and volume", "[meshing]") {
   CHECK(total_area(mesh) == Approx(4 * pi).epsilon(0.01));
   CHECK(edge_lengths(mesh).longest < 1.6 * 0.15);
   CHECK(edge_lengths(mesh).shortest > 0.5 * 0.15);
-  CHECK(distance_from_to(mesh, fine, 0.05).largest < 0.01);
+  CHECK(surface_deviation(mesh, fine, 0.05).largest < 0.01);
 }
 
 TEST_CASE("open surfaces keep their border when they are remeshed", "[meshing]") {
@@ -129,7 +129,7 @@ TEST_CASE("the offset of a box is round outside and sharp inside", "[meshing]") 
 
 TEST_CASE("offsets of several parts miss none", "[meshing]") {
   const Mesh two = boxes_at({Vec3(0, 0, 0), Vec3(4, 0, 0)}), far = offset_by(two, 0.1, 0.2, 0.02);
-  CHECK(find_defects(far).parts == 2);
+  CHECK(find_defects(far).component_count == 2);
   CHECK(find_defects(offset_by(boxes_at({Vec3(0, 0, 0), Vec3(1.1, 0, 0)}), 0.2, 0.1, 0.01)).parts == 1);  // grown together
 }
 
@@ -147,13 +147,13 @@ TEST_CASE("broken surfaces are refused with the numbers of what is broken", "[me
 TEST_CASE("distances between surfaces are those of shifted planes and balls", "[meshing]") {
   Mesh high = grid({1, 1}, {4, 4});
   translate(high, Vec3(0, 0.25, 0));
-  const SurfaceDistance d = distance_from_to(grid({1, 1}, {4, 4}), high, 0.05);
+  const SurfaceDeviation d = surface_deviation(grid({1, 1}, {4, 4}), high, 0.05);
   CHECK(d.largest == Approx(0.25));
   CHECK(d.rms == Approx(0.25));
   // A small patch is near a large one everywhere, but not the other way round.
   const Mesh large = grid({3, 1}, {6, 2}), small = grid({1, 1}, {2, 2});
-  CHECK(distance_from_to(small, large, 0.1).largest == Approx(0).margin(1e-12));
-  CHECK(distance_from_to(large, small, 0.1).largest == Approx(1));
-  const double inner = distance_from_to(sphere_surface(1, 16), sphere_surface(0.9, 16), 0.1).rms;
+  CHECK(surface_deviation(small, large, 0.1).largest == Approx(0).margin(1e-12));
+  CHECK(surface_deviation(large, small, 0.1).largest == Approx(1));
+  const double inner = surface_deviation(sphere_surface(1, 16), sphere_surface(0.9, 16), 0.1).rms;
   CHECK(inner == Approx(0.1).epsilon(0.01));
 }

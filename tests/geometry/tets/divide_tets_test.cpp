@@ -31,10 +31,10 @@ TEST_CASE("divided tets: eight positive parts of an eighth each, faces that fit,
     CHECK_NOTHROW(validate_mesh(fine, "fine"));
     const Surface before = extract_surface(mesh), after = extract_surface(fine);
     CHECK(after.triangles.size() == 4 * before.triangles.size());
-    // No two vertices at one place: middles are shared.
-    std::set<std::array<long, 3>> places;
-    for (const Vec3& x : fine.vertices) places.insert({std::lround(1e7 * x.x()), std::lround(1e7 * x.y()), std::lround(1e7 * x.z())});
-    CHECK(places.size() == fine.vertices.size());
+    // No two vertices at one position: middles are shared.
+    std::set<std::array<long, 3>> positions;
+    for (const Vec3& x : fine.vertices) positions.insert({std::lround(1e7 * x.x()), std::lround(1e7 * x.y()), std::lround(1e7 * x.z())});
+    CHECK(positions.size() == fine.vertices.size());
   }
 }
 

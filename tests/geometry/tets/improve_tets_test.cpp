@@ -25,11 +25,11 @@ Mesh disturbed(double scale, const std::array<int, 3>& cells = {4, 4, 4}) {
   const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
   for (size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (outside[v]) continue;
-    const Vec3 place = mesh.vertices[v];
-    for (double reach = 0.5; reach > 0.01; reach *= 0.8) {
-      mesh.vertices[v] = place + reach * Vec3(number(), number(), number());
+    const Vec3 position = mesh.vertices[v];
+    for (double radius = 0.5; radius > 0.01; radius *= 0.8) {
+      mesh.vertices[v] = position + radius * Vec3(number(), number(), number());
       if (inverted_tets(mesh).empty()) break;
-      mesh.vertices[v] = place;
+      mesh.vertices[v] = position;
     }
   }
   for (Vec3& v : mesh.vertices) v *= scale;
@@ -42,7 +42,7 @@ double lowest(const std::vector<Vec3>& x, const std::vector<Tet>& tets) {
   return low;
 }
 
-// Its triangles by their places, which have to be the same ones to the bit.
+// Its triangles by their positions, which have to be the same ones to the bit.
 std::set<std::array<std::array<double, 3>, 3>> faces(const Mesh& mesh) {
   std::set<std::array<std::array<double, 3>, 3>> all;
   for (const Triangle& t : extract_surface(mesh).triangles) {
@@ -111,7 +111,7 @@ TEST_CASE("each change of tets makes the worst one better and fills the same vol
   const auto volume = [](const TetEditor& editor) {
     double sum = 0;
     for (int t = 0; t < editor.count(); ++t)
-      if (const Tet& v = editor.tet(t); editor.alive(t)) sum += tet_volume(editor.place(v[0]), editor.place(v[1]), editor.place(v[2]), editor.place(v[3]));
+      if (const Tet& v = editor.tet(t); editor.alive(t)) sum += tet_volume(editor.position(v[0]), editor.position(v[1]), editor.position(v[2]), editor.position(v[3]));
     return sum;
   };
   const auto worst = [](const TetEditor& editor) {

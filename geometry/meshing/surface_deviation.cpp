@@ -1,4 +1,4 @@
-#include "geometry/meshing/surface_distance.hpp"
+#include "geometry/meshing/surface_deviation.hpp"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -19,17 +19,17 @@ using Tree = CGAL::AABB_tree<CGAL::AABB_traits<CgalKernel, Primitive>>;
 
 }  // namespace
 
-SurfaceDistance distance_from_to(const Mesh& from, const Mesh& to, double spacing) {
+SurfaceDeviation surface_deviation(const Mesh& from, const Mesh& to, double spacing) {
   Triangles triangles;
   for (const auto& [a, b, c] : to.triangles)
     triangles.emplace_back(cgal_point(to.vertices[a]), cgal_point(to.vertices[b]), cgal_point(to.vertices[c]));
   Tree tree(triangles.begin(), triangles.end());
   tree.accelerate_distance_queries();
-  SurfaceDistance found;
+  SurfaceDeviation found;
   double square = 0, area = 0;
   const auto distance_at = [&](const Vec3& x) {
     const double d = std::sqrt(tree.squared_distance(cgal_point(x)));
-    if (d > found.largest) found.largest = d, found.place = x;
+    if (d > found.largest) found.largest = d, found.position = x;
     return d;
   };
   for (const auto& [ia, ib, ic] : from.triangles) {
@@ -37,7 +37,7 @@ SurfaceDistance distance_from_to(const Mesh& from, const Mesh& to, double spacin
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
     const int n = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1.0, 64.0));
     for (const Vec3* corner : {&a, &b, &c}) distance_at(*corner);
-    // The middles of the n^2 triangles that it is cut into, each of the same area.
+    // Centroids of n^2 triangles of equal area.
     double sum = 0;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n - i; ++j)
