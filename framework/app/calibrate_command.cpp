@@ -137,9 +137,9 @@ int calibrate_command(const CalibrateOptions& options) {
   CaseEvaluator evaluator(scenes, {fs::read_symlink("/proc/self/exe").string(), folder.evaluations, d, options.slurm ? std::optional(config.slurm) : std::nullopt,
                                    options.failed, [&](const PointEvaluation& e) { progress.evaluated(e); }, [&] { progress.tick(); }});
   evaluator.write_tables();
-  Calibration found;
+  Calibration calibration;
   try {
-    found = calibrate(scenes, config.search, evaluator, [&](const std::string& phase, int points, const PointEvaluation* best) { progress.begin(phase, points, best); });
+    calibration = calibrate(scenes, config.search, evaluator, [&](const std::string& phase, int points, const PointEvaluation* best) { progress.begin(phase, points, best); });
   } catch (const Interrupted&) {
     evaluator.write_tables();
     fmt::print("interrupted: call it again to continue; finished runs are kept in {}\n", folder.evaluations.root.string());
@@ -151,12 +151,12 @@ int calibrate_command(const CalibrateOptions& options) {
   evaluator.write_tables();
   record.wall_seconds = std::chrono::duration<double>(Clock::now() - begun).count();
   record.started = evaluator.started();
-  write_calibration(folder, record, found, scenes, evaluator.run_folders(found.search.best));
-  const std::vector<std::string> failures = draw_calibration(folder, found, scenes);
+  write_calibration(folder, record, calibration, scenes, evaluator.run_folders(calibration.search.best));
+  const std::vector<std::string> failures = draw_calibration(folder, calibration, scenes);
   if (options.quiet) return exit_done;
   for (const std::string& failure : failures) fmt::print("{}\n", failure);
-  fmt::print("{}: {} of {}, {} now\n{}results in {}\n", config.name, counted(static_cast<long>(found.search.rows.size()), "evaluation"),
-             counted(static_cast<long>(scenes.parameters().size()), "parameter"), counted(record.started, "run"), summary_text(found, scenes), folder.root.string());
+  fmt::print("{}: {} of {}, {} now\n{}results in {}\n", config.name, counted(static_cast<long>(calibration.search.rows.size()), "evaluation"),
+             counted(static_cast<long>(scenes.parameters().size()), "parameter"), counted(record.started, "run"), summary_text(calibration, scenes), folder.root.string());
   return exit_done;
 }
 

@@ -30,16 +30,16 @@ std::vector<Warning> warnings_about(const SearchResult& search, const std::vecto
 }
 
 Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& progress) {
-  Calibration found{search_for(scenes.parameters(), config, evaluator, progress, scenes.noise_known()), {}, {}};
-  const SearchResult& s = found.search;
+  Calibration calibration{search_for(scenes.parameters(), config, evaluator, progress, scenes.noise_known()), {}, {}};
+  const SearchResult& s = calibration.search;
   if (s.derivatives.problem.empty()) {
     std::vector<size_t> series;
     for (const MeasuredPoints& m : scenes.measured()) series.push_back(m.curve.size());
-    found.confidence = find_confidence(scenes.parameters(), s.best.values, s.derivatives.jacobian, s.best.residuals, scenes.noise_known(), series);
-    found.warnings = found.confidence->warnings;
+    calibration.confidence = find_confidence(scenes.parameters(), s.best.values, s.derivatives.jacobian, s.best.residuals, scenes.noise_known(), series);
+    calibration.warnings = calibration.confidence->warnings;
   }
-  for (Warning& warning : warnings_about(s, scenes.measured())) found.warnings.push_back(std::move(warning));
-  return found;
+  for (Warning& warning : warnings_about(s, scenes.measured())) calibration.warnings.push_back(std::move(warning));
+  return calibration;
 }
 
 std::string sensitivities_text(const SearchResult& search, const std::vector<FittedParameter>& parameters) {
@@ -56,27 +56,27 @@ std::string sensitivities_text(const SearchResult& search, const std::vector<Fit
   return text;
 }
 
-std::string summary_text(const Calibration& found, const FittedScenes& scenes) {
-  const DesignPoint& best = found.search.best.values;
+std::string summary_text(const Calibration& calibration, const FittedScenes& scenes) {
+  const DesignPoint& best = calibration.search.best.values;
   std::string text;
   size_t width = 0;
   for (const FittedParameter& n : scenes.parameters()) width = std::max(width, n.name.size());
   for (size_t i = 0; i < best.size(); ++i) {
     const FittedParameter& n = scenes.parameters()[i];
     text += fmt::format("  {:<{}}  {:.6g}{}", n.name, width, best[i], unit_text(n.unit));
-    if (const auto& c = found.confidence; c && std::isfinite(c->sigma[i]))
+    if (const auto& c = calibration.confidence; c && std::isfinite(c->sigma[i]))
       text += n.log ? fmt::format("  (95%: {:.4g} to {:.4g}; standard deviation {:.2g}%)", c->low[i], c->high[i], 100 * c->sigma[i])
                     : fmt::format("  (95%: {:.4g} to {:.4g})", c->low[i], c->high[i]);
     text += "\n";
   }
   for (size_t k = 0; k < scenes.measured().size(); ++k) {
     const MeasuredPoints& m = scenes.measured()[k];
-    const double rms = std::sqrt(found.search.best.misfits[k] / m.weight / static_cast<double>(m.curve.size()));
+    const double rms = std::sqrt(calibration.search.best.misfits[k] / m.weight / static_cast<double>(m.curve.size()));
     text += fmt::format("  {}: RMS residual {:.3g}{} ({}){}\n", m.name, rms * m.scale, unit_text(m.y_unit),
                         counted(static_cast<long>(m.curve.size()), "point"), m.noise_known ? fmt::format(", {:.3g} times the noise", rms) : fmt::format(", {:.3g}% of the largest", 100 * rms));
   }
-  text += sensitivities_text(found.search, scenes.parameters());
-  for (const Warning& warning : found.warnings) text += "warning: " + warning.text + "\n";
+  text += sensitivities_text(calibration.search, scenes.parameters());
+  for (const Warning& warning : calibration.warnings) text += "warning: " + warning.text + "\n";
   return text;
 }
 

@@ -22,6 +22,6 @@ std::vector<Warning> warnings_about(const SearchResult& search,
                                     const std::vector<MeasuredPoints>& measured);
 
 // Returns the fitted values with their intervals, warnings and residuals, for the console.
-std::string summary_text(const Calibration& found, const FittedScenes& scenes);
+std::string summary_text(const Calibration& calibration, const FittedScenes& scenes);
 
 }  // namespace tack

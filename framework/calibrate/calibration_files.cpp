@@ -18,25 +18,25 @@ Json finite(double number) { return std::isfinite(number) ? Json(number) : Json(
 
 std::string cell(double number) { return std::isfinite(number) ? fmt::format("{}", number) : ""; }
 
-Json parameter_json(const FittedParameter& n, size_t i, const Calibration& found, const CalibrateConfig& config) {
+Json parameter_json(const FittedParameter& n, size_t i, const Calibration& calibration, const CalibrateConfig& config) {
   Json keys = Json::object();
   for (size_t e = 0; e < n.keys.size(); ++e) keys[config.experiments[e].name] = n.keys[e];
   Json json{{"name", n.name}, {"keys", keys}, {"unit", n.unit == "1" ? "" : n.unit}, {"scale", n.log ? "log" : "linear"},
-            {"from", n.from}, {"to", n.to},   {"start", six_digits(n.start)},       {"value", found.search.best.values[i]}};
-  const auto& c = found.confidence;
+            {"from", n.from}, {"to", n.to},   {"start", six_digits(n.start)},       {"value", calibration.search.best.values[i]}};
+  const auto& c = calibration.confidence;
   json["sigma"] = c ? finite(c->sigma[i]) : Json();
   json["low"] = c ? finite(c->low[i]) : Json();
   json["high"] = c ? finite(c->high[i]) : Json();
   json["determined"] = c && c->sigma[i] <= determined_sigma_max;
-  const Derivatives& d = found.search.derivatives;
+  const Derivatives& d = calibration.search.derivatives;
   json["derivatives"] = i < d.from_runs.size() && d.from_runs[i] ? "run" : "differences";
   json["why_differences"] = i < d.why.size() ? d.why[i] : "";
   return json;
 }
 
-Json experiment_json(const CalibrationFolder& folder, const MeasuredPoints& m, size_t k, const Calibration& found, const CalibrateConfig& config, const FittedScenes& scenes) {
+Json experiment_json(const CalibrationFolder& folder, const MeasuredPoints& m, size_t k, const Calibration& calibration, const CalibrateConfig& config, const FittedScenes& scenes) {
   const MeasuredExperiment& e = config.experiments[k];
-  const double misfit = found.search.best.misfits[k];
+  const double misfit = calibration.search.best.misfits[k];
   const auto relative = [&](const std::filesystem::path& path) { return path.lexically_relative(folder.root).string(); };
   return {{"name", m.name},
           {"base", e.base},
@@ -46,7 +46,7 @@ Json experiment_json(const CalibrationFolder& folder, const MeasuredPoints& m, s
           {"x_unit", m.x_unit == "1" ? "" : m.x_unit},
           {"y_unit", m.y_unit == "1" ? "" : m.y_unit},
           {"points", m.curve.size()},
-          {"beyond", found.search.best.beyond[k]},
+          {"beyond", calibration.search.best.beyond[k]},
           {"misfit", misfit},
           {"rms", std::sqrt(misfit / m.weight / static_cast<double>(m.curve.size())) * m.scale},
           {"noise", m.noise_known ? Json(m.scale) : Json()},
@@ -67,17 +67,17 @@ Json search_json(const SearchResult& search, int started) {
   return {{"started", started}, {"points", search.rows.size()}, {"failed", failed}, {"phases", phases}, {"with_derivatives", with_derivatives}};
 }
 
-std::string description(const CalibrationFolder& folder, const CalibrationRecord& r, const Calibration& found, const FittedScenes& scenes) {
+std::string description(const CalibrationFolder& folder, const CalibrationRecord& r, const Calibration& calibration, const FittedScenes& scenes) {
   Json json{{"name", r.config.name}, {"about", r.config.about}, {"file", r.file}, {"provenance", to_json(r.provenance)},
-            {"status", "done"}, {"wall_seconds", r.wall_seconds}, {"runs", search_json(found.search, r.started)}, {"misfit", found.search.best.misfit}};
-  const auto& c = found.confidence;
+            {"status", "done"}, {"wall_seconds", r.wall_seconds}, {"runs", search_json(calibration.search, r.started)}, {"misfit", calibration.search.best.misfit}};
+  const auto& c = calibration.confidence;
   json["noise"] = {{"known", scenes.noise_known()}, {"of_residuals", c ? finite(c->noise) : Json()}};
   if (c) json["residuals"] = {{"points", c->residuals.points}, {"effective_points", finite(c->residuals.effective_points)}, {"correlation", c->residuals.correlation},
                               {"chi_squared", scenes.noise_known() ? finite(c->residuals.chi_squared) : Json()}, {"chi_squared_limit", finite(c->residuals.chi_squared_limit)}};
   json["fits"] = c && c->fits;
   json["numbers"] = Json::array();
-  for (size_t i = 0; i < scenes.parameters().size(); ++i) json["numbers"].push_back(parameter_json(scenes.parameters()[i], i, found, r.config));
-  json["derivatives"] = {{"missed", found.search.derivatives.missed}, {"compared", found.search.derivatives.compared}};
+  for (size_t i = 0; i < scenes.parameters().size(); ++i) json["numbers"].push_back(parameter_json(scenes.parameters()[i], i, calibration, r.config));
+  json["derivatives"] = {{"missed", calibration.search.derivatives.missed}, {"compared", calibration.search.derivatives.compared}};
   json["correlation"] = Json::array();
   json["combinations"] = Json::array();
   if (c) {
@@ -89,19 +89,19 @@ std::string description(const CalibrationFolder& folder, const CalibrationRecord
     for (const DeterminedCombination& one : c->combinations) json["combinations"].push_back({{"text", one.text}, {"sigma", finite(one.sigma)}, {"weights", one.weights}});
   }
   json["experiments"] = Json::array();
-  for (size_t k = 0; k < scenes.measured().size(); ++k) json["experiments"].push_back(experiment_json(folder, scenes.measured()[k], k, found, r.config, scenes));
-  json["warnings"] = std::vector<std::string>(found.warnings.begin(), found.warnings.end());
+  for (size_t k = 0; k < scenes.measured().size(); ++k) json["experiments"].push_back(experiment_json(folder, scenes.measured()[k], k, calibration, r.config, scenes));
+  json["warnings"] = std::vector<std::string>(calibration.warnings.begin(), calibration.warnings.end());
   json["warning_kinds"] = Json::array();
-  for (const Warning& warning : found.warnings) json["warning_kinds"].push_back(entry_of(warning.kind).key);
+  for (const Warning& warning : calibration.warnings) json["warning_kinds"].push_back(entry_of(warning.kind).key);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string parameters_csv(const Calibration& found, const FittedScenes& scenes) {
+std::string parameters_csv(const Calibration& calibration, const FittedScenes& scenes) {
   std::string text = "name,unit,value,low,high,sigma,determined\n";
-  const auto& c = found.confidence;
+  const auto& c = calibration.confidence;
   for (size_t i = 0; i < scenes.parameters().size(); ++i) {
     const FittedParameter& n = scenes.parameters()[i];
-    text += fmt::format("{},{},{},{},{},{},{}\n", csv_cell(n.name), csv_cell(n.unit == "1" ? "" : n.unit), found.search.best.values[i], c ? cell(c->low[i]) : "",
+    text += fmt::format("{},{},{},{},{},{},{}\n", csv_cell(n.name), csv_cell(n.unit == "1" ? "" : n.unit), calibration.search.best.values[i], c ? cell(c->low[i]) : "",
                         c ? cell(c->high[i]) : "", c ? cell(c->sigma[i]) : "", c && c->sigma[i] <= determined_sigma_max ? 1 : 0);
   }
   return text;
@@ -139,15 +139,15 @@ void write_curves(const CalibrationFolder& folder, const MeasuredPoints& m, cons
 
 }  // namespace
 
-void write_calibration(const CalibrationFolder& folder, const CalibrationRecord& record, const Calibration& found, FittedScenes& scenes,
+void write_calibration(const CalibrationFolder& folder, const CalibrationRecord& record, const Calibration& calibration, FittedScenes& scenes,
                        const std::vector<std::filesystem::path>& best_runs) {
   for (int run = 0; run < scenes.runs(); ++run)
-    replace_file(folder.scene(file_name(scenes.run_name(run))), scenes.scene_text(run, found.search.best.values));
+    replace_file(folder.scene(file_name(scenes.run_name(run))), scenes.scene_text(run, calibration.search.best.values));
   for (size_t k = 0; k < scenes.measured().size(); ++k)
     write_curves(folder, scenes.measured()[k], read_csv(best_runs[static_cast<size_t>(scenes.run_of(static_cast<int>(k)))] / "probes.csv"));
-  replace_file(folder.table(), evaluations_csv(found.search, scenes));
-  replace_file(folder.parameters(), parameters_csv(found, scenes));
-  replace_file(folder.description(), description(folder, record, found, scenes));
+  replace_file(folder.table(), evaluations_csv(calibration.search, scenes));
+  replace_file(folder.parameters(), parameters_csv(calibration, scenes));
+  replace_file(folder.description(), description(folder, record, calibration, scenes));
 }
 
 }  // namespace tack

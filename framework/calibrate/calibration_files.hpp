@@ -33,12 +33,12 @@ struct CalibrationRecord {
 // Writes all files except the pictures. `best_runs`: folders of the best runs. Throws InputError if
 // a file cannot be written.
 void write_calibration(const CalibrationFolder& folder, const CalibrationRecord& record,
-                       const Calibration& found, FittedScenes& scenes,
+                       const Calibration& calibration, FittedScenes& scenes,
                        const std::vector<std::filesystem::path>& best_runs);
 
 // Draws, for each experiment, the measured points with the best run, and the misfit of every point.
 // Returns the error messages.
-std::vector<std::string> draw_calibration(const CalibrationFolder& folder, const Calibration& found,
+std::vector<std::string> draw_calibration(const CalibrationFolder& folder, const Calibration& calibration,
                                           const FittedScenes& scenes);
 
 }  // namespace tack

@@ -46,13 +46,13 @@ Plot misfit_plot(const SearchResult& search) {
 
 }  // namespace
 
-std::vector<std::string> draw_calibration(const CalibrationFolder& folder, const Calibration& found, const FittedScenes& scenes) {
+std::vector<std::string> draw_calibration(const CalibrationFolder& folder, const Calibration& calibration, const FittedScenes& scenes) {
   std::vector<std::string> failures;
   const auto add = [&](const Plot& plot, const std::string& name) {
     if (std::string failure = draw(plot, folder.plots(), name); !failure.empty()) failures.push_back(std::move(failure));
   };
   for (const MeasuredPoints& m : scenes.measured()) add(fit_plot(folder, m), "fit_" + file_name(m.name));
-  add(misfit_plot(found.search), "misfit");
+  add(misfit_plot(calibration.search), "misfit");
   return failures;
 }
 

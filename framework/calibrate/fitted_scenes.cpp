@@ -64,12 +64,12 @@ FittedScenes::FittedScenes(const CalibrateConfig& config, const std::string& pro
     try {
       const Scene& scene = scenes_[static_cast<size_t>(run_of(e))];
       check_keys(e, resolver_.resolve(scene.root, {}).resolved, config);
-      const ResolvedCase made = resolved(run_of(e), values, {without_frames()});
+      const ResolvedCase resolved_case = resolved(run_of(e), values, {without_frames()});
       if (scene.experiment == e) {
-        check_case({}, {name, name, {}, made.scene, "", 0});
-        for (std::string& line : retired_key_texts(made.loaded.root, fields_of(made.loaded.experiment))) warnings_.push_back(std::move(line));
+        check_case({}, {name, name, {}, resolved_case.scene, "", 0});
+        for (std::string& line : retired_key_texts(resolved_case.loaded.root, fields_of(resolved_case.loaded.experiment))) warnings_.push_back(std::move(line));
       }
-      measured_.push_back(measured_points(config.experiments[static_cast<size_t>(e)], made.loaded.experiment));
+      measured_.push_back(measured_points(config.experiments[static_cast<size_t>(e)], resolved_case.loaded.experiment));
     } catch (const InputError& error) {
       const std::string what = error.what();
       throw InputError(what.find("experiment '" + name + "'") == what.npos ? fmt::format("experiment '{}': {}", name, what) : what);
@@ -133,15 +133,15 @@ std::vector<Variant::Setting> FittedScenes::settings(int run, const DesignPoint&
 ResolvedCase FittedScenes::resolved(int run, const DesignPoint& values, const std::vector<Variant::Setting>& more) {
   std::vector<Variant::Setting> set = settings(run, values);
   set.insert(set.end(), more.begin(), more.end());
-  ResolvedCase made = resolver_.resolve(scenes_[static_cast<size_t>(run)].root, set);
+  ResolvedCase resolved_case = resolver_.resolve(scenes_[static_cast<size_t>(run)].root, set);
   const size_t experiment = static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment);
   for (size_t i = 0; i < parameters_.size(); ++i)
     for (const std::string& key : parameters_[i].keys[experiment]) {
-      const std::optional<WrittenNumber> taken = number_of(value_at(made.resolved, key));
+      const std::optional<WrittenNumber> taken = number_of(value_at(resolved_case.resolved, key));
       if (!taken || six_digits(taken->si) != six_digits(values[i]))
         throw InputError(fmt::format("fit '{}': the scene does not take {} for '{}'", parameters_[i].name, number_text(values[i]), key));
     }
-  return made;
+  return resolved_case;
 }
 
 const std::vector<std::string>& FittedScenes::keys_of(const FittedParameter& parameter, int run) const {
@@ -174,7 +174,7 @@ BatchCase FittedScenes::case_of(int run, const DesignPoint& values, bool derivat
     if (without_derivatives()[i].empty())
       for (const std::string& key : keys_of(parameters_[i], run)) gradients.push_back(gradient_of(parameters_[i], key));
   if (!gradients.empty()) more.push_back({"output.gradients", gradients_value(gradients)});
-  ResolvedCase made = resolved(run, values, more);
+  ResolvedCase resolved_case = resolved(run, values, more);
   BatchCase one;
   one.base = run_name(run);
   std::vector<std::pair<std::string, std::string>> name_values;
@@ -186,9 +186,9 @@ BatchCase FittedScenes::case_of(int run, const DesignPoint& values, bool derivat
   if (!gradients.empty()) name_values.emplace_back("derivatives", "true");
   one.name = case_name(name_values);
   if (one.name.size() > case_name_max) one.name = fmt::format("{}-{:08x}", one.name.substr(0, case_name_max / 2), crc32_of(one.name.data(), one.name.size()));
-  one.scene = std::move(made.scene);
-  one.digest = std::move(made.digest);
-  one.duration = made.loaded.experiment.time.duration;
+  one.scene = std::move(resolved_case.scene);
+  one.digest = std::move(resolved_case.digest);
+  one.duration = resolved_case.loaded.experiment.time.duration;
   return one;
 }
 

@@ -48,50 +48,50 @@ const char* name_of(Branch::Kind kind) {
 
 void measure_errors(Measurement& e, const Trial& trial) {
   CompareRow& row = e.row;
-  const TrialResult& found = trial.result();
+  const TrialResult& result = trial.result();
   row.error_rms = row.error_max = row.relative_error = row.energy_gap = nan;
-  if (!found.complete || !e.reference->found()) return;
+  if (!result.complete || !e.reference->exists()) return;
   Trial& reference = *e.reference->trial;
   const TrialResult& exact = reference.result();
   VecX solution = exact.x;
-  if (found.converged && row.time_step == e.reference_step) {
-    Branch branch = branch_of(*e.compare_case, *e.reference, row.time_step, found.x);
+  if (result.converged && row.time_step == e.reference_step) {
+    Branch branch = branch_of(*e.compare_case, *e.reference, row.time_step, result.x);
     row.branch = name_of(branch.kind);
     solution = std::move(branch.x);
   }
-  row.error_rms = rms_distance(trial.world(), found.x, solution);
-  row.error_max = largest_distance(trial.world(), found.x, solution);
+  row.error_rms = rms_distance(trial.world(), result.x, solution);
+  row.error_max = largest_distance(trial.world(), result.x, solution);
   row.relative_error = row.error_max / e.compare_case->size;
   row.floor = e.reference->floor;
-  row.energy_gap = e.compare_case->single() ? reference.potential_at(found.x) - reference.potential_at(exact.x)
-                                    : found.energy - exact.energy;
+  row.energy_gap = e.compare_case->single() ? reference.potential_at(result.x) - reference.potential_at(exact.x)
+                                    : result.energy - exact.energy;
   const auto columns = trial.probe_columns();
   for (size_t i = 0; i < columns.size(); ++i)
-    row.probe_errors.emplace_back(columns[i], found.probes[i] - exact.probes[i]);
+    row.probe_errors.emplace_back(columns[i], result.probes[i] - exact.probes[i]);
 }
 
 void run_once(Measurement& e, bool first) {
   Trial trial(*e.compare_case, e.settings());
-  const TrialResult& found = trial.run();
-  e.wall.push_back(found.wall_seconds);
-  e.cpu.push_back(found.cpu_seconds);
+  const TrialResult& result = trial.run();
+  e.wall.push_back(result.wall_seconds);
+  e.cpu.push_back(result.cpu_seconds);
   if (!first) return;
   CompareRow& row = e.row;
-  row.status = found.status;
-  row.converged = found.converged;
-  row.iterations = found.iterations;
-  row.evaluations = found.evaluations;
-  row.linear_solves = found.linear_solves;
-  row.intersections = found.intersections;
-  row.penetration = found.penetration;
-  row.crossing_pairs = found.crossing_pairs;
+  row.status = result.status;
+  row.converged = result.converged;
+  row.iterations = result.iterations;
+  row.evaluations = result.evaluations;
+  row.linear_solves = result.linear_solves;
+  row.intersections = result.intersections;
+  row.penetration = result.penetration;
+  row.crossing_pairs = result.crossing_pairs;
   measure_errors(e, trial);
 }
 
 ReferenceRow row_of(const CompareCase& compare_case, const Reference& reference, double h) {
   ReferenceRow row{compare_case.name, h, reference.tolerance, reference.disagreement, reference.floor, compare_case.size, reference.other_branch,
                    compare_case.quasi_static, 0, reference.status};
-  if (reference.found()) row.unknowns = reference.trial->world().dofs.size();
+  if (reference.exists()) row.unknowns = reference.trial->world().dofs.size();
   return row;
 }
 
@@ -174,7 +174,7 @@ Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& 
             make_reference(compare_case, h_reference, config.reference_tolerance, reference_tolerance_max)));
         common = references.back().get();
         result.references.push_back(row_of(compare_case, *common, h_reference));
-        progress(common->found() ? fmt::format("{} h {:.3g} s: reference at {:.0e} m/s, disagreement {:.1e} m",
+        progress(common->exists() ? fmt::format("{} h {:.3g} s: reference at {:.0e} m/s, disagreement {:.1e} m",
                                            compare_case.name, h_reference, common->tolerance, common->disagreement)
                              : fmt::format("{}: no reference: {}", compare_case.name, common->status));
       }

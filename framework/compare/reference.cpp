@@ -65,14 +65,14 @@ Reference make_reference(const CompareCase& compare_case, double step_size, doub
     reference.status = trial->run().status;
     return trial;
   };
-  for (double to = tolerance; to <= largest * (1 + 1e-9) && !reference.found(); to *= 10) {
+  for (double to = tolerance; to <= largest * (1 + 1e-9) && !reference.exists(); to *= 10) {
     auto trial = solve("clamp", "lagged_cholesky", to);
     if (!trial->result().converged) trial = solve("clamp", "cholmod", to);
     if (!trial->result().converged) continue;
     reference.trial = std::move(trial);
     reference.tolerance = to;
   }
-  if (!reference.found()) return reference;
+  if (!reference.exists()) return reference;
   reference.disagreement = reference.floor = std::numeric_limits<double>::quiet_NaN();
   const auto second = solve("absolute", "cholmod", reference.tolerance);
   if (!second->result().converged) return reference;

@@ -19,7 +19,7 @@ struct Reference {
   double floor = 0;
   bool other_branch = false;  // the two are different solutions
 
-  bool found() const { return tolerance > 0; }
+  bool exists() const { return tolerance > 0; }
 };
 
 // Tries `tolerance`, then tenfold tolerances up to `largest`, since round-off may prevent
