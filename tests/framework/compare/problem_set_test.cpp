@@ -32,7 +32,7 @@ TEST_CASE("hard steps converge within their bounds, with every projection to a m
     INFO(stored.name);
     const CompareCase compared = problem_case(std::string(TACK_TEST_DATA "/problems/") + stored.name + ".problem");
     const Reference reference = make_reference(compared, compared.step_size, 1e-9, 1e-7);
-    REQUIRE(reference.found());
+    REQUIRE(reference.exists());
     if (!stored.branches) CHECK_FALSE(reference.other_branch);
     std::map<std::string, int> iterations;
     for (const char* projection : {"clamp", "absolute", "on_demand"}) {
