@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs tack into a scratch folder, follows docs/plugins.md there to the letter, and tries plugins that must be refused:
+# Installs tack into a scratch folder, follows docs/plugins.md there to the letter, and tests that wrong plugins are refused:
 #   test.sh SOURCE BUILD SCRATCH
 set -euo pipefail
 source=$1 build=$2 scratch=$3
@@ -15,15 +15,15 @@ fail() {
   exit 1
 }
 
-# block TEXT [PAGE]: the first fenced block behind the line of the guide, or page, that begins with, or names, TEXT.
+# block TEXT [PAGE]: prints the first fenced block after the line of the guide, or of the page, that begins with or contains TEXT.
 block() {
   awk -v text="$1" 'index($0, text) { found = 1 } found && /^```/ { if (inside) exit; inside = 1; next } inside' "${2:-$guide}"
 }
 
-# What the program lets others call is its own alone: not Eigen's templates, which gmsh was built with as well.
+# The program exports its own functions alone, not Eigen's templates, with which gmsh is built too.
 if nm -DC --defined-only "$build/bin/tack" | grep -E '^[0-9a-f]+ . ((vtable|typeinfo|typeinfo name) for )?Eigen::'; then fail "exported"; fi
 
-# The guide, with the build that is there.
+# The guide, with the present build.
 cmake --build "$build" --target tack_library >/dev/null
 install=$(block '## Install tack' | grep '^cmake --install')
 bash -euc "${install/build\/release/\"$build\"}" >/dev/null
@@ -34,7 +34,7 @@ for file in bin/tack bin/tack_studies lib/tack/libtack_{meshing,msh,further}.so 
 done
 cmp -s <(tack completion bash) "$HOME/tack-1.0/share/bash-completion/completions/tack" || fail "the completion that is installed is another program's"
 
-# What packages start: of several programs the best for the processor, or the one that is asked for.
+# The launcher of packages starts the best program for the processor, or the requested one.
 mkdir -p "$scratch/package/bin" "$scratch/package/libexec/tack/"{x86-64,x86-64-v3}/bin
 c++ -std=c++20 -Wall "$source/packaging/launcher.cpp" -o "$scratch/package/bin/tack"
 launcher() { TACK_ARCHITECTURE=$1 "$scratch/package/bin/tack" "${@:2}" 2>&1; }
@@ -65,7 +65,7 @@ paste -d , <(cut -d , -f 2 results/pull/probes.csv) <(cut -d , -f 2 results/barz
   awk -F , 'NR > 1 && ($1 - $2)^2 > 1e-4 { exit 1 }' || fail "the minimisers do not agree"
 grep -q '"path": ".*/mine/build/libmine.so"' results/pull/summary.json || fail "no plugin under provenance"
 
-# What runs write goes on working, wherever it is.
+# Files that runs write work in any folder.
 mkdir "$scratch/elsewhere"
 cd "$scratch/elsewhere"
 tack run "$scratch/guide/mine/results/pull/scene.yaml" -q -o again --steps 3 --dump-problem step=2
@@ -75,7 +75,7 @@ tack list --plugin "$scratch/guide/mine/build/libmine.so" --schema schema.json
 grep -q '"adhesion.parabolic"' schema.json || fail "the schema does not know the plugin"
 ! tack list adhesion | grep parabolic || fail "a plugin that nobody named"
 
-# What must be refused, with its place: refused LIBRARY PATTERN
+# refused LIBRARY PATTERN: tests that a plugin is refused with its source location.
 cd "$scratch/elsewhere"
 block '## A cohesive law with history variables' "$source/docs/extending.md" >fading.cpp
 block '## Add an interaction' "$source/docs/extending.md" >tether.cpp
@@ -111,7 +111,7 @@ refused build/libunresolved.so "cannot load the plugin: .*undefined symbol: tack
 refused build/liblanes.so "undefined symbol: tack::no_such_function\(tack::packs_of_3::Pack\*\); .* link tack::native as well"
 refused "nothing.so, $scratch/elsewhere/text.so" "there is no library .*nothing.so"
 
-# A program of one's own: a crate falls as implicit Euler has it, g h^2 n (n + 1) / 2.
+# An embedding program: a crate falls by implicit Euler's g h^2 n (n + 1) / 2.
 mkdir own
 block '`own/CMakeLists.txt`' >own/CMakeLists.txt
 block '`own/own.cpp`' >own/own.cpp
@@ -125,7 +125,7 @@ objects: [{name: crate, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{t
 END
 own/build/own falling.yaml | tail -1 | grep -qx '0.100 s: [0-9]* iterations, 0.052500 m' || { own/build/own falling.yaml; fail "a program of one's own"; }
 
-# A plugin in Python, where that is built.
+# A plugin in Python, if the Python package is built.
 package=$build/python
 for python in python3 /usr/bin/python3; do
   if [[ -e $package/tack/lib/libtack.so ]] && "$python" -c 'import numpy' 2>/dev/null; then
@@ -135,11 +135,11 @@ for python in python3 /usr/bin/python3; do
   fi
 done
 
-# A law of bonds.
+# A bond law.
 sed "s|\[build/libmine.so\]|[$scratch/guide/mine/build/libmine.so, build/libfading.so]|; s|{type: parabolic[^}]*}|{type: fading}|" "$scratch/guide/mine/pull.yaml" >"$scene"
 tack run "$scene" -q -o fading --steps 3 && grep -q '"type": "fading"\|type: fading' fading/scene.yaml || fail "a law of bonds from outside"
 
-# Interactions: a crate on a rope that a held bar reels in, soaked from above.
+# Interactions: a crate on a rope that a fixed bar reels in, soaked from above.
 cat >hoist.yaml <<'END'
 name: hoist
 plugins: [build/libtether.so, build/libmoisture.so]
@@ -157,11 +157,11 @@ tack check hoist.yaml >check.txt || { cat check.txt; fail "interactions from out
 grep -q ropes check.txt && grep -q swelling check.txt || { cat check.txt; fail "the terms of interactions from outside"; }
 tack run hoist.yaml -q -o hoist || fail "a run with interactions from outside"
 
-# Without optimisation, with assertions; and named twice.
+# A plugin without optimisation, with assertions; a plugin named twice.
 sed "s|\[build/libmine.so\]|[build/libunoptimised.so, $scratch/elsewhere/build/../build/libunoptimised.so]|" "$scratch/guide/mine/pull.yaml" >"$scene"
 tack run "$scene" -q || fail "a plugin without optimisation"
 
-# A run goes on with the plugin that it began with, and with no other.
+# A run resumes with its plugin, and with no other plugin.
 run=(tack run "$scene" -q -o resumed --set output.checkpoint_interval=0.01)
 cp build/libunoptimised.so changing.so
 sed -i "s|\[build/libunoptimised.so, [^]]*\]|[changing.so]|" "$scene"

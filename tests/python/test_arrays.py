@@ -1,4 +1,4 @@
-"""Arrays of a simulation: views, forces, fields, and what may be set."""
+"""Arrays of a simulation: views, forces, fields, and assignments."""
 import unittest
 
 import numpy as np
@@ -29,7 +29,7 @@ class Arrays(unittest.TestCase):
         np.testing.assert_array_equal(x, expected)
         self.assertAlmostEqual(mass, 1.0, places=12)
 
-    def test_forces_add_up_to_what_accelerates(self):
+    def test_forces_add_up_to_mass_times_acceleration(self):
         sim = tack.Simulation(blocks, set=small)
         for _ in range(12):
             sim.step()
@@ -106,7 +106,7 @@ class Arrays(unittest.TestCase):
                 np.testing.assert_allclose(sim.v, x, rtol=1e-6)
                 sim.problem().value(same)
 
-    def test_what_intersects_is_refused(self):
+    def test_intersecting_positions_are_refused(self):
         sim = tack.Simulation(blocks, set=small)
         x = sim.x.copy()
         lower, upper = sim["lower"].vertices, sim["upper"].vertices

@@ -44,7 +44,7 @@ class Notebook(unittest.TestCase):
         self.assertLess(np.abs(scope["own"].x - scope["ours"].x).max(), 1e-6)
         self.assertEqual(scope["results"].summary["status"], "done")
 
-    def test_what_notebooks_show(self):
+    def test_notebooks_show_reports(self):
         if not (pathlib.Path(tack.__file__).parent / "share/report.html").exists():
             self.skipTest("the page of reports is not built")
         sim = tack.Simulation(blocks, set=small)
@@ -55,7 +55,7 @@ class Notebook(unittest.TestCase):
 
 
 class Errors(unittest.TestCase):
-    def test_errors_name_the_place(self):
+    def test_errors_name_the_source_location(self):
         with self.assertRaisesRegex(tack.InputError, "yong.*young"):
             tack.Simulation(falling, set={"objects.cube.energies.0.yong": "1 MPa"})
         with self.assertRaises(ValueError):

@@ -48,7 +48,7 @@ class Minimising(unittest.TestCase):
         size = np.ptp(newton.x)
         self.assertLess(np.abs(own.x - newton.x).max(), 1e-6 * size)
 
-    def test_a_minimiser_moves_what_is_prescribed_through_obstacles(self):
+    def test_a_minimiser_moves_prescribed_vertices_through_obstacles(self):
         cube = {"shape": {"type": "box", "size": [0.1, 0.1, 0.1]}, "energies": [{"type": "neo_hookean", "young": "1 MPa", "poisson": 0.3, "density": 1000}]}
         pushed = {
             "name": "pushed",
@@ -66,7 +66,7 @@ class Minimising(unittest.TestCase):
             scene.step()
         self.assertLess(np.abs(own.x - scene.x).max(), 1e-4)
 
-    def test_values_are_infinite_where_nothing_may_be(self):
+    def test_values_are_infinite_at_infeasible_points(self):
         sim = tack.Simulation(falling)
         problem = sim.problem()
         self.assertTrue(np.isfinite(problem.value(problem.start)))
@@ -126,7 +126,7 @@ class Laws(unittest.TestCase):
             finally:
                 os.chdir(before)
 
-    def test_what_is_no_law(self):
+    def test_wrong_laws_are_refused(self):
         for wrong, said in (({"reach": 0}, "positive length"), ({"reach": -1}, "positive length"), ({"reach": 1, "rows": 1}, "at least")):
             with self.assertRaisesRegex(ValueError, said):
                 tack.law(lambda gap: 0 * gap, **wrong)

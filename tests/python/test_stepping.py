@@ -24,7 +24,7 @@ class Stepping(unittest.TestCase):
         self.assertAlmostEqual(sim.probes()["height"] - start, -10 * h * h * n * (n + 1) / 2, places=9)
         np.testing.assert_allclose(sim.v[:, 1], -10 * h * n, rtol=1e-7)
 
-    def test_what_steps_give_is_what_the_program_gives(self):
+    def test_steps_give_the_results_of_the_program(self):
         with tempfile.TemporaryDirectory() as folder:
             kept = tack.run(blocks, set={**small, "output.frames": True, "time.duration": "0.1 s"}, output=f"{folder}/kept")
             sim = tack.Simulation(blocks, set={**small, "time.duration": "0.1 s"})
@@ -81,7 +81,7 @@ class Stepping(unittest.TestCase):
             thread.join()
         np.testing.assert_array_equal(sims[0].x, sims[1].x)
 
-    def test_nothing_else_is_asked_of_a_simulation_within_its_step(self):
+    def test_calls_within_a_step_are_refused(self):
         sim = tack.Simulation(blocks, set=small)
         asked = {
             "step": sim.step, "move": lambda: sim.move(x=sim.x.copy()), "x": lambda: setattr(sim, "x", sim.x.copy()), "v": lambda: setattr(sim, "v", 0 * sim.v),
@@ -134,7 +134,7 @@ class Stepping(unittest.TestCase):
         self.assertEqual(sim.steps, steps)
         self.assertTrue(np.isfinite(sim.x).all())
 
-    def test_a_problem_leaves_what_is_asked_of_the_state(self):
+    def test_a_problem_does_not_change_results_of_the_state(self):
         sim = tack.Simulation(blocks, set=small)
         for _ in range(3):
             sim.step()

@@ -9,7 +9,7 @@ from tack_test_scenes import source
 
 
 class Stub(unittest.TestCase):
-    def test_the_stub_describes_what_is_written_in_cpp(self):
+    def test_the_stub_describes_the_compiled_module(self):
         tree = ast.parse((source / "python/tack/_tack.pyi").read_text(encoding="utf-8"))
         stub = {c.name: c for c in tree.body if isinstance(c, ast.ClassDef)}
         self.assertEqual(set(stub), {"InputError", "SimulationError", "Problem"})
