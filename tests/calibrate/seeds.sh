@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# How often `tack calibrate` finds what made its data: seeds.sh PROGRAM SOURCE_DIR [SEEDS] [FOLDER]
-# Strength and work of the bonds of experiments/calibration/peel.yaml and pull.yaml, from curves of theirs with 2% noise and starts that are three times off, one upwards
-# and the other downwards. Right is within 3% of both; 11 of 12 seeds have to be. All seeds share the points of their designs.
+# Success rate of `tack calibrate` on synthetic data: seeds.sh PROGRAM SOURCE_DIR [SEEDS] [FOLDER]
+# Fits strength and work of the bonds of experiments/calibration/peel.yaml and pull.yaml to their own curves with 2% noise. The initial guesses are wrong by a factor of 3, one too
+# large and the other too small. A fit is right if both values are within 3%; 11 of 12 seeds must be right. All seeds share the points of their initial designs.
 set -euo pipefail
 
 program=$1 source=$2 seeds=${3:-12}

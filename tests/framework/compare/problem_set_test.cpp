@@ -1,7 +1,7 @@
 // Hard steps of the experiments, stored in tests/data/problems (store_problems.sh). Each is
 // minimised with every projection of the Hessian:
-// - the default one takes hardly more iterations than the best
-// - all find the same minimum, or another one that is known to exist
+// - the projection `clamp` takes hardly more iterations than the best
+// - all find the same minimum, or another known one
 // Iteration counts are compared on one machine: they depend on round-off.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 struct StoredProblem {
   const char* name;
-  bool branches = false;  // more than one minimum is in reach
+  bool branches = false;  // there is more than one minimum nearby
 };
 
 const std::vector<StoredProblem> problems = {
@@ -27,32 +27,32 @@ const std::vector<StoredProblem> problems = {
 
 }  // namespace
 
-TEST_CASE("hard steps converge within their bounds, with every projection to a minimum that is known", "[compare][problems]") {
+TEST_CASE("hard steps converge to a known minimum with every projection, within their bounds", "[compare][problems]") {
   for (const StoredProblem& stored : problems) {
     INFO(stored.name);
-    const CompareCase compared = problem_case(std::string(TACK_TEST_DATA "/problems/") + stored.name + ".problem");
-    const Reference reference = make_reference(compared, compared.step_size, 1e-9, 1e-7);
+    const CompareCase compare_case = problem_case(std::string(TACK_TEST_DATA "/problems/") + stored.name + ".problem");
+    const Reference reference = make_reference(compare_case, compare_case.step_size, 1e-9, 1e-7);
     REQUIRE(reference.exists());
     if (!stored.branches) CHECK_FALSE(reference.other_branch);
     std::map<std::string, int> iterations;
     for (const char* projection : {"clamp", "absolute", "on_demand"}) {
       INFO(projection);
-      Trial trial(compared, {parse_string(std::string("{projection: ") + projection + "}", "(test)"), 1e-5, compared.step_size});
+      Trial trial(compare_case, {parse_string(std::string("{projection: ") + projection + "}", "(test)"), 1e-5, compare_case.step_size});
       trial.record();
       const TrialResult& result = trial.run();
       REQUIRE_FALSE(trial.history().empty());
-      if (!compared.quasi_static) CHECK(trial.history().back().residual <= 1);
+      if (!compare_case.quasi_static) CHECK(trial.history().back().residual <= 1);
       CHECK(result.status == "converged");
       CHECK(result.intersections == 0);
       iterations[projection] = result.iterations;
-      const Branch branch = branch_of(compared, reference, compared.step_size, result.x);
+      const Branch branch = branch_of(compare_case, reference, compare_case.step_size, result.x);
       if (!stored.branches) CHECK(branch.kind != Branch::Kind::another);
-      CHECK(largest_distance(trial.world(), result.x, branch.x) < 1e-3 * compared.size);
+      CHECK(largest_distance(trial.world(), result.x, branch.x) < 1e-3 * compare_case.size);
     }
     const int fewest = std::min({iterations["clamp"], iterations["absolute"], iterations["on_demand"]});
     INFO("clamp " << iterations["clamp"] << ", absolute " << iterations["absolute"] << ", on demand "
                   << iterations["on_demand"]);
     CHECK(iterations["clamp"] <= 2 * fewest + 5);
-    CHECK(iterations["clamp"] <= 200);  // of 500 that it may take: none is close to giving up
+    CHECK(iterations["clamp"] <= 200);  // the limit is 500
   }
 }
