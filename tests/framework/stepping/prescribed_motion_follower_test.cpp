@@ -63,7 +63,7 @@ TEST_CASE("free vertices move along as predicted, where that lowers the potentia
   CHECK(follow.arrived());
   CHECK(follow.result.solve.iterations == 0);
   CHECK(follow.displacement(1) == Approx(0.01));  // h v
-  CHECK(follow.displacement(2) == 0);
+  CHECK(follow.displacement(2) < 1e-12);
 }
 
 TEST_CASE("on a blocked trajectory the continuation pushes the obstacle out of the way", "[stepping][follower]") {
