@@ -12,9 +12,9 @@ using namespace tack;
 namespace {
 
 // Returns the motion of the contact point by values of the scalar dofs.
-Vec3 motion(const ContactSpins::Columns& columns, const VecX& numbers) {
+Vec3 motion(const ContactSpins::Columns& columns, const VecX& values) {
   Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < columns.count; ++i) sum += numbers[columns.numbers[i]] * columns.directions[i];
+  for (int i = 0; i < columns.count; ++i) sum += values[columns.scalar_dofs[i]] * columns.directions[i];
   return sum;
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("a rod that turns about its tangent moves its point of contact by R n 
       ContactSpins::Columns columns;
       spins.append(edge, n, x, columns);
       REQUIRE(columns.count == 1);
-      CHECK(columns.numbers[0] == 4);
+      CHECK(columns.scalar_dofs[0] == 4);
       CHECK((columns.directions[0] - lever * n.cross(tangent)).norm() < 1e-14);
     }
     for (const int end : {0, 1}) {
