@@ -22,7 +22,7 @@ struct AttachConfig {
   void fields(Fields& f);
 };
 
-// Adds the attachments of object `index` to the world's bindings. A vertex depends on the
+// Adds the attachments of object `index` to the constraints of the world. A vertex depends on the
 // tetrahedron of the other object that contains it or has the nearest face; without tetrahedra, on
 // the triangle that it lies on; or on the frame of an affine body. Throws InputError if a vertex is
 // too far away, prescribed by a motion, or attached to an object that depends on it. Where surfaces
