@@ -1,5 +1,5 @@
-// Level sets of several others: unions, intersections, differences, sharp or blended, and arrays of
-// one.
+// Combinations of level sets: unions, intersections and differences, sharp or blended, and arrays of
+// copies.
 #include "framework/config/field.hpp"
 #include "framework/level_set/level_set.hpp"
 #include "geometry/level_set/distance_formulas.hpp"
@@ -74,20 +74,20 @@ class ArrayLevelSet : public DerivedLevelSet {
   Box own_bounds() const override {
     const Box one = child().bounds();
     if (one.isEmpty() || !finite(one)) return one;
-    return {one.min() - reach(), one.max() + reach()};
+    return {one.min() - half_extent(), one.max() + half_extent()};
   }
   void own_values(std::span<const Vec3> points, std::span<double> values) const override {
     const Box one = child().bounds();
-    // Beyond as many neighbours of the nearest copy, none is nearer.
-    std::array<int, 3> around{};
+    // Copies farther from the nearest copy than that number of neighbours are never nearer.
+    std::array<int, 3> neighbour_count{};
     for (int k = 0; k < 3; ++k)
-      around[k] = one.isEmpty() || !finite(one) ? counts_[k] - 1 : std::min(counts_[k] - 1, 1 + static_cast<int>(one.sizes()[k] / spacing_[k]));
+      neighbour_count[k] = one.isEmpty() || !finite(one) ? counts_[k] - 1 : std::min(counts_[k] - 1, 1 + static_cast<int>(one.sizes()[k] / spacing_[k]));
     std::vector<Vec3> moved(points.size());
     std::vector<double> next(points.size());
     std::fill(values.begin(), values.end(), std::numeric_limits<double>::infinity());
-    for (int a = -around[0]; a <= around[0]; ++a)
-      for (int b = -around[1]; b <= around[1]; ++b)
-        for (int c = -around[2]; c <= around[2]; ++c) {
+    for (int a = -neighbour_count[0]; a <= neighbour_count[0]; ++a)
+      for (int b = -neighbour_count[1]; b <= neighbour_count[1]; ++b)
+        for (int c = -neighbour_count[2]; c <= neighbour_count[2]; ++c) {
           for (size_t i = 0; i < points.size(); ++i)
             for (int k = 0; k < 3; ++k) {
               const double last = counts_[k] - 1, start = one.isEmpty() || !finite(one) ? 0 : one.center()[k];
@@ -101,7 +101,7 @@ class ArrayLevelSet : public DerivedLevelSet {
   }
 
  private:
-  Vec3 reach() const {
+  Vec3 half_extent() const {
     return {(counts_[0] - 1) * spacing_[0] / 2, (counts_[1] - 1) * spacing_[1] / 2, (counts_[2] - 1) * spacing_[2] / 2};
   }
 

@@ -1,4 +1,4 @@
-// Level sets of which space is deformed.
+// Deformations of level sets.
 #include <fmt/format.h>
 
 #include "framework/config/field.hpp"
@@ -53,8 +53,8 @@ class TwistLevelSet : public Deformation {
   }
   Box own_bounds() const override { return {Vec3(-radius_, inner_.min().y(), -radius_), Vec3(radius_, inner_.max().y(), radius_)}; }
   Vec3 origin(const Vec3& p) const override {
-    // The twist would be steeper further out: there, the nearest point of the cylinder that holds
-    // the body counts.
+    // Outside of the cylinder that contains the body, where the twist would be steeper, the nearest
+    // point of the cylinder counts.
     const double radius = std::hypot(p.x(), p.z()), factor = radius > radius_ ? radius_ / radius : 1;
     return Eigen::AngleAxisd(-rate_ * p.y(), Vec3::UnitY()) * Vec3(factor * p.x(), p.y(), factor * p.z());
   }
@@ -98,8 +98,8 @@ class BendLevelSet : public Deformation {
   }
   void own_values(std::span<const Vec3> points, std::span<double> values) const override {
     Deformation::own_values(points, values);
-    // The other way round the circle; and, nearer to the centre than all of the body, the distance
-    // to the points there.
+    // Also the values on the other side of the circle. Nearer to the centre than the whole body, the
+    // distance to the body's inner radius.
     std::vector<Vec3> around;
     around.reserve(points.size());
     for (const Vec3& p : points) {

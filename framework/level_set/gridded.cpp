@@ -14,7 +14,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-// Level set defined by the surface of another one and distances from it, up to reach() [m].
+// Level set defined by the surface of another one and distances from it, up to band_width() [m].
 class Gridded : public DerivedLevelSet {
  public:
   void prepare(double voxel) override {
@@ -22,13 +22,13 @@ class Gridded : public DerivedLevelSet {
     const Box box = child().bounds();
     if (!finite(box)) throw InputError(fmt::format("level set '{}' needs a bounded one", type()));
     const Mesh surface = zero_surface([this](auto points, auto values) { child().evaluate(points, values); }, box, voxel);
-    grid_ = DistanceGrid::of(surface, voxel, reach() + 4 * voxel);
+    grid_ = DistanceGrid::of(surface, voxel, band_width() + 4 * voxel);
     check(*grid_);
   }
 
  protected:
-  virtual void check(const DistanceGrid&) const {}  // throws InputError for what makes no sense of what is there
-  virtual double reach() const = 0;
+  virtual void check(const DistanceGrid&) const {}  // throws InputError if the parameters do not fit the body
+  virtual double band_width() const = 0;
   std::optional<DistanceGrid> grid_;
 };
 
@@ -46,7 +46,7 @@ class OffsetLevelSet : public Gridded {
       throw InputError(fmt::format("level set 'offset': nothing is left of it, as it is {:.3g} m deep at most and distance is {:.3g} m; offset by less",
                                    std::max(depth, 0.0), distance_));
   }
-  double reach() const override { return std::abs(distance_); }
+  double band_width() const override { return std::abs(distance_); }
   Box own_bounds() const override { return widened(child().bounds(), std::max(distance_, 0.0)); }
   void own_values(std::span<const Vec3> points, std::span<double> values) const override {
     grid_->sample(points, values);
@@ -65,7 +65,7 @@ class ShellLevelSet : public Gridded {
   }
 
  protected:
-  double reach() const override { return thickness_ / 2; }
+  double band_width() const override { return thickness_ / 2; }
   Box own_bounds() const override { return widened(child().bounds(), thickness_ / 2); }
   void own_values(std::span<const Vec3> points, std::span<double> values) const override {
     grid_->sample(points, values);
@@ -84,7 +84,7 @@ class MeshLevelSet : public LevelSet {
   }
   void prepare(double voxel) override {
     const Mesh mesh = mesh_of_shape(*shape_)->mesh;
-    mass_properties(mesh);  // refuses what is not closed
+    mass_properties(mesh);  // throws InputError for open surfaces
     box_ = bounding_box(mesh);
     grid_ = DistanceGrid::of(mesh, voxel, 4 * voxel);
   }
@@ -93,7 +93,7 @@ class MeshLevelSet : public LevelSet {
   Box own_bounds() const override { return box_; }
   void own_values(std::span<const Vec3> points, std::span<double> values) const override {
     grid_->sample(points, values);
-    // Beyond the band, at least the distance to the box.
+    // Beyond the band, the distance to the box is a lower bound.
     for (size_t i = 0; i < points.size(); ++i)
       if (values[i] > 0) values[i] = std::max(values[i], box_.exteriorDistance(points[i]));
   }

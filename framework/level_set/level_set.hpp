@@ -31,7 +31,7 @@ class LevelSet : public Component {
   void evaluate(std::span<const Vec3> points, std::span<double> values) const;
 
  protected:
-  // The same before it was put in its place.
+  // Bounds and values before placement.
   virtual Eigen::AlignedBox3d own_bounds() const = 0;
   virtual void own_values(std::span<const Vec3> points, std::span<double> values) const = 0;
 
@@ -59,12 +59,12 @@ inline Eigen::AlignedBox3d everywhere() {
 inline bool finite(const Eigen::AlignedBox3d& box) {
   return box.isEmpty() || (box.min().allFinite() && box.max().allFinite());
 }
-// Wider by as much on every side.
+// Returns the box enlarged by `by` on every side.
 inline Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, double by) {
   if (box.isEmpty()) return box;
   return {box.min().array() - by, box.max().array() + by};
 }
-// The corners of a finite box.
+// Returns the corners of a finite box.
 std::array<Vec3, 8> corners(const Eigen::AlignedBox3d& box);
 
 }  // namespace tack

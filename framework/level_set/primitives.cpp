@@ -1,4 +1,4 @@
-// Level sets of simple forms.
+// Primitive level sets.
 #include <fmt/format.h>
 
 #include "framework/config/field.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 Eigen::AlignedBox3d centred(const Vec3& half) { return {-half, half}; }
 
-// One that is given point by point.
+// Level set whose distance is a formula of the point.
 class Primitive : public LevelSet {
  protected:
   void own_values(std::span<const Vec3> points, std::span<double> values) const final {

@@ -37,7 +37,8 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   const OrientedSurface& surface() const { return surface_; }
 
   // For probes, at an accepted state.
-  double volume(const VecX& x) const { return surface_.volume(x, surface_.mean_position(x)); }  // m^3
+  // Returns the volume [m^3].
+  double volume(const VecX& x) const { return surface_.volume(x, surface_.mean_position(x)); }
   // Returns the pressure on the surface [Pa].
   virtual double pressure(const VecX& x, double time) const = 0;
   // Returns the target volume [m^3]; NaN without one.

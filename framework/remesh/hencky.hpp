@@ -19,7 +19,8 @@ Mat3 apply_to_eigenvalues(const Mat3& symmetric, const Function& f) {
 }
 
 inline Mat3 hencky_strain(const Mat3& f) {
-  return apply_to_eigenvalues(f * f.transpose(), [](double square) { return std::log(square) / 2; });
+  return apply_to_eigenvalues(f * f.transpose(),
+                              [](double square) { return std::log(square) / 2; });
 }
 
 // Returns the stretch (no rotation) of a Hencky strain.

@@ -48,7 +48,7 @@ class CopiedLines {
   struct Line {
     WarningKind kind;
     std::string text, group;
-    int more = 0;  // further copies that the line holds for
+    int more = 0;  // further copies that share the line
   };
 
   std::map<std::pair<std::string, WarningKind>, size_t> line_of_;  // by group and kind

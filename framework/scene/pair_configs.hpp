@@ -1,6 +1,6 @@
-// The entry of contact.pairs that holds for two objects. Each side of an entry names an object, a
-// group of objects or "*" (every object). Of several matching entries the most specific one holds,
-// in this order:
+// Entry of contact.pairs that applies to two objects. Each side of an entry names an object, a
+// group of objects or "*" (every object). The most specific of the matching entries applies, in
+// this order:
 //     object and object; object and group; object and *; group and group; group and *; * and *
 // A side may name a region of an object. Such an entry holds where both positions are within the
 // named regions, before an entry of whole objects of the same rank; two regions precede one. Two

@@ -1,5 +1,5 @@
-// The typed scene: objects, and what acts on and between them. Part of a file that can be run
-// (framework/experiment/experiment.hpp). build_world.hpp makes a world of it.
+// Typed scene: objects, and actions on and between them. It is part of a file that can be run
+// (framework/experiment/experiment.hpp); build_world.hpp makes a world of it.
 #pragma once
 
 #include <memory>

@@ -45,7 +45,7 @@ Mesh placed_mesh(Mesh mesh, const ObjectConfig& object) {
   return mesh;
 }
 
-// Returns the mesh with the object's kind of elements, and notes the kind in the digest of the mesh
+// Returns the mesh with the object's kind of elements, and records the kind in the digest of the mesh
 // before placement.
 Mesh with_elements(Mesh mesh, const ObjectConfig& object, MeshDigest& digest) {
   if (object.elements == Elements::linear) return mesh;

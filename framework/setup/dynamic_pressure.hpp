@@ -9,7 +9,8 @@
 
 namespace tack {
 
-double to_two_digits(double value);  // 0 if not positive
+// Rounds to two significant digits; 0 if the value is not positive.
+double to_two_digits(double value);
 // Returns the lowest Young's modulus of the object's energies [Pa]; 0: none has one.
 double softest_young(const ObjectConfig& object);
 // Returns density times speed^2 [Pa] per body of tetrahedra that may move faster than its elastic
@@ -17,7 +18,6 @@ double softest_young(const ObjectConfig& object);
 // orientation.
 std::vector<double> dynamic_pressures(const SceneConfig& scene, const World& world,
                                       const std::vector<Loading>& loadings);
-
 
 // Returns, per body, the pressure of its weight and largest loads in the run [Pa], to two digits; 0
 // if the body is fixed or has no surface. The area is the surface's mean projection over all

@@ -155,7 +155,7 @@ std::map<std::string, StateObject> state_objects(const World& world) {
 
 std::string energies_text(const ObjectConfig& object) {
   std::string text;
-  // Their history is in another order.
+  // The order of their history depends on the kind of elements.
   if (object.elements != Elements::linear) text += fmt::format("elements {}\n", static_cast<int>(object.elements));
   for (const auto& energy : object.energies) text += fmt::format("{}\n{}", energy->type(), to_yaml(fields_of(*energy)));
   return text;

@@ -12,17 +12,17 @@
 namespace tack {
 namespace {
 
-// The largest speed that one collision gives a body, over the speed of what hits it: an elastic
-// collision of a heavy body with a light one at rest.
+// Largest ratio of the speed after a collision to the speed of the impactor: elastic collision of a
+// heavy body with a light one at rest.
 constexpr double speed_ratio_max = 2;
-constexpr int motion_samples = 32;   // of a prescribed motion, over the duration
+constexpr int motion_samples = 32;  // sampling times of prescribed motions over the duration
 
 bool is_named(const ObjectConfig& object, const std::string& name) {
   return name == "*" || object.name == name || std::find(object.groups.begin(), object.groups.end(), name) != object.groups.end();
 }
 
-// Per body, the largest displacement of a vertex that a motion moves [m]; infinite from a time on at which
-// a motion has no finite position. The step that comes there ends the run with the reason.
+// Returns, per body, the largest displacement of a vertex by a prescribed motion [m]; infinite if a motion has
+// no finite position at some time. The step to that time ends the run with the reason.
 std::vector<double> prescribed_displacements(const World& world, double duration) {
   std::vector<double> displacements(world.bodies.size(), 0);
   const PrescribedMotion& prescribed_motion = world.prescribed_motion;
@@ -110,7 +110,8 @@ class MeetingSearch {
   double diagonal(int i) const { return boxes_[i].diagonal().norm(); }
   int root(int i) { return sets_.find(i); }
 
-  // Joins the groups of two bodies that may meet. A fixed body joins no group, but passes on its prescribed displacement.
+  // Joins the groups of two bodies that may meet; returns true if anything changed. A fixed body joins no group, but its prescribed
+  // displacement counts for the group.
   bool meet(int a, int b) {
     if (!movable(a) && !movable(b)) return false;
     if (!movable(a)) std::swap(a, b);
@@ -181,8 +182,8 @@ class MeetingSearch {
   const int count_;
   DisjointSets sets_;
   std::vector<Eigen::AlignedBox3d> boxes_;           // of bodies, at rest [m]
-  std::vector<double> displacement_, speed_;         // of groups, at their first body; of held bodies [m, m/s]
-  std::vector<char> driven_;                         // likewise: it may be driven anywhere
+  std::vector<double> displacement_, speed_;         // of groups, at their root; of fixed bodies [m, m/s]
+  std::vector<char> driven_;                         // per group, at its root: it may be driven anywhere
 };
 
 }  // namespace

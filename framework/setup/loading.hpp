@@ -4,16 +4,16 @@
 // change nothing for it.
 //
 // Each body has a search box: its box at rest, inflated by a bound of its displacement,
-//     R = max(diagonal, 2 (v T + g T^2 / 2)) + s,  2: an elastic collision doubles a speed at most,
-// v: the largest initial speed in its group, T: the duration of the run, s: the largest
-// displacement of a prescribed motion in its group. Bodies whose search boxes overlap, are attached
-// or are named by an interaction are of one group. Fixed bodies are of none: a common floor joins
-// nothing. A body with loads, or in an interaction, may be driven anywhere.
-// The duration counts: without an end, all that moves meets. A longer run of a scene may therefore
-// join groups, and find another stiffness for them; summary.json and `tack check` name the groups.
-// To compare runs of different durations, give contact.barrier.stiffness and body.stiffness.
-// Limits: the bound is an estimate for defaults. Energy that is stored at the start, or a mass that
-// a heavier one throws, may go farther.
+//     R = max(diagonal, 2 (v T + g T^2 / 2)) + s.
+// 2: an elastic collision at most doubles a speed; v: the largest initial speed in its group, T:
+// the duration of the run, s: the largest displacement of a prescribed motion in its group. Bodies
+// whose search boxes overlap, are attached or are named by an interaction are of one group. Fixed
+// bodies are of none: a common floor joins nothing. A body with loads, or in an interaction, may be
+// driven anywhere. The duration counts: without an end, all that moves meets. A longer run of a
+// scene may therefore join groups, and find another stiffness for them; summary.json and `tack
+// check` name the groups. To compare runs of different durations, give contact.barrier.stiffness
+// and body.stiffness. Limits: the bound is an estimate for defaults. Energy that is stored at the
+// start, or a mass that a heavier one throws, may go farther.
 #pragma once
 
 #include <vector>
@@ -32,12 +32,13 @@ struct Loading {
   // Speed from the initial velocities in the group, and from a fall over the box of the group and
   // of the fixed bodies that it may meet [m/s].
   double speed = 0;
-  double weight = 0;  // of all in the group that is ever free [N]
+  double weight = 0;  // weight of all vertices in the group that are ever free [N]
 };
 
-// Per body, that of its group; 0 of held ones.
+// Returns the loading of the group of each body; 0 for fixed bodies.
 std::vector<Loading> loadings(const SceneConfig& scene, const World& world, double duration);
 
+// Returns the meeting groups.
 MeetingGroups meeting_groups(const SceneConfig& scene, const World& world, double duration);
 
 }  // namespace tack

@@ -44,7 +44,8 @@ class PairBuilder {
     double region_range = 0;
   };
   struct Roles {
-    PairRole first, second, edge, codimensional;  // first, second: roles of the points of either object
+    // first, second: roles of the points of either object.
+    PairRole first, second, edge, codimensional;
   };
 
   std::string contact_location() const;

@@ -9,10 +9,10 @@
 
 namespace tack {
 
-// Returns the motion of `object` in space; null if no object carries it. name: for messages. Throws
-// InputError if the carrier does not exist, if carriers form a cycle, or if the carrier has no
-// single rigid motion of all its vertices for as long as the carried motion lasts.
+// Returns the motion of `object` in space; null if its motion has no carrier. name: for messages.
+// Throws InputError if the carrier does not exist, if carriers form a cycle, or if the carrier has
+// no single rigid motion of all its vertices for as long as the relative motion lasts.
 std::unique_ptr<Motion> relative_motion(const Motion& motion, const std::string& name,
-                                       const std::string& object, const SceneConfig& scene);
+                                        const std::string& object, const SceneConfig& scene);
 
 }  // namespace tack

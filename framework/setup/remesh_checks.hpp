@@ -13,7 +13,8 @@ void check_remeshing(const SceneConfig& scene, const Value& root, const World& w
 // Reduces the vertices that a motion prescribes to those on the surface, because remeshing replaces
 // interior vertices. Throws InputError with the motion's name if it prescribes interior vertices at
 // the start of a run.
-void drop_interior_vertices(const std::string& motion, const Body& body, std::vector<int>& vertices);
+void drop_interior_vertices(const std::string& motion, const Body& body,
+                            std::vector<int>& vertices);
 
 // Returns true if any object may be remeshed.
 bool any_remeshed(const SceneConfig& scene);

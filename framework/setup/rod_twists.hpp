@@ -13,7 +13,7 @@ void add_twists(const ObjectConfig& object, int index, World& world);
 
 // Prescribes the twist of each edge with both ends in `vertices`, which `motion` prescribes in all
 // directions: the frame of the edge rotates with the motion.
-void prescribe_twists(const Motion& motion, const std::vector<int>& vertices, const std::string& name,
-                 int index, World& world);
+void prescribe_twists(const Motion& motion, const std::vector<int>& vertices,
+                      const std::string& name, int index, World& world);
 
 }  // namespace tack

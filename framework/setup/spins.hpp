@@ -17,7 +17,7 @@ void add_spin_masses(int index, World& world);
 // Fixes the arcs of those particles of body `index` that are in `vertices`, unless `motion` is
 // partial: only particles fixed in all directions do not rotate.
 void fix_spins(const Motion& motion, const std::vector<int>& vertices, const std::string& name,
-                int index, World& world);
+               int index, World& world);
 // Sets the velocities of the arcs of body `index` for an initial angular velocity [rad/s].
 void set_spin_velocities(const Vec3& angular_velocity, int index, const World& world, VecX& v);
 

@@ -20,7 +20,7 @@ class SurfaceRegions {
 
   bool any() const { return next_ > 0; }
   const std::vector<RegionSet>& vertex_regions() const { return vertex_regions_; }
-  // Returns the regions of a and of b in which an entry holds; 0: anywhere.
+  // Returns the regions of a and of b in which an entry applies; 0: anywhere.
   std::array<RegionSet, 2> regions_of(int entry, int a, int b) const;
   // Throws InputError if two of these entries of a and b are equally specific where they overlap.
   void require_distinct(const std::vector<int>& entries, int a, int b) const;

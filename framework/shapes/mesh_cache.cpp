@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;  // bytes
 
-// Size and time of the program and of its library: another build is another program.
+// Returns size and time of the program and of its library, which identify a build.
 std::string this_program() {
   std::error_code none;
   const fs::path program = own_file();
@@ -40,14 +40,14 @@ void add_files(const Value& value, std::string& recipe) {
   for (const Value::Entry& entry : value.entries) add_files(entry.value, recipe);
 }
 
-// FNV-1a.
+// Returns the FNV-1a hash.
 std::uint64_t hash_of(const std::string& text) {
   std::uint64_t h = 0xcbf29ce484222325ULL;
   for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
   return h;
 }
 
-// Pieces of text, each behind its length, behind a checksum of them all.
+// Packs texts, each after its length, after a checksum of all of them.
 std::string packed(const std::vector<std::string>& pieces) {
   std::string all;
   for (const std::string& piece : pieces) all += fmt::format("{}\n", piece.size()) + piece;
@@ -77,7 +77,7 @@ class MeshCache {
 
   std::shared_ptr<const ShapeMesh> mesh_of_shape(const ShapeSource& shape) {
     const std::string recipe = recipe_of(shape);
-    const std::lock_guard lock(mutex_);  // a recipe may hold others; who asks for the same mesh waits for it
+    const std::lock_guard lock(mutex_);  // recursive: a recipe may contain others; callers of the same mesh wait
     if (const auto found = meshes_.find(recipe); found != meshes_.end()) return found->second;
     auto mesh = from_file(recipe);
     if (!mesh) {
@@ -117,7 +117,7 @@ class MeshCache {
     pieces.insert(pieces.end(), mesh.notes.begin(), mesh.notes.end());
     std::error_code failed;
     fs::create_directories(folder_, failed);
-    // Whole or not at all, also where two write the same.
+    // Written to a draft and renamed: complete or missing, also if two processes write the same file.
     const fs::path file = file_of(recipe), draft = file.string() + fmt::format(".{}", getpid());
     std::ofstream(draft, std::ios::binary) << packed(pieces);
     fs::rename(draft, file, failed);

@@ -1,5 +1,4 @@
-// Cache of meshes that take long to make, by recipe: in the process, and in a folder for later
-// ones.
+// Cache of costly meshes by recipe: in the process, and in a folder for later processes.
 //
 // A recipe contains the scene entry of the shape with all components, the bytes of the files that
 // it reads, and the identity of this program, so that a mesh is made again whenever it could

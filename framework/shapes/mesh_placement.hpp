@@ -16,7 +16,7 @@ struct MeshPlacement {
   void apply(Mesh& mesh) const;  // throws InputError for a zero axis or factor
 
   bool trivial() const { return scale == Vec3::Ones() && angle == 0 && translate == Vec3::Zero(); }
-  Eigen::Affine3d transform() const;  // the same for points
+  Eigen::Affine3d transform() const;  // the placement as a map of points
 };
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// A mesh put together of others.
+// Shape composed of other shapes.
 #include "framework/shapes/mesh_cache.hpp"
 #include "framework/shapes/mesh_placement.hpp"
 #include "framework/shapes/shape_source.hpp"

@@ -14,7 +14,7 @@ namespace tack {
 namespace {
 
 const std::vector<std::string> along = {"s"};
-constexpr int most_cells = 1'000'000;
+constexpr int cell_count_max = 1'000'000;
 
 std::string problem_of(const std::string& text) {
   if (text.empty()) return "";
@@ -33,7 +33,7 @@ void ProfileConfig::fields(Fields& f, const std::string& first) {
   f.text("profile_x", x, "instead of corners: x [m], a formula of s, from 0 to 1").formula(along);
   f.text("profile_y", y, "instead of corners: y [m], a formula of s, from 0 to 1").formula(along);
   f.flag("closed", closed, "the last point joins the first, and the interior is filled with tets; false: a sheet");
-  f.integer("cells_profile", cells, "cells along the profile").range(1, most_cells);
+  f.integer("cells_profile", cells, "cells along the profile").range(1, cell_count_max);
   f.check("profile_x", [this] { return problem_of(x); });
   f.check("profile_y", [this] { return problem_of(y); });
   f.check("profile", [this]() -> std::string {
@@ -65,22 +65,22 @@ std::vector<Vec2> ProfileConfig::points(const std::string& name) const {
   }
   std::vector<Vec2> points = of_formulas(name);
   if (!closed) return points;
-  const double back = (points.back() - points.front()).norm(), longest = [&] {
+  const double closing_length = (points.back() - points.front()).norm(), longest = [&] {
     double length = 0;
     for (size_t i = 0; i + 1 < points.size(); ++i) length = std::max(length, (points[i + 1] - points[i]).norm());
     return length;
   }();
-  if (back <= round_off * longest * cells) {
+  if (closing_length <= round_off * longest * cells) {
     points.pop_back();
     return points;
   }
-  // The way back is straight.
-  for (const Vec2& p : divided({points.back(), points.front()}, false, std::max(1, static_cast<int>(std::lround(back / longest)))))
+  // A straight line closes the profile.
+  for (const Vec2& p : divided({points.back(), points.front()}, false, std::max(1, static_cast<int>(std::lround(closing_length / longest)))))
     if (p != points.back() && p != points.front()) points.push_back(p);
   return points;
 }
 
-double longest_piece(const std::vector<Vec2>& closed) {
+double longest_segment(const std::vector<Vec2>& closed) {
   double longest = 0;
   for (size_t i = 0; i < closed.size(); ++i) longest = std::max(longest, (closed[(i + 1) % closed.size()] - closed[i]).norm());
   return longest;

@@ -17,15 +17,15 @@ struct ProfileConfig {
   // first: meaning of x, "distance from the axis".
   void fields(Fields& f, const std::string& first);
 
-  // Returns the points [m]; in a closed line, the first follows the last. Throws InputError, with a
-  // message that begins with `name`, for a formula without a finite value.
+  // Returns the points [m]; in a closed line, the first one follows the last. Throws InputError,
+  // with a message that begins with `name`, for a formula without a finite value.
   std::vector<Vec2> points(const std::string& name) const;
 
  private:
   std::vector<Vec2> of_formulas(const std::string& name) const;
 };
 
-// The longest piece between points, and that from the last to the first [m].
-double longest_piece(const std::vector<Vec2>& closed);
+// Returns the longest segment of a closed polygon [m].
+double longest_segment(const std::vector<Vec2>& closed);
 
 }  // namespace tack

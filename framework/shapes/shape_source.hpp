@@ -1,4 +1,4 @@
-// Where an object's mesh comes from: a built-in shape, a file, or what is made of them.
+// Source of an object's mesh: a built-in shape, a file, or a mesh derived from them.
 #pragma once
 
 #include "framework/config/registry.hpp"
@@ -12,8 +12,9 @@ class ShapeSource : public Component {
   static constexpr const char* kind_doc =
       "The mesh of an object: a built-in shape, a file, or a mesh derived from them.";
   virtual Mesh make() const = 0;  // throws InputError
-  virtual bool costly() const { return false; }  // to be kept once it is made (mesh_cache.hpp)
-  // Returns whether files define the mesh, beside the parameters.
+  // Returns true if the mesh is worth caching (mesh_cache.hpp).
+  virtual bool costly() const { return false; }
+  // Returns true if the mesh depends on files or libraries beside the parameters.
   virtual bool reads_files() const { return false; }
   // Returns remarks on the mesh, one line each.
   virtual std::vector<std::string> notes() const { return {}; }

@@ -1,4 +1,4 @@
-// Sheets and solids that a profile passes over: about an axis, or along a line.
+// Sheets and solids swept by a profile: about an axis, or along a line.
 #include <numbers>
 
 #include "framework/shapes/profile.hpp"
@@ -17,10 +17,10 @@ class SweptShape : public ShapeSource {
     const std::string name = "shape " + std::string(type());
     const std::vector<Vec2> points = profile_.points(name);
     if (!profile_.closed) return sheet(points);
-    const Mesh tets = solid(triangulate(points, edge_length_.value_or(4.0 / 3 * longest_piece(points)), name));
+    const Mesh tets = solid(triangulate(points, edge_length_.value_or(4.0 / 3 * longest_segment(points)), name));
     return surface_ ? triangle_surface(tets, name) : tets;
   }
-  bool reads_files() const final { return profile_.closed; }  // the mesh hangs on the version of CGAL too
+  bool reads_files() const final { return profile_.closed; }  // the mesh depends on the version of CGAL
 
  protected:
   void profile_fields(Fields& f, const std::string& first) {

@@ -11,6 +11,7 @@ namespace tack {
 // Returns the noise at a point in units of the lattice.
 double gradient_noise(const Vec3& p, std::uint32_t seed);
 
-inline constexpr double gradient_noise_slope = 3.6;  // above all values found (tests/geometry/level_set)
+// Bound of the gradient, above all values found in tests/geometry/level_set.
+inline constexpr double gradient_noise_slope = 3.6;
 
 }  // namespace tack
