@@ -16,9 +16,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const double crease_cosine = std::cos(40 * M_PI / 180);
 const double same_patch_cosine = std::cos(30 * M_PI / 180), other_patch_cosine = std::cos(70 * M_PI / 180);
 constexpr double height_per_distance_span = 0.5;  // over which f rises from 0 to 1
-constexpr double seed_distance_margin = 0.3;  // over the nearest seed, where psi falls to 0
-constexpr double ridge_sine = 0.1;   // sine of the angle over which an edge becomes a ridge
-constexpr double fade_start = 0.9;   // of the range: where z begins to fall
+constexpr double seed_distance_margin = 0.3;      // over the nearest seed, where psi falls to 0
+constexpr double ridge_sine = 0.1;                // sine of the angle over which an edge becomes a ridge
+constexpr double fade_start = 0.9;                // of the range: where z begins to fall
 
 // Returns a smooth step from 0 at a to 1 at b.
 double rise(double x, double a, double b) {

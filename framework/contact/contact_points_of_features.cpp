@@ -11,8 +11,8 @@ namespace {
 
 // Feature of a point.
 struct Feature {
-  int point, object, law;              // vertex or interior point; object of the feature
-  int own_vertex_count;                // of the point: 1, or 3 of an interior point
+  int point, object, law;  // vertex or interior point; object of the feature
+  int own_vertex_count;    // of the point: 1, or 3 of an interior point
   std::array<int, 3> own_vertices;
   Vec3 own_coefficients;
   std::array<int, 3> vertices;         // of the feature; the rest is -1

@@ -132,7 +132,7 @@ void ContactTerm::derivatives(const VecX& x, Projection projection, double* grad
     if (hessian && projection != Projection::none) {
       for_each_sampled_chunk<K>(x, laws(LawTerm::all), stencils, [&](int first, int last, const ChunkSamples<K>& chunk) {
         projected_derivatives<K>(x, stencils, first, last, thresholds, chunk.gap.data(), chunk.sample.data(), projection,
-                                gradient, hessian);
+                                 gradient, hessian);
       });
     } else {
       for_each_sample<K>(x, laws(LawTerm::all), stencils, [&](int i, double gap, const LawSample& l) {

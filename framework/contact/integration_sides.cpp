@@ -6,8 +6,8 @@
 namespace tack {
 namespace {
 
-constexpr double equal_overlap_ratio_min = 0.9;       // of the larger overlap area
-constexpr double kept_overlap_ratio_min = 0.7;  // of the larger overlap area, to keep a side
+constexpr double equal_overlap_ratio_min = 0.9;  // of the larger overlap area
+constexpr double kept_overlap_ratio_min = 0.7;   // of the larger overlap area, to keep a side
 
 }  // namespace
 

@@ -56,7 +56,7 @@ struct FoundPatches {
 };
 
 FoundPatches find_patches(const std::vector<int>& indices, const std::vector<InteriorPoint>& points, const CollisionMesh& mesh,
-                        const LaggedSurface& lagged, const BroadPhase& broad_phase) {
+                          const LaggedSurface& lagged, const BroadPhase& broad_phase) {
   const int n = static_cast<int>(indices.size());
   FoundPatches found{std::vector<std::vector<int>>(chunk_count(n, chunk)), std::vector<int>(n)};
   for_each_chunk(n, [&](int c, int first, int last) {
@@ -69,7 +69,7 @@ FoundPatches find_patches(const std::vector<int>& indices, const std::vector<Int
 }  // namespace
 
 void add_interior_patches(const std::vector<int>& indices, const std::vector<InteriorPoint>& points, const CollisionMesh& mesh,
-                       const LaggedSurface& lagged, const BroadPhase& broad_phase, InteriorPatches& patches) {
+                          const LaggedSurface& lagged, const BroadPhase& broad_phase, InteriorPatches& patches) {
   const int n = static_cast<int>(indices.size());
   const FoundPatches found = find_patches(indices, points, mesh, lagged, broad_phase);
   std::vector<InteriorPatches::Range> all;
@@ -90,7 +90,7 @@ void add_interior_patches(const std::vector<int>& indices, const std::vector<Int
 }
 
 void update_interior_patches(const ChangedPrimitives& changed, const std::vector<InteriorPoint>& points, const CollisionMesh& mesh,
-                         const LaggedSurface& lagged, const BroadPhase& broad_phase, InteriorPatches& patches) {
+                             const LaggedSurface& lagged, const BroadPhase& broad_phase, InteriorPatches& patches) {
   std::vector<int> indices;
   for (int i = 0; i < static_cast<int>(points.size()); ++i)
     if (changed.triangles[points[i].triangle] || changed.objects[points[i].object]) indices.push_back(i);
@@ -118,7 +118,7 @@ void update_interior_patches(const ChangedPrimitives& changed, const std::vector
 }
 
 InteriorPatches make_interior_patches(const std::vector<InteriorPoint>& points, const CollisionMesh& mesh,
-                                const LaggedSurface& lagged, const BroadPhase& broad_phase) {
+                                      const LaggedSurface& lagged, const BroadPhase& broad_phase) {
   std::vector<int> all(points.size());
   std::iota(all.begin(), all.end(), 0);
   InteriorPatches patches;

@@ -50,7 +50,7 @@ class StencilSearch {
 class VertexSearch : StencilSearch {
  public:
   VertexSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const DisplacementBounds& displacements,
-              const VertexQuadrature& quadrature, const FreeVertices& free, const VecX& x, FoundStencils& found)
+               const VertexQuadrature& quadrature, const FreeVertices& free, const VecX& x, FoundStencils& found)
       : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), displacements_(displacements), quadrature_(quadrature) {}
 
   void search(const VertexQuadraturePoint& point) {
@@ -97,7 +97,7 @@ class VertexSearch : StencilSearch {
 class InteriorSearch : StencilSearch {
  public:
   InteriorSearch(const ContactSurface& surface, const PairTable& pairs, const std::vector<InteriorPoint>& points,
-               const InteriorPatches& patches, const FreeVertices& free, const VecX& x, FoundStencils& found)
+                 const InteriorPatches& patches, const FreeVertices& free, const VecX& x, FoundStencils& found)
       : StencilSearch(surface.mesh, pairs, free, x, found), points_(points), patches_(patches) {}
 
   void search(int i) {

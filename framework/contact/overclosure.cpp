@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-constexpr size_t count_max = 5;  // reported overclosures
+constexpr size_t count_max = 5;                         // reported overclosures
 constexpr double touching_distance_per_extent = 1e-14;  // extent: the larger one of two primitives
 
 template <size_t N>

@@ -48,7 +48,7 @@ class PairForces {
     const double strength = energy(facet.triangle, facet.seed_triangle, facet.distance);
     if (strength == 0 || std::abs(projected_area) < facing_cosine_min / 2 * twice.norm()) return;
     const double half = -strength * facet.area / projected_area / 2;  // includes the sign
-    if (facet.seed_triangle != seed_triangle_) {  // facets of one triangle mostly have one seed triangle
+    if (facet.seed_triangle != seed_triangle_) {                      // facets of one triangle mostly have one seed triangle
       seed_triangle_ = facet.seed_triangle;
       seed_slopes_ = slopes(corners(lagged_.x(), mesh_.triangles[seed_triangle_]));
     }
@@ -85,14 +85,14 @@ class PairForces {
   VecX& sum_;
   std::vector<char>& touched_;
   std::vector<int> order_;  // touched vertices, once each
-  int seed_triangle_ = -1;         // of the slopes
+  int seed_triangle_ = -1;  // of the slopes
   std::array<Vec3, 3> seed_slopes_;
 };
 
 }  // namespace
 
 void OverlapBoundaryForces::update(const std::vector<OverlapFacets>& pairs, const PairTable& table, const CollisionMesh& mesh,
-                     const LaggedSurface& lagged) {
+                                   const LaggedSurface& lagged) {
   pairs_.clear();
   all_.resize(0);
   VecX sum;

@@ -24,7 +24,7 @@ void add_line(const CollisionMesh& mesh, const LaggedSurface& lagged, int triang
 }  // namespace
 
 void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& lagged, const SurfaceRegion* region, int triangle, const Vec3& p,
-                   std::vector<ClipLine>& lines) {
+                    std::vector<ClipLine>& lines) {
   const Triangle& t = mesh.triangles[triangle];
   const PointTriangleType type =
       point_triangle_type(p, vertex(lagged.x(), t[0]), vertex(lagged.x(), t[1]), vertex(lagged.x(), t[2]));
@@ -47,7 +47,7 @@ void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& lagged, cons
 }
 
 std::vector<ClipPolygon> clip_by_lines(const VecX& x, const Triangle& own, const std::array<Vec3, 3>& subtriangle,
-                                 const std::vector<ClipLine>& lines) {
+                                       const std::vector<ClipLine>& lines) {
   std::vector<ClipPolygon> clipped = {{{subtriangle[0], -1, false}, {subtriangle[1], -1, false}, {subtriangle[2], -1, false}}}, polygons;
   for (int k = 0; k < static_cast<int>(lines.size()); ++k) {
     const auto height = [&](const Vec3& inside) { return (point_inside(x, own, inside) - lines[k].at).dot(lines[k].outward); };

@@ -115,7 +115,7 @@ double RestGapFinder::of_point(const PointGroup& group, std::vector<std::array<i
   const double faces_from = shape_.pairs.offset(group.object, group.object) == 0 ? 0 : shape_.pairs.point(group.object, group.object).safety_barrier_range;
   const QueryPoint from = finder_.at_vertex(p);
   const VisiblePatches patches = finder_.find(from, group.triangle_end - group.triangle_begin,
-                                       [&](int k) { return candidates_.point_triangle[group.triangle_begin + k][1]; });
+                                              [&](int k) { return candidates_.point_triangle[group.triangle_begin + k][1]; });
   double least = infinity;
   bool paths_found = false;
   const auto consider = [&](const auto& vertices, bool over, bool visible, const std::array<int, 4>& key) {

@@ -105,7 +105,7 @@ double distance_to(const Vec3& p, const std::array<Vec3, 2>& edge) { return std:
 }  // namespace
 
 double projected_overlap(const std::array<Vec3, 2>& a, double width_a, const std::array<Vec3, 2>& b, double width_b,
-                      const Vec3& n, Vec3& centre) {
+                         const Vec3& n, Vec3& centre) {
   const Vec3 x = n.unitOrthogonal(), y = n.cross(x), origin = a[0];
   const auto from = [&](const std::array<Vec3, 2>& e) { return std::array<Vec3, 2>{Vec3(e[0] - origin), Vec3(e[1] - origin)}; };
   const Strip sa = strip_of(from(a), width_a, x, y), sb = strip_of(from(b), width_b, x, y);
@@ -140,8 +140,8 @@ bool RodOverlaps::closest_of_rod(int edge, const Vec3& opposite, double distance
     if ((vertex(lagged.x(), end) - opposite).norm() > (1 + distance_tolerance_relative) * distance) continue;
     const auto rods = lagged.topology().rods_at(end);
     const bool first = rods.front() == edge && std::all_of(rods.begin(), rods.end(), [&](int other) {
-      return distance_to(opposite, corners(lagged.x(), surface_.mesh.edges[other])) >= (1 - distance_tolerance_relative) * distance;
-    });
+                         return distance_to(opposite, corners(lagged.x(), surface_.mesh.edges[other])) >= (1 - distance_tolerance_relative) * distance;
+                       });
     if (!first) return false;
   }
   return true;

@@ -57,7 +57,7 @@ struct SurfaceOverlap::Result {
 struct SurfaceOverlap::OppositeObject {
   int object;
   Aabb reachable;  // its box, inflated by twice the range
-  Result* found;  // by chunk
+  Result* found;   // by chunk
 };
 
 // Triangles of one object.
@@ -143,7 +143,7 @@ void SurfaceOverlap::choose_sides(const std::vector<GroupPatches>& groups, Integ
 
 // Adds the area of a triangle that overlaps at its corners.
 void SurfaceOverlap::add_full_triangle(int triangle, double range_twice, bool bonds, const std::array<Corner, 3>& at,
-                            const std::vector<GroupPatches>& groups, Result& found) const {
+                                       const std::vector<GroupPatches>& groups, Result& found) const {
   double area_of_all = 0;
   bool close_by = false;
   for (const Corner& corner : at) {

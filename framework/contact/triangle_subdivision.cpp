@@ -10,9 +10,9 @@
 namespace tack {
 namespace {
 
-constexpr int depth_within_cell = 3;  // divisions within one cell
-constexpr int depth_max = 6;          // of cells: 4096 in a triangle
-constexpr int clip_lines_max = 6;     // boundary lines that clip one subtriangle
+constexpr int depth_within_cell = 3;                  // divisions within one cell
+constexpr int depth_max = 6;                          // of cells: 4096 in a triangle
+constexpr int clip_lines_max = 6;                     // boundary lines that clip one subtriangle
 constexpr double distance_tolerance_relative = 1e-9;  // far above rounding
 
 using Corners = std::array<Vec3, 3>;
@@ -51,7 +51,7 @@ void TriangleSubdivision::begin(const Request& request, const SurfaceRegion* reg
 }
 
 void TriangleSubdivision::subdivide(const Request& request, const std::vector<int>& facing, const SurfaceRegion* region, std::span<const int> nearby,
-                              std::vector<InteriorPoint>& out, OverlapFacets& facets, std::vector<SkippedCell>& skipped) {
+                                    std::vector<InteriorPoint>& out, OverlapFacets& facets, std::vector<SkippedCell>& skipped) {
   begin(request, region, out, facets);
   nearby_ = nearby;
   skipped_ = &skipped;
@@ -59,7 +59,7 @@ void TriangleSubdivision::subdivide(const Request& request, const std::vector<in
 }
 
 void TriangleSubdivision::subdivide_cell(const Request& request, int cell, const std::vector<int>& facing, const SurfaceRegion* region, std::vector<InteriorPoint>& out,
-                                   OverlapFacets& facets) {
+                                         OverlapFacets& facets) {
   begin(request, region, out, facets);
   Corners c = unit_triangle;
   for (int below = request.depth - 1; below >= 0; --below) c = children_of(c)[cell >> 2 * below & 3];
@@ -76,7 +76,7 @@ TriangleSubdivision::PointOverlap TriangleSubdivision::overlap_at(const Vec3& in
   PointOverlap overlap;
   if (visible.count == 0) return overlap;
   const VisiblePatch& patch = *std::max_element(visible.patches.begin(), visible.patches.begin() + visible.count,
-                                             [](const VisiblePatch& a, const VisiblePatch& b) { return a.area < b.area; });
+                                                [](const VisiblePatch& a, const VisiblePatch& b) { return a.area < b.area; });
   return {true, patch.overshoot <= slack_, patch.overshoot, patch.distance, patch.seed_triangle, patch.normal};
 }
 

@@ -343,7 +343,7 @@ class QuadratureMaker {
   SortedCursor<GroupPatches> patches_, later_patches_;
   SortedCursor<PointGroup> earlier_groups_;
   VertexQuadrature out_;
-  int region_pair_ = -1;                   // of the nearest primitive of the group
+  int region_pair_ = -1;            // of the nearest primitive of the group
   std::vector<NearTriangle> near_;  // of a group
   std::vector<int> triangles_;      // of a group
   std::vector<Triangle> near_triangles_;

@@ -12,7 +12,7 @@ struct QuadratureOffsets {
 
   QuadratureOffsets after(const VertexQuadrature& p) const {
     return {point + p.points.size(), group + p.group_begin.size(), triangle + p.triangles.size(), weight + p.weights.size(),
-            edge + p.edges.size(),   other + p.others.size(),      lagged_weight + p.lagged_weights.size()};
+            edge + p.edges.size(), other + p.others.size(), lagged_weight + p.lagged_weights.size()};
   }
 };
 

@@ -69,8 +69,8 @@ void PatchFinder::add_if_facing(const QueryPoint& from, int triangle, double squ
   const SurfaceTopology& topology = lagged_.topology();
   const int feature = static_cast<int>(type);  // three vertices, three edges, the face
   const bool continues = type == PointTriangleType::P_T ||
-                       (feature < 3 ? topology.smooth_vertex(t[feature]) && (!region_ || region_->surrounds_vertex(topology, t[feature]))
-                                    : topology.smooth_edge(triangle, feature - 3) && (!region_ || region_->surrounds_edge(topology, triangle, feature - 3)));
+                         (feature < 3 ? topology.smooth_vertex(t[feature]) && (!region_ || region_->surrounds_vertex(topology, t[feature]))
+                                      : topology.smooth_edge(triangle, feature - 3) && (!region_ || region_->surrounds_edge(topology, triangle, feature - 3)));
   const double overshoot = continues ? 0 : std::sqrt(std::max(0.0, squared - height * height));
   facing_.push_back({normal, area, squared, overshoot, triangle});
 }
@@ -87,7 +87,7 @@ VisiblePatches PatchFinder::group_by_normal() {
       if (s.squared <= nearest * (1 + distance_tolerance) && (!seed || s.area > seed->area)) seed = &s;
     const Vec3 normal = seed->normal;
     visible.patches[visible.count++] = {normal, seed->area, std::sqrt(seed->squared), lagged_.area_per_vertex(seed->triangle), seed->overshoot,
-                                 seed->triangle};
+                                        seed->triangle};
     std::erase_if(facing_, [&](const FacingTriangle& s) { return s.normal.dot(normal) > same_patch_cosine; });
   }
   return visible;

@@ -30,7 +30,7 @@ int first_triangle(const CollisionMesh& mesh, int object) {
 }  // namespace
 
 void relax_weights(int point, std::span<const int> triangles, double range, const LaggedWeights& before, std::vector<TriangleWeight>& weights,
-                  LaggedWeights& now) {
+                   LaggedWeights& now) {
   const size_t first = now.size();
   double along = 0, squared = 0, previous_factor = 1;
   auto known = std::lower_bound(before.begin(), before.end(), point, [](const LaggedWeight& s, int p) { return s.point < p; });

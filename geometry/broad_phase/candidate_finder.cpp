@@ -104,7 +104,7 @@ void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, const Inflatio
 }
 
 void CandidateFinder::find_changed(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii, const std::vector<char>& changed,
-                                 Candidates& candidates) {
+                                   Candidates& candidates) {
   search(vertex_boxes, radii, changed, changed_pairs_);
   changed_.mark(mesh_, changed);
   const auto same = [](const std::array<int, 2>& pair) { return pair; };

@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-constexpr double distance_tolerance = 1e-6;  // relative: far above rounding errors of distances
+constexpr double distance_tolerance = 1e-6;                               // relative: far above rounding errors of distances
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // relative, of coordinates
 
 template <size_t N>
@@ -121,7 +121,7 @@ void find_distance_bounds(const CollisionMesh& mesh, const std::vector<Aabb>& ve
 }
 
 void find_new_distance_bounds(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, const std::vector<char>& changed, const CandidateIndices& new_candidates,
-                           Candidates& candidates) {
+                              Candidates& candidates) {
   for (const int v : mesh.vertices)
     if (changed[mesh.vertex_object[v]]) set_centre(vertex_boxes, v, candidates.reference);
   find_reference_distances(mesh, &new_candidates, candidates);

@@ -97,7 +97,7 @@ void check_parameters(double gap_fraction_min, double t_max, double min_distance
 // `separation(a, b)` is the shortest vector from hull b to hull a.
 template <int A, int B, typename Separation>
 double collision_free_step(MovingPair<A, B> pair, const Separation& separation, double gap_fraction_min, double t_max,
-                 double min_distance) {
+                           double min_distance) {
   check_parameters(gap_fraction_min, t_max, min_distance);
   make_relative(pair);
   const double speed = largest_relative_speed(pair);
