@@ -17,8 +17,8 @@ struct MeasuredExperiment {
   std::string name;  // empty: that of the data's file
   std::string base;  // absolute
   std::vector<std::string> set;
-  std::string data;  // absolute
-  std::string x = "time", y;  // columns of probes.csv
+  std::string data;                // absolute
+  std::string x = "time", y;       // columns of probes.csv
   std::string x_column, y_column;  // columns of the data; empty: as x and y
   std::optional<Quantity> from, to;
   // As written: "2 %" of the largest measured number, or a number; null: unknown.

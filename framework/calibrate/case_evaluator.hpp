@@ -22,7 +22,7 @@ class CaseEvaluator : public Evaluator {
     std::optional<SlurmConfig> slurm;
     bool rerun_failed = false;
     std::function<void(const PointEvaluation&)> on_evaluated;  // called for each evaluated point
-    std::function<void()> on_tick;  // called several times a second
+    std::function<void()> on_tick;                             // called several times a second
   };
   CaseEvaluator(FittedScenes& scenes, Settings settings);
 

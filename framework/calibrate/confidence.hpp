@@ -51,17 +51,17 @@ ResidualStatistics residual_statistics(const std::vector<double>& residuals, siz
                                        const std::vector<size_t>& series = {});
 
 struct Confidence {
-  double noise = 1;                         // s; of residuals
+  double noise = 1;  // s; of residuals
   ResidualStatistics residuals;
-  bool fits = true;                         // no evidence of a model error
+  bool fits = true;  // no evidence of a model error
   // Standard deviation of u: 0.05 is 5% of the value on a logarithmic scale; infinite if the data
   // do not determine it.
   std::vector<double> sigma;
   // 95% interval of the values. On a logarithmic scale never below zero; infinite if the data do
   // not determine it.
   std::vector<double> low, high;
-  Eigen::MatrixXd correlation;              // of u; NaN where a sigma is infinite
-  std::vector<DeterminedCombination> combinations;    // the best determined one first
+  Eigen::MatrixXd correlation;                      // of u; NaN where a sigma is infinite
+  std::vector<DeterminedCombination> combinations;  // the best determined one first
   std::vector<Warning> warnings;
 };
 

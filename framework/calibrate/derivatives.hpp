@@ -12,9 +12,9 @@ namespace tack {
 
 // d residuals / d u at a point.
 struct Derivatives {
-  Eigen::MatrixXd jacobian;  // a row for each measured point, a column for each parameter
-  std::string problem;           // reason why there are no derivatives; ""
-  std::vector<bool> from_runs;     // per parameter: the runs gave its column
+  Eigen::MatrixXd jacobian;     // a row for each measured point, a column for each parameter
+  std::string problem;          // reason why there are no derivatives; ""
+  std::vector<bool> from_runs;  // per parameter: the runs gave its column
   // Per parameter with a column of finite differences: the reason; "" if they were asked for.
   std::vector<std::string> why;
   // Relative error of the runs' sensitivities: the fraction of the change of residuals to

@@ -37,7 +37,7 @@ class PointQueue {
   void cancel();
   // Waits until every active search waits for an answer, or no search is active.
   void wait_for_all();
-  bool finished() const;    // no search is active, and all requests are answered
+  bool finished() const;  // no search is active, and all requests are answered
 
  private:
   std::list<Request>::iterator put(const DesignPoint& values, bool derivatives);

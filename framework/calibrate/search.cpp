@@ -268,10 +268,10 @@ class Search {
   bool noise_known_;
   std::vector<double> low_, high_;
   std::set<std::pair<DesignPoint, bool>> evaluated_;
-  bool run_sensitivities_ = false;        // runs give derivatives by some of the parameters
-  bool from_runs_ = false;          // the search ends with sensitivities
+  bool run_sensitivities_ = false;    // runs give derivatives by some of the parameters
+  bool from_runs_ = false;            // the search ends with sensitivities
   std::vector<std::string> reasons_;  // reason per number without derivatives of the runs
-  double worst_misfit_ = 0;  // largest misfit of the design
+  double worst_misfit_ = 0;           // largest misfit of the design
   SearchResult result_;
 };
 

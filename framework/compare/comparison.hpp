@@ -12,10 +12,10 @@ namespace tack {
 // Result of one solver with one tolerance on one case with one time step.
 struct CompareRow {
   std::string problem, solver;
-  double tolerance = 0, time_step = 0;                           // m/s, s
+  double tolerance = 0, time_step = 0;  // m/s, s
   // wall_seconds and cpu_seconds are medians; wall_spread is largest - smallest.
   double wall_seconds = 0, wall_spread = 0, cpu_seconds = 0;
-  double wall_min = 0, wall_max = 0;                             // over the repetitions
+  double wall_min = 0, wall_max = 0;  // over the repetitions
   long iterations = 0, evaluations = 0, linear_solves = 0;
   std::string status;
   bool converged = false;
@@ -29,12 +29,12 @@ struct CompareRow {
   // Distance of a run from the end of the reference; of a single step from the minimum that the
   // solver found, refined as far as the reference, so that solvers that find another minimum are
   // judged fairly.
-  double error_rms = 0, error_max = 0, relative_error = 0;       // m, m, of the size; NaN: unknown
+  double error_rms = 0, error_max = 0, relative_error = 0;  // m, m, of the size; NaN: unknown
   // RMS [m]: the distance of the two references, below which errors are noise (reference.hpp); NaN:
   // unknown.
   double floor = 0;
-  double size = 0;   // of the moving objects [m]
-  double energy_gap = 0;                                         // J, over the reference's
+  double size = 0;        // of the moving objects [m]
+  double energy_gap = 0;  // J, over the reference's
   std::vector<std::pair<std::string, double>> probe_errors;
   int intersections = 0;
   double penetration = 0, crossing_pairs = 0;  // TrialResult

@@ -10,7 +10,7 @@ namespace {
 
 // Relative to the size of the moving objects: solutions at a larger distance are different.
 constexpr double same_minimum = 1e-6;
-constexpr double same_run = 1e-3;  // small differences grow from step to step
+constexpr double same_run = 1e-3;        // small differences grow from step to step
 constexpr double same_potential = 1e-9;  // relative
 
 Value settings(const char* projection, const char* linear, double tolerance) {

@@ -30,7 +30,7 @@ Reference make_reference(const CompareCase& compare_case, double step_size, doub
 // The solution that x belongs to, relative to the reference.
 struct Branch {
   enum class Kind {
-    same,     // the reference's
+    same,  // the reference's
     // Another point of the same potential: unconstrained displacement in a quasi-static step.
     equal,
     another,  // another minimum

@@ -18,7 +18,7 @@ constexpr int coarse = 400, fine = 2000;
 constexpr double hidden_bond_traction = 0.02;  // of the peak: plots may omit smaller tractions
 constexpr std::array<double, 2> unloading_work = {0.6, 0.85};  // of the whole work: where the bond is unloaded
 constexpr double rate_effect_ratio = 1.1;  // work at a speed over the quasi-static work
-constexpr double speed_span = 1e15;        // largest over smallest speed of the search
+constexpr double speed_span = 1e15;  // largest over smallest speed of the search
 
 // Metrics of quasi-static opening in one direction.
 struct OpeningMetrics {

@@ -17,7 +17,7 @@ struct BondPath {
 
 // Strength of bonds, the largest traction of quasi-static opening, over the time of pressing.
 struct HealingCurve {
-  double pressure;                                 // Pa
+  double pressure;                                  // Pa
   std::vector<std::pair<double, double>> strength;  // over time [s, Pa]
 };
 

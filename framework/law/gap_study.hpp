@@ -7,8 +7,8 @@
 namespace tack {
 
 struct GapPoint {
-  double gap;                      // m
-  double traction, energy;         // of the law [Pa, J/m^2]
+  double gap;                         // m
+  double traction, energy;            // of the law [Pa, J/m^2]
   double pair_traction, pair_energy;  // of the law and the barrier
 };
 

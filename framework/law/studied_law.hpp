@@ -18,13 +18,13 @@ struct StudiedLaw {
   std::shared_ptr<const BondLaw> bond;
   PairLaw pair;  // law of the gap: barrier and adhesion; for bonds, the barrier alone
   double contact_distance = 0;  // m
-  double young = 0;             // Young's modulus of the softer side [Pa]; 0: unknown
+  double young = 0;  // Young's modulus of the softer side [Pa]; 0: unknown
 
   const AdhesionLaw& law() const { return gap ? static_cast<const AdhesionLaw&>(*gap) : *bond; }
 };
 
 struct StudySettings {
-  std::optional<double> speed;     // opening speed of the surfaces [m/s]
+  std::optional<double> speed;  // opening speed of the surfaces [m/s]
   // Pressure that heals bonds [Pa]; the peak traction unless given.
   std::optional<double> pressure;
 };

@@ -11,7 +11,7 @@ namespace tack {
 namespace {
 
 constexpr double interval_fraction = 0.8;  // of a loss: the reported interval has at least that
-constexpr size_t group_lines_max = 3;  // lines of groups
+constexpr size_t group_lines_max = 3;      // lines of groups
 
 struct RankedWarning {
   double fraction;  // of the reference energy

@@ -44,8 +44,8 @@ struct EnergyLosses {
   Cause repeated;    // implicit Euler, in steps that were repeated with it
 
   double reference_energy = 0, moving = 0;  // J (core/reference_energy.hpp); its kinetic part
-  double noise = 0;    // changes by solver tolerance, squared and summed [J^2]
-  std::vector<Group> groups;  // empty: all bodies are one group
+  double noise = 0;                         // changes by solver tolerance, squared and summed [J^2]
+  std::vector<Group> groups;                // empty: all bodies are one group
 
   void add(const StepReport& report);
   // Returns a warning for each cause that gained or lost more than is tolerated, the largest first.

@@ -12,8 +12,8 @@
 namespace tack {
 namespace {
 
-constexpr int law_samples = 400;        // samples of a law, from zero to beyond its range
-constexpr double steepest = 3;       // in peak tractions: stronger repulsion is omitted
+constexpr int law_samples = 400;  // samples of a law, from zero to beyond its range
+constexpr double steepest = 3;    // in peak tractions: stronger repulsion is omitted
 
 std::string rows_of(const std::string& pair, const PairLaw& law, double peak) {
   std::string rows;

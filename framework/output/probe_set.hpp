@@ -31,7 +31,7 @@ class ProbeSet {
   std::vector<std::string> columns_;
   std::vector<Unit> units_;      // per column
   std::vector<char> unbounded_;  // per column: infinity is a valid value
-  std::vector<char> reported_;       // per column: reported as invalid
+  std::vector<char> reported_;   // per column: reported as invalid
   std::vector<std::string> invalid_;
 };
 

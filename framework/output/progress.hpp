@@ -22,7 +22,7 @@ enum class Verbosity {
 
 struct ProgressOptions {
   Verbosity verbosity = Verbosity::normal;
-  int live_width = 0;  // columns of a terminal for a live line; 0: plain lines
+  int live_width = 0;             // columns of a terminal for a live line; 0: plain lines
   std::function<double()> clock;  // s; default: a steady clock
 };
 
@@ -64,11 +64,11 @@ class Progress {
   std::ostream* log_;
   ProgressOptions options_;
   double start_ = 0, end_ = 0;  // s, simulated
-  double start_clock_ = 0;            // s, on the clock
-  double last_output_ = 0;             // s, time of the last output
-  double last_live_line_ = -1;           // s, time of the last live line; negative: never
-  int printed_twentieths_ = 0;             // twentieths of the run shown in plain lines
-  bool has_live_line_ = false;           // the terminal shows a live line
+  double start_clock_ = 0;      // s, on the clock
+  double last_output_ = 0;      // s, time of the last output
+  double last_live_line_ = -1;  // s, time of the last live line; negative: never
+  int printed_twentieths_ = 0;  // twentieths of the run shown in plain lines
+  bool has_live_line_ = false;  // the terminal shows a live line
 };
 
 }  // namespace tack

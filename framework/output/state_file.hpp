@@ -47,14 +47,14 @@ namespace tack {
 struct StateFile {
   enum class Kind { problem, checkpoint };
   Kind kind = Kind::problem;
-  std::string program, commit;         // of the writing program
-  std::string scene;                   // YAML
-  std::map<std::string, Mesh> meshes;  // by object
+  std::string program, commit;                    // of the writing program
+  std::string scene;                              // YAML
+  std::map<std::string, Mesh> meshes;             // by object
   std::map<std::string, MeshDigest> file_meshes;  // by object
   std::map<std::string, std::uint32_t> plugins;   // checksums of their files, by path
   // Digests of the files that the scene of a checkpoint reads, by path.
   std::map<std::string, std::string> files;
-  std::map<std::string, StateObject> objects;     // by name; empty in older files
+  std::map<std::string, StateObject> objects;  // by name; empty in older files
   State state;
   double step_size = 0;  // of a problem [s]
   std::map<std::string, double> totals;

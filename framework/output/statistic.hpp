@@ -48,9 +48,9 @@ bool is_deviation(Statistic statistic);  // one of the deviations
 struct StatisticQuery {
   Statistic statistic = Statistic::final;
   std::string probe;
-  std::string along = "time";  // the column s, for integral, at and deviations
-  double where = 0;            // the value of s, for at
-  std::vector<double> over;    // {t0, t1} [s]; empty: all samples
+  std::string along = "time";                // the column s, for integral, at and deviations
+  double where = 0;                          // the value of s, for at
+  std::vector<double> over;                  // {t0, t1} [s]; empty: all samples
   std::optional<MeasuredData> follows = {};  // for deviations
 };
 

@@ -63,8 +63,8 @@ struct RunSummary {
   // s
   double smallest_step = std::numeric_limits<double>::infinity(), largest_step = 0,
          stepped_time = 0;
-  int repeated_steps = 0;  // solves repeated with smaller steps because of their error
-  int failed_solves = 0;  // solves rolled back and repeated with half the step
+  int repeated_steps = 0;    // solves repeated with smaller steps because of their error
+  int failed_solves = 0;     // solves rolled back and repeated with half the step
   int unconverged_lags = 0;  // steps whose friction did not reach contact.lagging.until
   double wall_seconds = 0;
   PhaseClock::Seconds phases{};
@@ -76,23 +76,23 @@ struct RunSummary {
   int max_contacts = 0;
   double min_distance = std::numeric_limits<double>::infinity();  // m
   double min_gap = std::numeric_limits<double>::infinity();       // of different objects [m]
-  double max_unbalanced_force = 0;  // at the end of a step [N]
+  double max_unbalanced_force = 0;                                // at the end of a step [N]
   // Steps that ended above the tolerated force, because of stagnation without motion.
   int unbalanced_steps = 0;
-  double max_affine_strain = 0;     // largest of all affine bodies
+  double max_affine_strain = 0;  // largest of all affine bodies
   // Lowest mean ratio of a plastically deformed element, relative to its value at rest
   // (checks/flow_quality.hpp); infinity: none.
   double lowest_quality = std::numeric_limits<double>::infinity();
   int intersections = 0;
   int inverted_tets = 0;
   std::map<std::string, double> stepper;  // step metrics (StepMetric)
-  EnergyFlows flows;     // sums [J]
+  EnergyFlows flows;  // sums [J]
   int damped_steps = 0;  // steps repeated with implicit Euler, because energy would have grown
   // Steps smaller than the scene's, because larger ones gained or lost energy.
   int refined_steps = 0;
   EnergyLosses losses;
   std::vector<std::string> group_names;  // of losses.groups
-  int energy_gains = 0;  // steps with a noticeable numerical energy gain
+  int energy_gains = 0;                  // steps with a noticeable numerical energy gain
   std::vector<AdhesionSummary> adhesion;
   UsedStiffness stiffness;
   std::vector<std::vector<std::string>> meeting_groups;  // names of bodies (used_stiffness.hpp)

@@ -11,7 +11,7 @@ namespace tack {
 struct FigureStyle {
   std::string title, x_label, y_label;  // empty: those of the plot
   bool untitled = false;
-  std::optional<double> width, height;  // m
+  std::optional<double> width, height;          // m
   std::optional<double> font_size, line_width;  // pt
   std::string font = "Helvetica";
   std::vector<std::string> colours;  // CSS colours of the curves in order; empty: the default ones

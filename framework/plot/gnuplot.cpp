@@ -20,14 +20,14 @@ constexpr std::array<const char*, 14> colours = {"#0072B2", "#D55E00", "#009E73"
                                                 "#882255", "#999933", "#332288", "#117733", "#AA4499", "#661100", "#888888"};
 constexpr std::array<const char*, 4> dashes = {"1", "(8,4)", "(2,3)", "(9,3,2,3)"};
 constexpr std::array<int, 6> marks = {7, 5, 9, 11, 13, 6};
-constexpr size_t label_count_max = 12;       // at the ends of curves
+constexpr size_t label_count_max = 12;   // at the ends of curves
 constexpr double label_distance = 0.05;  // of the picture's height
 // Least end of a curve with a label, of the picture's width.
 constexpr double label_end_min = 0.85;
-constexpr size_t label_length_max = 34;     // characters
+constexpr size_t label_length_max = 34;  // characters
 // Largest ratio of the range of a logarithmic axis, margins included, without decades as ticks.
 constexpr double ratio_without_decades_max = 80;
-constexpr size_t legend_beside_max = 16;                                            // names of a legend
+constexpr size_t legend_beside_max = 16;  // names of a legend
 // Characters: beside the picture, and in rows below it.
 constexpr size_t beside_length_max = 34, two_column_length_max = 46, three_column_length_max = 16;
 // Pixels, 96 per inch.

@@ -40,10 +40,10 @@ struct Plot {
 // One bar for each of `names`, stacked from `segments`.
 struct StackedBars {
   std::string title, y_label;
-  std::vector<std::string> names;                      // of the bars
-  std::vector<std::string> segments;                      // from the bottom up
-  std::vector<std::vector<double>> heights;            // heights[bar][segment]
-  std::optional<double> top;                           // end of the axis, if prescribed
+  std::vector<std::string> names;            // of the bars
+  std::vector<std::string> segments;         // from the bottom up
+  std::vector<std::vector<double>> heights;  // heights[bar][segment]
+  std::optional<double> top;                 // end of the axis, if prescribed
   // SI unit of the heights; drawn with a suitable prefix.
   std::string y_unit = {};
 };

@@ -62,10 +62,10 @@ class FormulaProbe : public DerivedProbe {
   }
 
   std::string text_, unit_;
-  mutable std::string si_;  // SI unit of the same dimension
+  mutable std::string si_;     // SI unit of the same dimension
   double zero_ = 0, one_ = 1;  // 0 and 1 of the unit, in SI
   std::optional<Formula> formula_;
-  std::vector<size_t> value_indices_;          // per variable: its index among the values
+  std::vector<size_t> value_indices_;   // per variable: its index among the values
   mutable std::vector<double> values_;  // values of the variables
 };
 

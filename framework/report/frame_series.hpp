@@ -15,13 +15,13 @@ namespace tack {
 struct FrameSeries {
   struct Field {
     std::string name, unit;
-    bool magnitude = false;                  // magnitude of a vector
+    bool magnitude = false;  // magnitude of a vector
     // Values per vertex; false: per element (triangles, then edges, then points).
     bool of_vertices = true;
     std::vector<std::vector<float>> frames;  // one per frame
   };
 
-  std::vector<double> times;  // s
+  std::vector<double> times;                  // s
   std::vector<int> triangles, edges, points;  // vertex indices, three, two and one per element
   std::vector<int> object;                    // per element: triangles, then edges, then points
   Vec3 origin = Vec3::Zero();                 // origin of positions [m]
@@ -29,10 +29,10 @@ struct FrameSeries {
   std::vector<std::vector<float>> positions;
   std::vector<Field> fields;
 
-  int written = 0;             // frames written by the run; the series may keep fewer
+  int written = 0;                 // frames written by the run; the series may keep fewer
   std::vector<std::string> notes;  // reports of omissions
 
-  int shown = 0;               // number of vertices
+  int shown = 0;  // number of vertices
 
   int vertices() const { return shown; }
   int elements() const { return static_cast<int>(object.size()); }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int frame_count_max = 5000;              // limit of the frames read of a run
+constexpr int frame_count_max = 5000;  // limit of the frames read of a run
 constexpr int lights_per_picture = 48, lights_per_film_frame = 8;
 
 // A temporary folder, deleted with its owner.

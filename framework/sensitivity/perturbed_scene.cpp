@@ -16,7 +16,7 @@ namespace tack {
 namespace {
 
 constexpr double relative_step = 1e-6;
-constexpr double accuracy = 1e-6;     // relative to the displacement from the run's end
+constexpr double accuracy = 1e-6;             // relative to the displacement from the run's end
 constexpr double position_round_off = 1e-15;  // relative
 // Relative: smaller residual corrections are not reported.
 constexpr double solve_round_off = 1e-13;
@@ -27,7 +27,7 @@ constexpr double solve_round_off = 1e-13;
 constexpr double force_round_off = 1e-6, unstable_residual = 1e-4;
 constexpr int correction_max = 12;
 constexpr double initial_rate = 0.1;
-constexpr double slow_rate = 0.05;         // a slower convergence rate makes a new Hessian worthwhile
+constexpr double slow_rate = 0.05;  // a slower convergence rate makes a new Hessian worthwhile
 
 // Names in stored states.
 const std::string prefix = "gradients/", history_prefix = "history/";

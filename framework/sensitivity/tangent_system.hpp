@@ -53,7 +53,7 @@ class TangentSystem {
   SymmetricProduct product_;
   std::unique_ptr<LinearSolver> definite_;
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> ldlt_;  // of an indefinite Hessian
-  ModeUpdate update_;  // of the Hessian's blocks
+  ModeUpdate update_;                                 // of the Hessian's blocks
   bool factored_ = false, current_ = false, positive_ = true, is_shifted_ = false;
   size_t shift_ = 0;
   int factors_ = 0, indefinite_ = 0;
