@@ -14,7 +14,7 @@ Pack ramp(double start) {
 }
 }  // namespace
 
-TEST_CASE("packs compute every lane by itself", "[geometry]") {
+TEST_CASE("packs compute every lane independently", "[geometry]") {
   const Pack a = ramp(-1.5), b = ramp(2);
   for (int l = 0; l < pack_width; ++l) {
     const double x = l - 1.5, y = l + 2;
@@ -33,7 +33,7 @@ TEST_CASE("packs compute every lane by itself", "[geometry]") {
   CHECK(select(nan < 0, Pack(1), Pack(2))[1] == 2);
 }
 
-TEST_CASE("angles in lanes are those of the library", "[geometry]") {
+TEST_CASE("atan2 of lanes agrees with the standard library", "[geometry]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double length : {1e-150, 1.0, 1e150})
     for (int i = -720; i < 720; i += pack_width) {
@@ -58,7 +58,7 @@ TEST_CASE("angles in lanes are those of the library", "[geometry]") {
   CHECK(std::isnan(lane(1, nan)));
 }
 
-TEST_CASE("packs are stored one lane after the other, whatever their number", "[geometry]") {
+TEST_CASE("packs are stored lane by lane, for any number of lanes", "[geometry]") {
   for (const int count : {1, 3, 6, 8, 9, 12, 27, 90}) {
     std::vector<Pack> packs;
     for (int i = 0; i < count; ++i) packs.push_back(ramp(100 * i));

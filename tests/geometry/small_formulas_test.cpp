@@ -24,7 +24,7 @@ class Points {
 
 }  // namespace
 
-TEST_CASE("the cross matrix of a vector is antisymmetric, and times another one their cross product", "[geometry]") {
+TEST_CASE("the cross matrix is antisymmetric and yields the cross product", "[geometry]") {
   Points random;
   for (int trial = 0; trial < 50; ++trial) {
     const Vec3 w = random(), v = random();
@@ -59,7 +59,7 @@ TEST_CASE("the determinant of the edges of a tet is six volumes, negative if it 
   CHECK(edges_of(Tet{0, 1, 2, 3}, x) == edges_of(c));
 }
 
-TEST_CASE("joined lists are the lists one after another, whatever their number", "[geometry]") {
+TEST_CASE("concatenation keeps the order, for any number of lists", "[geometry]") {
   std::mt19937 random(2);
   for (const int lists : {0, 1, 3, 500}) {
     std::vector<std::vector<int>> parts(lists);
@@ -74,7 +74,7 @@ TEST_CASE("joined lists are the lists one after another, whatever their number",
   }
 }
 
-TEST_CASE("elements of objects are runs between their first ones", "[geometry]") {
+TEST_CASE("elements of an object are a contiguous range", "[geometry]") {
   CollisionMesh mesh;
   mesh.vertex_object = {0, 0, 1, 1, 3, 3};  // object 2 has none
   const std::vector<Edge> edges = {{0, 1}, {1, 0}, {2, 3}, {4, 5}, {5, 4}};
@@ -82,7 +82,7 @@ TEST_CASE("elements of objects are runs between their first ones", "[geometry]")
   CHECK(first_of_objects(mesh, std::vector<Edge>()) == std::vector{0, 0, 0, 0, 0});
 }
 
-TEST_CASE("sorted elements and lists ascend, and lists have each value once", "[geometry]") {
+TEST_CASE("sorted elements and lists ascend, and lists have unique values", "[geometry]") {
   CHECK(sorted(Triangle{5, 2, 9}) == Triangle{2, 5, 9});
   CHECK(sorted(sorted(Triangle{9, 5, 2})) == sorted(Triangle{2, 9, 5}));
   std::vector<int> values = {3, 1, 3, 2, 1, 1};

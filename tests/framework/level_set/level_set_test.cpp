@@ -62,7 +62,7 @@ const std::vector<Formula> formulas = {
 
 }  // namespace
 
-TEST_CASE("level sets have the volumes and areas of their formulas, the better the smaller the voxels", "[level_set]") {
+TEST_CASE("volumes and areas of level sets converge to their formulas", "[level_set]") {
   constexpr double chance = 5e-4;  // where errors are that small at once, the place of the voxels decides
   for (const Formula& f : formulas) {
     std::vector<double> volume_errors, area_errors;
@@ -115,7 +115,7 @@ TEST_CASE("level sets are nowhere steeper than distances, and positive outside o
   }
 }
 
-TEST_CASE("level sets are found alike by any number of threads, in any units and anywhere", "[level_set]") {
+TEST_CASE("level sets do not depend on the number of threads, the unit or the position", "[level_set]") {
   const auto text = [](double scale) {
     return fmt::format("{{type: difference, place: {{translate: [{1}, 0, 0]}}, of: [{{type: noise, amplitude: {0}, wavelength: {1}, of: {{type: sphere, "
                        "radius: {1}}}}}, {{type: torus, radius: {1}, tube: {2}}}]}}", 0.05 * scale, scale, 0.2 * scale);
@@ -136,13 +136,13 @@ TEST_CASE("level sets are found alike by any number of threads, in any units and
   }
 }
 
-TEST_CASE("a level set is given up when the program is interrupted", "[level_set]") {
+TEST_CASE("an interrupt ends the meshing of a level set", "[level_set]") {
   interrupt_requested = true;
   CHECK_THROWS_AS(mesh_of("{type: sphere, radius: 1}", 0.1), Interrupted);
   interrupt_requested = false;
 }
 
-TEST_CASE("level sets that cannot be are refused with what is wrong", "[level_set]") {
+TEST_CASE("invalid level sets are refused with the reason", "[level_set]") {
   CHECK_THROWS_WITH(mesh_of("{type: plane}", 0.1), Contains("no bounds") && Contains("intersect"));
   CHECK_THROWS_WITH(mesh_of("{type: sphere, radius: 0.01}", 0.1), Contains("0.1 m; take smaller"));
   CHECK_THROWS_WITH(mesh_of("{type: intersection, of: [{type: sphere, radius: 1}, {type: sphere, radius: 1, place: {translate: [3, 0, 0]}}]}", 0.1),
@@ -158,7 +158,7 @@ TEST_CASE("level sets that cannot be are refused with what is wrong", "[level_se
   CHECK_THROWS_WITH(level_set("{type: box, size: [1, 1, 1], rounding: 0.6}"), Contains("half the shortest edge"));
 }
 
-TEST_CASE("a body far from the origin is the one that is near, or refused if numbers do not tell its voxels apart") {
+TEST_CASE("a body far from the origin has the mesh of one near it, or is refused if doubles cannot resolve its voxels") {
   const Mesh near = mesh_of("{type: sphere, radius: 3 cm}", 0.005);
   for (const double far : {1e3, 1e6}) {
     const Mesh mesh = mesh_of(fmt::format("{{type: sphere, radius: 3 cm, place: {{translate: [{}, 0, {}]}}}}", far, -far), 0.005);
@@ -171,7 +171,7 @@ TEST_CASE("a body far from the origin is the one that is near, or refused if num
   CHECK_THROWS_AS(mesh_of("{type: sphere, radius: 3 cm, place: {translate: [1e100, 0, 0]}}", 0.005), InputError);
 }
 
-TEST_CASE("an offset inwards that leaves nothing is told") {
+TEST_CASE("an inward offset with an empty result is refused") {
   CHECK_THROWS_WITH(mesh_of("{type: offset, distance: -1, of: {type: sphere, radius: 3 cm}}", 0.005),
                     Contains("level set 'offset': nothing is left of it") && Contains("distance is -1 m; offset by less"));
   CHECK(mass_properties(mesh_of("{type: offset, distance: -1 cm, of: {type: sphere, radius: 3 cm}}", 0.002)).volume == Approx(4 * M_PI / 3 * 8e-6).epsilon(0.02));

@@ -56,7 +56,7 @@ TEST_CASE("an operation that fails in any way ends in an error", "[meshing]") {
   CHECK_THAT(error_after([](auto&, Notes&) { throw std::bad_alloc(); }), Contains("memory"));
 }
 
-TEST_CASE("an operation is given up after its time limit", "[meshing]") {
+TEST_CASE("an operation ends at its time limit", "[meshing]") {
   const auto start = std::chrono::steady_clock::now();
   const std::string told = error_after([](auto&, Notes&) {
     for (;;) ::pause();
@@ -80,7 +80,7 @@ TEST_CASE("a shape is processed in the order of its steps", "[meshing]") {
   CHECK_THAT(told, Contains("difference:") && Contains("cut:") && Contains("dihedral angles from") && Contains("took"));
 }
 
-TEST_CASE("a smooth body that is remeshed coarsely neither folds nor keeps tets from ending", "[meshing]") {
+TEST_CASE("a smooth body remeshed coarsely does not fold, and its tetrahedralisation ends", "[meshing]") {
   const auto toy = shape(
       "{type: processed, steps: [{type: remesh, edge_length: 8 mm}, {type: tetrahedralize, edge_length: 10 mm, surface_edge_length: 8 mm,"
       "deviation: 1 mm, time_limit: 60 s}], of: {type: level_set, voxel: 4 mm, of: {type: union, blend: 8 mm, of: [{type: sphere, radius: 16 mm},"
@@ -97,7 +97,7 @@ TEST_CASE("a smooth body that is remeshed coarsely neither folds nor keeps tets 
   CHECK_FALSE(warned(mesh_warning::rounded_creases));
 }
 
-TEST_CASE("every mesh operation is told about with its steps' keys", "[meshing]") {
+TEST_CASE("every mesh operation is described with the keys of its step", "[meshing]") {
   CHECK(Registry<MeshOperation>::kind().names() ==
         std::vector<std::string>{"cut", "difference", "intersection", "offset", "remesh", "repair", "scale", "simplify", "subdivide",
                                  "tetrahedralize", "transform", "union"});

@@ -38,7 +38,7 @@ Sums sums_of(const std::vector<TetContent>& contents) {
 
 }  // namespace
 
-TEST_CASE("Hencky's strain of a stretch gives it back, whatever the rotation before it", "[remesh]") {
+TEST_CASE("the Hencky strain of a stretch is inverted exactly, for any previous rotation", "[remesh]") {
   RandomMotions random(5);
   const Mat3 f = Mat3::Identity() + 0.3 * Mat3::Identity() + 0.2 * Vec3(1, 2, 3).normalized() * Vec3(0, 1, -1).transpose();
   const Mat3 strain = hencky_strain(f);
@@ -48,7 +48,7 @@ TEST_CASE("Hencky's strain of a stretch gives it back, whatever the rotation bef
   CHECK((hencky_strain(stretch_of(strain)) - strain).norm() < 1e-13);
 }
 
-TEST_CASE("volumes, strains and plastic strains are handed on in their sums, and stay within what they were", "[remesh]") {
+TEST_CASE("volumes, strains and plastic strains keep their sums and bounds in a transfer", "[remesh]") {
   const TetCorners from = tets_of(box_tets(Vec3(1, 1, 1), {3, 3, 3})), to = tets_of(box_tets(Vec3(1, 1, 1), {2, 4, 3}));
   RandomMotions random(7);
   std::vector<TetContent> contents;
@@ -76,7 +76,7 @@ TEST_CASE("volumes, strains and plastic strains are handed on in their sums, and
   }
 }
 
-TEST_CASE("what is the same everywhere stays so", "[remesh]") {
+TEST_CASE("uniform fields stay uniform", "[remesh]") {
   const TetCorners from = tets_of(box_tets(Vec3(1, 1, 1), {3, 3, 3})), to = tets_of(box_tets(Vec3(1, 1, 1), {2, 4, 3}));
   const Mat3 strain = Vec3(0.01, -0.02, 0.004).asDiagonal();
   std::vector<TetContent> contents;

@@ -102,7 +102,7 @@ const std::string thrown =
 
 }  // namespace
 
-TEST_CASE("a block in uniform plastic compression goes on with other tets as without", "[remesh]") {
+TEST_CASE("a block in uniform plastic compression continues with new tets as without", "[remesh]") {
   const auto bar = [](const std::string& remesh) {
     return "name: bar\ntime: {step: 0.05, duration: 1, integrator: quasi_static}\n"
            "solver: {type: projected_newton, force_tolerance: 1e-9}\n"
@@ -145,7 +145,7 @@ TEST_CASE("a block in uniform plastic compression goes on with other tets as wit
   CHECK(with.warnings.empty());
 }
 
-TEST_CASE("mass, momentum and plastic strain go over to other tets, and energy that is lost is booked", "[remesh]") {
+TEST_CASE("mass, momentum and plastic strain are transferred to new tets, and the energy loss is recorded", "[remesh]") {
   Run run(thrown);
   int exchanges = 0;
   while (!run.simulation.finished() && exchanges < 2) {
@@ -187,7 +187,7 @@ TEST_CASE("mass, momentum and plastic strain go over to other tets, and energy t
   CHECK(exchanges >= 1);
 }
 
-TEST_CASE("a run that goes on from before or after an exchange has the bits of one that was not interrupted, with any number of threads", "[remesh]") {
+TEST_CASE("a run resumed before or after an exchange has the bits of an uninterrupted one, with any number of threads", "[remesh]") {
   const std::string yaml = squashed(anew, 1, "output: {checkpoint_interval: 0.1 s, frame_interval: 0.2 s}\n");
   const TemporaryFolder folder;
   const auto record = [&](const std::string& name, int steps, bool resume, int threads) {
@@ -230,7 +230,7 @@ TEST_CASE("a run that goes on from before or after an exchange has the bits of o
   CHECK(summary["energy"]["dissipated_remeshing"].get<double>() > 0);
 }
 
-TEST_CASE("exchanges come when they do whatever the units, and do as much", "[remesh]") {
+TEST_CASE("exchanges do not depend on the units", "[remesh]") {
   const double scale = GENERATE(1e-3, 1e3);
   CAPTURE(scale);
   Run one(squashed(anew)), other(squashed(anew, scale));
@@ -248,7 +248,7 @@ TEST_CASE("exchanges come when they do whatever the units, and do as much", "[re
   CHECK(ratio < 2);
 }
 
-TEST_CASE("bonds stay where they are when what is behind them is exchanged", "[remesh]") {
+TEST_CASE("bonds stay if the tets behind them are exchanged", "[remesh]") {
   std::string yaml = squashed(anew);
   const std::string distance = "contact: {distance: 0.0002, ";
   const size_t at = yaml.find(distance);
@@ -276,7 +276,7 @@ TEST_CASE("bonds stay where they are when what is behind them is exchanged", "[r
   CHECK(exchanges > 0);
 }
 
-TEST_CASE("what cannot be made better is told once, and goes on", "[remesh]") {
+TEST_CASE("tets that cannot be improved give one warning, and the run continues", "[remesh]") {
   // All vertices are on the surface, and the tets are no better than its triangles.
   std::string yaml = squashed("    remesh: {quality: 0.5, goal: 0.6}\n");
   const std::string cells = "cells: [4, 4, 4]";
@@ -289,7 +289,7 @@ TEST_CASE("what cannot be made better is told once, and goes on", "[remesh]") {
   CHECK_THAT(first_text(run.warnings, WarningKind::not_remeshed), Catch::Contains("object 'block' at t = "));
 }
 
-TEST_CASE("two objects are exchanged by themselves", "[remesh]") {
+TEST_CASE("two objects are exchanged independently", "[remesh]") {
   std::string yaml = squashed(anew);
   // A second block beside the first, which is higher and so squashed more.
   const std::string bottom = "  - name: bottom\n";
@@ -308,7 +308,7 @@ TEST_CASE("two objects are exchanged by themselves", "[remesh]") {
   CHECK(bodies == std::set<int>{0, 1});
 }
 
-TEST_CASE("what cannot be meshed anew is refused with its place and what helps", "[remesh]") {
+TEST_CASE("objects that cannot be remeshed are refused with source location and remedy", "[remesh]") {
   const std::string remesh = "    remesh: {}\n";
   const auto message = [](const std::string& yaml) -> std::string {
     try {

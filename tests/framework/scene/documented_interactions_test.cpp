@@ -54,7 +54,7 @@ TEST_CASE("the documented rope stretches by weight over stiffness, is reeled in,
   CHECK(std::abs(height(run, 0.1)) < 1e-15);
 }
 
-TEST_CASE("what reels the documented rope in is work, and none of it comes from nowhere", "[documented][interactions]") {
+TEST_CASE("reeling in the documented rope is work, without numerical energy gain", "[documented][interactions]") {
   std::string scene = hung("[[0 s, 1], [0.3 s, 0.7]]", "[0, -9.81, 0]");
   scene.replace(scene.find("quasi_static"), 12, "newmark");
   scene.replace(scene.find("20 ms"), 5, "2 ms");
@@ -68,7 +68,7 @@ TEST_CASE("what reels the documented rope in is work, and none of it comes from 
   CHECK_FALSE(warned(run.warnings, WarningKind::energy_growth));
 }
 
-TEST_CASE("the documented moisture swells what it soaks by its part of the volume", "[documented][interactions]") {
+TEST_CASE("the documented moisture swells a body by its fraction of the volume", "[documented][interactions]") {
   TestRun run(bar("modulus: 1e6, swelling: 0.331, diffusivity: 1e-6, capacity: 1e3, wet: {type: all}, level: [[0 s, 0], [1 s, 1]]",
                   "time: {step: 50 ms, duration: 2 s, integrator: quasi_static}", 10));
   while (run.state().time < 1.2) run.step();
@@ -80,7 +80,7 @@ TEST_CASE("the documented moisture swells what it soaks by its part of the volum
   CHECK(volume == Approx(1.331e-5).epsilon(1e-4));
 }
 
-TEST_CASE("the documented moisture soaks in as the equation of heat has it", "[documented][interactions]") {
+TEST_CASE("the documented moisture follows the diffusion equation", "[documented][interactions]") {
   const double diffusivity = 1e-3, length = 0.1, until = 2;
   TestRun run(bar("modulus: 1e3, swelling: 0, diffusivity: 1e-3, capacity: 1e3, wet: {type: face, direction: [-1, 0, 0]}, level: 1",
                   "time: {step: 20 ms, duration: 5 s}", 1e4));
@@ -102,7 +102,7 @@ TEST_CASE("the documented moisture soaks in as the equation of heat has it", "[d
   CHECK(dissipated > 0);
 }
 
-TEST_CASE("what is squeezed dries", "[documented][interactions]") {
+TEST_CASE("a squeezed body dries", "[documented][interactions]") {
   std::string scene = bar("modulus: 1e5, swelling: 1, diffusivity: 1e-4, capacity: 1e3", "time: {step: 20 ms, duration: 5 s}", 1e5);
   const std::string motion = ", motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}, {type: translate, displacement: [-0.01, 0, 0], duration: 1 s, select: {type: face, direction: "
                              "[1, 0, 0]}}]";

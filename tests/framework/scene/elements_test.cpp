@@ -33,7 +33,7 @@ TACK_REGISTER(Energy, Unsplit, "unsplit", "What elements are refused for.", "tes
 
 }  // namespace
 
-TEST_CASE("elements: composite tets are eight, masses and surfaces are theirs", "[elements]") {
+TEST_CASE("elements: composite tets are divided into eight, with their masses and surfaces", "[elements]") {
   TestScene s(objects(object("composite")));
   const Body& body = s.world->bodies[0];
   CHECK(body.tets.size() == 8 * 12);
@@ -60,7 +60,7 @@ TEST_CASE("elements: patches of a box are its cells, and no vertex is added", "[
   CHECK(batches[1].rank_one);
 }
 
-TEST_CASE("elements: energies with a selection take composite tets whole", "[elements]") {
+TEST_CASE("elements: energies with a selection act on complete composite tets", "[elements]") {
   const std::string energies = "[{type: neo_hookean, young: 1e5, density: 1000, select: {type: box, min: [-2, -2, -2], max: [0.1, 2, 2]}},\n"
                                "     {type: stvk_hencky, young: 3e5, density: 500, select: {type: box, min: [-0.1, -2, -2], max: [2, 2, 2]}}]";
   TestScene s(objects(object("composite", "", "{type: box, size: [2, 1, 1], cells: [2, 1, 1]}", energies)));
@@ -73,7 +73,7 @@ TEST_CASE("elements: energies with a selection take composite tets whole", "[ele
                     Contains("no whole element"));
 }
 
-TEST_CASE("elements: what has no tets, does not strain or knows linear ones only is refused", "[elements]") {
+TEST_CASE("elements: objects without tets, affine bodies and energies for linear tets only are refused", "[elements]") {
   CHECK_THROWS_WITH(TestScene(objects("  - {name: cloth, shape: {type: grid, size: [1, 1]}, shell: {thickness: 1 mm}, elements: composite,\n"
                                       "     energies: [{type: stvk_membrane, young: 1e5}]}\n")),
                     Contains("test.yaml:") && Contains("'cloth' has no tets") && Contains("take `elements` away"));
@@ -85,7 +85,7 @@ TEST_CASE("elements: what has no tets, does not strain or knows linear ones only
   CHECK_THROWS_WITH(TestScene(objects(object("quadratic"))), Contains("composite") && Contains("patches"));
 }
 
-TEST_CASE("elements: sheets and rods at divided tets are divided with them", "[elements]") {
+TEST_CASE("elements: sheets and rods on divided tets are divided too", "[elements]") {
   TestScene s(objects("  - name: it\n    elements: composite\n    shell: {thickness: 1 mm}\n"
                       "    shape: {type: parts, parts: [{shape: {type: box, size: [1, 1, 1]}}, {shape: {type: grid, size: [1, 1]}, place: {translate: [0, 2, 0]}}]}\n"
                       "    energies: [{type: neo_hookean, young: 1e5}, {type: stvk_membrane, young: 1e5}]\n"));

@@ -48,7 +48,7 @@ double distance(const std::vector<std::array<Vec3, 3>>& a, const std::vector<std
 
 }  // namespace
 
-TEST_CASE("a fill makes the copies that it was asked for, apart from each other and within its region", "[fill]") {
+TEST_CASE("a fill makes the requested copies, separate and inside the region", "[fill]") {
   TestScene scene(grains(in_ball + ", count: 60"));
   const World& world = *scene.world;
   REQUIRE(world.bodies.size() == 61);
@@ -81,7 +81,7 @@ TEST_CASE("a fill makes the copies that it was asked for, apart from each other 
   CHECK(extent.maxCoeff() < 0.19);
 }
 
-TEST_CASE("a fill repeats for its seed, and another seed is another fill", "[fill]") {
+TEST_CASE("a fill is determined by its seed", "[fill]") {
   const auto places = [](int seed) { return to_value(fields_of(loaded(grains(in_ball + fmt::format(", count: 20, seed: {}", seed))).experiment.objects[7].placement)); };
   const auto text = [](const Value& value) {
     std::string all;
@@ -112,7 +112,7 @@ TEST_CASE("a fill counts by volume, keeps copies upright, or makes one object of
   CHECK(first.sizes().x() == Approx(2 * first.sizes().y()));
 }
 
-TEST_CASE("a fill that cannot be is refused with what there was room for", "[fill]") {
+TEST_CASE("an impossible fill is refused with the number of copies that fit", "[fill]") {
   CHECK_THROWS_WITH(loaded(grains(in_ball + ", count: 5000")),
                     Contains("object 'grain'") && Contains("of 5000 copies") && Contains("test:5:5"));
   CHECK_THROWS_WITH(loaded(grains("region: {type: plane}, clearance: 0.1, count: 3")), Contains("bounded"));

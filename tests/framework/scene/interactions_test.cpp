@@ -142,7 +142,7 @@ const UnknownGroup& group_of(const World& world, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("what an interaction names is found, or told with its place and the nearest name", "[interactions]") {
+TEST_CASE("objects of an interaction are found, or refused with source location and nearest name", "[interactions]") {
   const auto error = [](const std::string& interactions) { TestScene{scene(interactions)}; };
   CHECK_THROWS_WITH(error("{type: test_jack, between: [wal, cart]}"), Contains("test.yaml:7:16: interaction 'test_jack 0': ") && Contains("'wal'") && Contains("wall"));
   CHECK_THROWS_WITH(error("{type: test_jack, name: wall, between: [wall, cart]}"), Contains("interaction 'wall' has the name of an object"));
@@ -162,7 +162,7 @@ TEST_CASE("what an interaction names is found, or told with its place and the ne
   CHECK_THROWS_WITH(builder.bodies("thing"), Contains("no object or group is named 'thing'") && Contains("things"));
 }
 
-TEST_CASE("a number without mass is where the potential is least, one with mass swings", "[interactions]") {
+TEST_CASE("a scalar without mass minimises the potential, one with mass oscillates", "[interactions]") {
   // Both springs in a row: stiffness k of the ends, S / l^2 of the number, which is a way l n.
   const double k = 1e4, spring = 1, length = 0.1, goal = 0.1;
   TestRun run(scene("{type: test_jack, name: jack, between: [wall, cart], " + at + "}"));
@@ -191,7 +191,7 @@ TEST_CASE("a number without mass is where the potential is least, one with mass 
   CHECK(swing.at(m).x() == Approx(rest * (1 - std::cos(rate * swing.state().time))).margin(0.01 * rest));
 }
 
-TEST_CASE("a number that a schedule gives drives what hangs on it", "[interactions]") {
+TEST_CASE("a scalar with a schedule drives dependent objects", "[interactions]") {
   TestRun run(scene("{type: test_jack, name: jack, between: [wall, cart], " + at + ", prescribed: true, goal: 0.2, stiffness: 1e5}"));
   while (run.state().time < 0.4) run.step();
   CHECK(run.at(group_of(*run.world, "jack/way").vertices[0]).x() == Approx(0.02).epsilon(1e-12));
@@ -221,7 +221,7 @@ TEST_CASE("derivatives of all that interactions and energies with unknowns add a
   }
 }
 
-TEST_CASE("points that objects carry along tie them exactly: a ball joint", "[interactions]") {
+TEST_CASE("dependent attachment points make an exact ball joint", "[interactions]") {
   TestRun run("time: {step: 5 ms, duration: 1}\ngravity: [0, -9.81, 0]\nsolver: {type: projected_newton, tolerance: 1e-7}\nobjects:\n"
               "  - {name: wall, shape: {type: box, size: [0.1, 0.1, 0.1]}, motion: [fixed]}\n"
               "  - {name: cart, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0.1, 0, 0]}, body: {type: affine, density: 1000}}\n"
@@ -237,21 +237,21 @@ TEST_CASE("points that objects carry along tie them exactly: a ball joint", "[in
   CHECK((run.at(b) - run.at(a)).norm() == Approx(0.1).epsilon(1e-3));
 }
 
-TEST_CASE("objects that an interaction joins are in no contact; others are", "[interactions]") {
+TEST_CASE("contact is excluded between objects joined by an interaction, and only between them", "[interactions]") {
   const std::string contact = "contact: {distance: 1 mm}\n";
   CHECK_THROWS_WITH(TestScene(scene("{type: test_jack, between: [wall, cart], " + at + "}", contact)), Contains("the start"));
   const TestScene s(scene("{type: test_jack, between: [wall, cart], " + at + ", joined: true}", contact));
   CHECK(s.world->attached == std::vector<std::pair<int, int>>{{0, 1}});
 }
 
-TEST_CASE("who is pushed out is who no interaction places", "[interactions]") {
+TEST_CASE("overclosure adjustment moves only objects without an interaction that keeps their placement", "[interactions]") {
   const std::string contact = "contact: {distance: 1 mm, overclosure_adjustment: 1 cm}\n";
   CHECK_THROWS_WITH(TestScene(scene("{type: test_jack, between: [wall, cart], " + at + "}", contact)), Contains("the start"));
   const TestScene s(scene("{type: test_jack, between: [wall, cart], at: [0.0505, 0, 0], free: true}", contact));
   CHECK(s.world->rest(3 * s.world->bodies[1].first_vertex) > 0.05);
 }
 
-TEST_CASE("unknowns and memories of interactions resume bit for bit, and go along with a start", "[interactions]") {
+TEST_CASE("unknowns and history of interactions resume bit for bit, and are part of an initial state", "[interactions]") {
   TestRun whole(scene("{type: test_jack, name: jack, between: [wall, cart], " + at + ", mass: 0.2}"));
   for (int i = 0; i < 7; ++i) whole.step();
   const State middle = whole.state();

@@ -32,7 +32,7 @@ constexpr const char* apart = "between_prescribed: false, ";
 
 }  // namespace
 
-TEST_CASE("an entry that says more of who is meant holds", "[scene]") {
+TEST_CASE("the most specific entry applies", "[scene]") {
   TestScene scene(boxes(std::string(apart) + "pairs: ["
                         "{between: [\"*\", \"*\"], friction: {mu: 0.1}}, {between: [red, \"*\"], friction: {mu: 0.2}}, "
                         "{between: [red, red], friction: {mu: 0.3}}, {between: [wall, \"*\"], friction: {mu: 0.4}}, "
@@ -49,12 +49,12 @@ TEST_CASE("an entry that says more of who is meant holds", "[scene]") {
   CHECK(friction(scene, "c", "c") == -1);
 }
 
-TEST_CASE("objects that are held may overlap where the scene says so", "[scene]") {
+TEST_CASE("fixed objects may overlap if the scene allows it", "[scene]") {
   CHECK_THROWS_WITH(TestScene(boxes("safety_barrier: 0.5")), Contains("the start intersects"));
   CHECK_NOTHROW(TestScene(boxes("between_prescribed: false")));
 }
 
-TEST_CASE("a group that is named integrates, with whatever is in it", "[scene]") {
+TEST_CASE("a named group is the integration side, with all of its objects", "[scene]") {
   TestScene scene(boxes(std::string(apart) + "pairs: [{between: [red, \"*\"], integrate: red}]"));
   const PairTable& pairs = scene.world->contact->pairs();
   const auto id = [&](const char* name) { return scene.world->body_index(name); };
@@ -64,7 +64,7 @@ TEST_CASE("a group that is named integrates, with whatever is in it", "[scene]")
   CHECK(pairs.point(id("b"), id("a")).area_factor == 0.5);
 }
 
-TEST_CASE("pairs that are no use are told", "[scene]") {
+TEST_CASE("invalid pairs are refused", "[scene]") {
   const auto with = [](const std::string& pairs) { return boxes(std::string(apart) + "pairs: [" + pairs + "]"); };
   CHECK_THROWS_WITH(TestScene(with("{between: [rde, a]}")), Contains("no object and no group is named 'rde'") && Contains("red"));
   CHECK_THROWS_WITH(TestScene(with("{between: [a, b]}, {between: [b, a]}")), Contains("given twice"));
@@ -76,7 +76,7 @@ TEST_CASE("pairs that are no use are told", "[scene]") {
   CHECK_THROWS_WITH(TestScene(named), Contains("a group 'wall', which is the name of an object"));
 }
 
-TEST_CASE("parts: which entry holds is told, and what cannot be is refused with its place", "[scene][parts]") {
+TEST_CASE("regions: the applicable entry is reported, and invalid entries are refused with source location", "[scene][parts]") {
   const auto with = [](const std::string& pairs) { return boxes(std::string(apart) + "pairs: [" + pairs + "]"); };
   const std::string top = "{object: a, select: {type: face, direction: [0, 1, 0]}}", left = "{object: a, select: {type: face, direction: [-1, 0, 0]}}";
   TestScene scene(with("{between: [" + top + ", red], friction: {mu: 0.1}}, {between: [" + top + ", b], friction: {mu: 0.2}}, {between: [a, b], friction: {mu: 0.3}}, "
@@ -106,7 +106,7 @@ TEST_CASE("parts: which entry holds is told, and what cannot be is refused with 
   CHECK_THROWS_WITH(TestScene(boxes(std::string(apart) + "weights: pair, pairs: [{between: [" + top + ", b]}]")), Contains("weights: pair"));
 }
 
-TEST_CASE("copies share a class; who is named, thicker or attached has one of its own", "[scene]") {
+TEST_CASE("copies share a class; named, thicker or attached objects have their own", "[scene]") {
   TestScene scene("objects:\n"
                   "  - {name: grain, shape: {type: box, size: [0.1, 0.1, 0.1]}, body: affine, fill: {region: {type: sphere, radius: 1}, count: 30, clearance: 0.01}}\n"
                   "  - {name: thick, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [5, 0, 0]}, body: affine, contact_offset: 1e-3}\n"

@@ -52,7 +52,7 @@ TEST_CASE("blocks that overlap by 1 mm come apart by that and half the contact d
   CHECK(scene.world->contact->smallest_gaps(scene.world->rest).of_all > 0);
 }
 
-TEST_CASE("of two that may go, the smaller one goes farther; offsets are kept", "[push_out]") {
+TEST_CASE("of two free objects, the smaller one moves farther; offsets are kept", "[push_out]") {
   const std::string objects = box("large", Vec3::Zero(), loose, Vec3(0.2, 0.1, 0.1)) + box("small", Vec3(0, 0.1005, 0), loose + ", contact_offset: 2 mm");
   const TestScene scene(scene_of(objects));
   const double large = moved(scene, objects, "large").y(), small = moved(scene, objects, "small").y();
@@ -60,14 +60,14 @@ TEST_CASE("of two that may go, the smaller one goes farther; offsets are kept", 
   CHECK(small == Approx(-2 * large));
 }
 
-TEST_CASE("who keeps clear is left alone, and so is who may pass through", "[push_out]") {
+TEST_CASE("objects without overlap, and pairs without contact, stay", "[push_out]") {
   const std::string near = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.1001, 0), loose);
   CHECK(TestScene(scene_of(near)).world->start_notes.empty());
   const std::string through = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.05, 0), loose);
   CHECK(TestScene(scene_of(through, "overclosure_adjustment: 5 mm, pairs: [{between: [block, floor], contact: false}]")).world->start_notes.empty());
 }
 
-TEST_CASE("a heap of balls that overlap finds room, and the same one twice", "[push_out]") {
+TEST_CASE("a heap of overlapping balls is separated, with the same result twice", "[push_out]") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> at(-0.1, 0.1);
   std::string balls;
@@ -90,7 +90,7 @@ TEST_CASE("a sheet in a box leaves it through the nearest face", "[push_out]") {
   CHECK((moved(scene, objects, "sheet") - Vec3(0, 2.5e-3, 0)).norm() < 1e-9);
 }
 
-TEST_CASE("what cannot come apart is refused by name", "[push_out]") {
+TEST_CASE("objects that cannot be separated are refused by name", "[push_out]") {
   const auto walls = [](double apart) { return box("left", Vec3(-apart, 0, 0), fixed) + box("right", Vec3(apart, 0, 0), fixed); };
   CHECK_THROWS_WITH(TestScene(scene_of(walls(0.099) + box("wedge", Vec3::Zero(), loose))),
                     Contains("'wedge' overlap at") && Contains("m deep") && Contains("place.translate"));
@@ -98,7 +98,7 @@ TEST_CASE("what cannot come apart is refused by name", "[push_out]") {
                     Contains("'floor' and 'block' overlap") && Contains("'block' would have to go farther than contact.overclosure_adjustment (0.005 m)"));
 }
 
-TEST_CASE("what motions hold stays where it is, and so do those at springs", "[push_out]") {
+TEST_CASE("objects with prescribed motions or springs stay", "[push_out]") {
   const std::string held = box("floor", Vec3::Zero(), fixed) + box("shelf", Vec3(0, 0.099, 0), fixed) + box("block", Vec3(1, 0, 0), loose);
   CHECK(TestScene(scene_of(held)).world->start_notes.empty());
   const std::string block = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.099, 0), loose);

@@ -63,7 +63,7 @@ TEST_CASE("the barrier is a tenth as stiff as the softer body", "[contact][barri
   CHECK(stiffness(1e4, 4) == Approx(1e3));   // and at 4.5 m/s of 10 kPa
 }
 
-TEST_CASE("the barrier carries what stops a soft body that is faster than its waves", "[contact][barrier]") {
+TEST_CASE("the barrier carries the dynamic pressure of a soft body faster than its elastic waves", "[contact][barrier]") {
   CHECK(stiffness(1e4, 6) == Approx(0.1 * 500 * 36));
   CHECK(stiffness(1e4, 10) == Approx(0.1 * 500 * 100));
   CHECK(stiffness(1e4, 100) == Approx(1e4));  // the modulus at most
@@ -73,7 +73,7 @@ TEST_CASE("the barrier carries what stops a soft body that is faster than its wa
   CHECK(stiffness(1e4, 100, 0, "", ", barrier: {stiffness: 3 kPa}") == Approx(3e3));
 }
 
-TEST_CASE("what is faster than its waves is guarded against over the whole range", "[contact][barrier]") {
+TEST_CASE("the safety barrier of a body faster than its elastic waves acts over the whole contact distance", "[contact][barrier]") {
   using Ranges = std::array<double, 2>;
   CHECK(guards(1e4, 4) == Ranges{0.5, 0.5});
   CHECK(guards(1e4, 6) == Ranges{1, 1});
@@ -82,7 +82,7 @@ TEST_CASE("what is faster than its waves is guarded against over the whole range
   CHECK(guards(1e4, 6, 0, "", ", barrier: {stiffness: 3 kPa}") == Ranges{1, 1});
 }
 
-TEST_CASE("a sheet's barrier is as stiff as what presses the sheet, not as its material", "[contact][barrier][shell]") {
+TEST_CASE("the barrier of a sheet scales with the contact pressure, not with its material", "[contact][barrier][shell]") {
   CHECK(barrier_of(sheet("10 kPa", 2)) == Approx(1e3));  // a soft one presses with what its material can
   // 1 kg/m^2 that 10 ms stop at 2 m/s press with 200 Pa; a strain of 1e-3 around a tenth of sqrt(0.02) m with 71 Pa per MPa.
   CHECK(barrier_of(sheet("100 MPa", 2)) == Approx(100 * 200 + 7071).epsilon(0.02));
@@ -93,13 +93,13 @@ TEST_CASE("a sheet's barrier is as stiff as what presses the sheet, not as its m
   CHECK(barrier_of(sheet("100 MPa", 0, "gravity: [0, -10, 0]\n")) == Approx(100 * (100 * fall + 10) + 7071).epsilon(0.02));
 }
 
-TEST_CASE("a sheet that a script, a load or a spring may stretch keeps a barrier like its material", "[contact][barrier][shell]") {
+TEST_CASE("a sheet that a motion, a load or a spring may stretch has a barrier by its material", "[contact][barrier][shell]") {
   CHECK(barrier_of(sheet("100 MPa", 2, "", ",\n     motion: [{type: fixed, until: 1 s, select: {type: face, direction: [1, 0, 0]}}]")) == Approx(1e7));
   CHECK(barrier_of(sheet("100 MPa", 2, "", ",\n     loads: [{type: pressure, value: 1 kPa}]")) == Approx(1e7));
   CHECK(barrier_of(sheet("100 MPa", 2, "interactions:\n  - {type: spring, from: {object: sheet, select: {type: indices, vertices: [0]}}, to: {object: floor}, stiffness: 1 N/m}\n")) == Approx(1e7));
 }
 
-TEST_CASE("copies of a sheet have one barrier, however they are turned", "[contact][barrier][shell]") {
+TEST_CASE("copies of a sheet have one barrier in any orientation", "[contact][barrier][shell]") {
   const TestScene scene("gravity: [0, -10, 0]\n"
                         "objects:\n"
                         "  - {name: sheet, shape: {type: grid, size: [4 cm, 3 cm], cells: [2, 2]}, shell: {thickness: 0.1 mm}, place: {axis: [1, 2, 3], angle: 33 deg},\n"

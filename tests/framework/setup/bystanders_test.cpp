@@ -77,7 +77,7 @@ TEST_CASE("a fast body that may hit a soft one stiffens its contact", "[setup]")
   CHECK(stiffness(0.5) > 2 * stiffness(50));
 }
 
-TEST_CASE("the flight of a fast bystander is no measure of what others lose", "[setup]") {
+TEST_CASE("the energy of a fast bystander does not change the energy tolerance of others", "[setup]") {
   const auto reference_energy = [](const std::string& more) {
     TestRun s(scene(bases[0].yaml + more));
     double most = 0;
@@ -90,7 +90,7 @@ TEST_CASE("the flight of a fast bystander is no measure of what others lose", "[
 }
 
 // Without an end, all that moves meets: the duration decides who may meet, and a longer run may find another stiffness.
-TEST_CASE("the duration of a run joins those that meet in it, and no stiffness depends on it otherwise", "[setup]") {
+TEST_CASE("the duration of a run only matters for stiffness through the bodies that meet in it", "[setup]") {
   const std::string away = "  - {name: fast, shape: {type: box, size: [0.01, 0.01, 0.01]}, place: {translate: [50, 0.1, 0]}, body: {type: affine, density: 7800}, velocity: [-50, 0, 0]}\n";
   const auto build = [](const std::string& objects, const char* duration) {
     std::string text = scene(objects);
@@ -106,7 +106,7 @@ TEST_CASE("the duration of a run joins those that meet in it, and no stiffness d
 }
 
 // An object hit in one collision is at most twice as fast as the one that hits it.
-TEST_CASE("bodies meet as far as a collision may throw one of them", "[setup]") {
+TEST_CASE("meeting groups allow for the speed after an elastic collision", "[setup]") {
   const auto groups = [](double distance) {
     const TestRun s(scene(bases[1].yaml + fmt::format("  - {{name: fast, shape: {{type: box, size: [0.01, 0.01, 0.01]}}, place: {{translate: [{}, 0.1, 0]}}, "
                                                       "body: {{type: affine, density: 7800}}, velocity: [50, 0, 0]}}\n", distance)));

@@ -39,7 +39,7 @@ TEST_CASE("faces of tets, their edges and vertices may be listed beside them", "
   CHECK_NOTHROW(refuse_unmeasured_contact(mesh, "body", false, false));
 }
 
-TEST_CASE("rods without a width and particles without a size are refused in contact, by their numbers", "[scene]") {
+TEST_CASE("rods without a width and particles without a size are refused in contact, with their indices", "[scene]") {
   Mesh rods = tet_and_vertices();
   rods.edges = {{0, 1}, {5, 4}};
   CHECK_THROWS_WITH(refuse_unmeasured_contact(rods, "wire", false, true), Catch::Contains("object 'wire': edge 1 (counted"));

@@ -57,7 +57,7 @@ TEST_CASE("motions, loads and probes refer to a selection by its name", "[scene]
   CHECK(contains(result.out, "unknowns: 12\n"));
 }
 
-TEST_CASE("a selection of the scene is one of every object that it meets, but not over its own", "[scene]") {
+TEST_CASE("a selection of the scene is a group of every object that it selects from, unless the object has its own", "[scene]") {
   const std::string of_scene = "selections: [{name: top, select: {type: plane, normal: [0, 1, 0], point: [0, -0.05, 0]}}]\n";
   TestScene all(scene_text(block, block) + of_scene);
   CHECK(all.world->bodies[0].tags.at("top").size() == 4);
@@ -66,7 +66,7 @@ TEST_CASE("a selection of the scene is one of every object that it meets, but no
   CHECK(own.world->bodies[1].tags.at("top").size() == 4);
 }
 
-TEST_CASE("named selections that cannot be are told with their place", "[scene]") {
+TEST_CASE("invalid named selections are refused with their source location", "[scene]") {
   const std::string plain = scene_text(block, block);
   CHECK_THAT(error_of(plain + "selections: [{name: far, select: {type: sphere, centre: [9, 9, 9], radius: 1}}]\n"),
              Catch::Contains("test.yaml:") && Catch::Contains(":14: selection 'far' chooses no vertex of any object"));

@@ -134,7 +134,7 @@ TEST_CASE("bodies with finer surfaces come to rest on each other and never meet"
   }
 }
 
-TEST_CASE("what moves as a script says carries its finer surface along, as one rigid group", "[contact]") {
+TEST_CASE("a prescribed body moves its finer surface, as one rigid group", "[contact]") {
   TestRun run("time: {step: 5 ms, duration: 1 s}\nobjects:\n"
               "  - {name: plate, shape: {type: grid, size: [4 cm, 4 cm]}, surface: {edge_length: 1 cm},\n"
               "     motion: [{type: rotate, axis: [0, 1, 0], angular_velocity: 3}]}\n"
@@ -153,7 +153,7 @@ TEST_CASE("what moves as a script says carries its finer surface along, as one r
   }
 }
 
-TEST_CASE("finer surfaces that make no sense are refused", "[contact][scene]") {
+TEST_CASE("invalid finer surfaces are refused", "[contact][scene]") {
   CHECK_THROWS_WITH(TestScene(cube_on_floor(1, "surface: {edge_length: 1 um},")),
                     Contains("'cube' (surface.edge_length)") && Contains("ask for longer ones"));
   std::string text = cube_on_floor(1, "surface: {edge_length: 1 mm},");

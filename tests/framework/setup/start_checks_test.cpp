@@ -30,7 +30,7 @@ TEST_CASE("objects that overlap may be moved or pushed apart, once", "[setup]") 
   CHECK_FALSE(contains(advice(box("a", 0) + box("b", 0.05), "distance: 1 mm, overclosure_adjustment: 1 um"), "have them pushed apart"));
 }
 
-TEST_CASE("an object that meets itself is not to be moved: its mesh is to be mended", "[setup]") {
+TEST_CASE("the remedy for an object that intersects itself is a repair of its mesh", "[setup]") {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "crossing.obj";
   write_file(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.2 0.2 -0.5\nv 0.3 0.2 0.5\nv 0.2 0.3 0.5\nf 1 2 3\nf 4 5 6\n");

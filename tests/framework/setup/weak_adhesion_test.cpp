@@ -24,7 +24,7 @@ double barrier(double peak) {
 
 }  // namespace
 
-TEST_CASE("adhesion that vanishes leaves a barrier that carries what presses", "[setup]") {
+TEST_CASE("with vanishing adhesion, the barrier carries the contact pressure", "[setup]") {
   for (const double peak : {1e-6, 1e-3, 1.0}) {
     INFO(peak);
     CHECK(barrier(peak) == Approx(280).epsilon(0.05));

@@ -29,7 +29,7 @@ std::string scene(double radius) {
 
 }  // namespace
 
-TEST_CASE("a shape of the same recipe is made once", "[shapes]") {
+TEST_CASE("the mesh of a recipe is made once", "[shapes]") {
   const std::string ball = "{type: level_set, voxel: 0.1, of: {type: sphere, radius: 0.987}}";
   const auto first = mesh_of_shape(*shape(ball)), second = mesh_of_shape(*shape(ball));
   CHECK(first == second);
@@ -39,7 +39,7 @@ TEST_CASE("a shape of the same recipe is made once", "[shapes]") {
   CHECK(first->mesh.vertices == shape(ball)->make().vertices);
 }
 
-TEST_CASE("meshes are kept in a folder for the next run, and made anew if they are damaged or of another recipe", "[shapes][app]") {
+TEST_CASE("meshes are cached in a folder for the next run, and made again if they are damaged or of another recipe", "[shapes][app]") {
   const TemporaryFolder folder;
   const fs::path meshes = folder.path() / "results" / "meshes";
   const auto check = [&](const std::string& text) {

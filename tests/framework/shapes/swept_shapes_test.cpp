@@ -38,7 +38,7 @@ TEST_CASE("revolve and extrude: corners with units, formulas, sheets and solids"
   CHECK(shape("{type: revolve, profile: [[1, 0], [2, 0]], angle: 359 deg}")->make().tags.size() == 2);
 }
 
-TEST_CASE("revolve and extrude: what does not fit together is refused with its place", "[shapes]") {
+TEST_CASE("revolve and extrude: inconsistent parameters are refused with source location", "[shapes]") {
   const auto refused = [](const std::string& yaml) {
     try {
       shape(yaml)->make();

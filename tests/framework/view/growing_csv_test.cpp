@@ -15,7 +15,7 @@ void append(const std::filesystem::path& path, const std::string& text) { std::o
 
 }  // namespace
 
-TEST_CASE("a table that grows: complete rows as they come, half ones later") {
+TEST_CASE("a growing table yields complete rows as they are written") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "t.csv";
   GrowingCsv table(path);
@@ -42,7 +42,7 @@ TEST_CASE("a table that grows: complete rows as they come, half ones later") {
   CHECK(table.generation() == 0);
 }
 
-TEST_CASE("another file of that name is another table") {
+TEST_CASE("a replaced file begins a new generation") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "t.csv";
   CsvFile first(path, {{"x"}, {}});

@@ -76,7 +76,7 @@ HttpAnswer echo(const HttpRequest& request) {
 
 }  // namespace
 
-TEST_CASE("what is asked below the token is answered, with what browsers are told to keep to") {
+TEST_CASE("requests below the token are answered, with security headers") {
   const HttpServer server(echo);
   const Asked asked(server);
   CHECK(Asked::body(asked.get(asked.path)) == "get ''");
@@ -89,7 +89,7 @@ TEST_CASE("what is asked below the token is answered, with what browsers are tol
     CHECK_THAT(asked.get(asked.path), Catch::Contains(header));
 }
 
-TEST_CASE("whoever lacks the token, or calls the machine otherwise, gets nothing") {
+TEST_CASE("requests without the token, or for another host name, get nothing") {
   const HttpServer server(echo), other(echo);
   const Asked asked(server), elsewhere(other);
   CHECK(asked.path != elsewhere.path);
@@ -114,7 +114,7 @@ TEST_CASE("whoever lacks the token, or calls the machine otherwise, gets nothing
   CHECK_THAT(asked.get(asked.path, "", "PUT"), Catch::StartsWith("HTTP/1.1 405"));
 }
 
-TEST_CASE("what is no request, or too long a one, ends its connection and nothing else") {
+TEST_CASE("an invalid or too long request ends its connection only") {
   const HttpServer server(echo);
   const Asked asked(server);
   std::mt19937 random(7);
@@ -133,7 +133,7 @@ TEST_CASE("what is no request, or too long a one, ends its connection and nothin
   CHECK(answered == 16);
 }
 
-TEST_CASE("connections that say nothing use up neither the server nor the descriptors of the run") {
+TEST_CASE("silent connections exhaust neither the server nor the descriptors of the run") {
   const auto descriptors = [] { return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator()); };
   const HttpServer server(echo);
   const Asked asked(server);
@@ -151,7 +151,7 @@ TEST_CASE("connections that say nothing use up neither the server nor the descri
   CHECK(Asked::body(asked.get(asked.path)) == "get ''");
 }
 
-TEST_CASE("a server for whose connections no descriptors are left waits for some without working") {
+TEST_CASE("a server without free descriptors waits without using the processor") {
   const HttpServer server(echo);
   const Asked asked(server);
   rlimit usual{};

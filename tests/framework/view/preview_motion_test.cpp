@@ -21,7 +21,7 @@ Vec3 place(const PrescribedFrames& shown, size_t frame, int vertex) { return sho
 
 }  // namespace
 
-TEST_CASE("what turns is where its motion has it at each time, and what is free stays") {
+TEST_CASE("rotating vertices follow their motion at each time, and free ones stay") {
   const PrescribedFrames shown = frames_of("  - {name: plate, shape: {type: box, size: [2, 1, 1]}, motion: [{type: rotate, axis: [0, 1, 0], angular_velocity: 90 deg/s}]}\n");
   REQUIRE(shown.times == std::vector<double>{0, 0.25, 0.5, 0.75, 1});
   for (int v = 0; v < 8; ++v) {
@@ -35,7 +35,7 @@ TEST_CASE("what turns is where its motion has it at each time, and what is free 
   }
 }
 
-TEST_CASE("a motion between frames is counted from where it seizes, and ends where it releases") {
+TEST_CASE("a motion between frames starts from the positions at its start, and ends at its release") {
   const PrescribedFrames shown = frames_of("  - {name: plate, shape: {type: box, size: [2, 1, 1]}, energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}], "
                                          "motion: [{type: translate, velocity: [1, 0, 0], until: 0.3 s}, "
                                          "{type: translate, velocity: [0, 2, 0], from: 0.6 s, until: 0.9 s}]}\n");
@@ -47,7 +47,7 @@ TEST_CASE("a motion between frames is counted from where it seizes, and ends whe
   }
 }
 
-TEST_CASE("nothing that moves is one frame, where it starts") {
+TEST_CASE("a scene without motion has one frame, the start") {
   const PrescribedFrames shown = frames_of("  - {name: floor, shape: {type: box, size: [2, 1, 1]}, motion: [fixed]}\n");
   CHECK(shown.times == std::vector<double>{0});
   CHECK(shown.positions.size() == 1);

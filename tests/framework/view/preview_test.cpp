@@ -22,7 +22,7 @@ nlohmann::ordered_json preview_of(const std::string& text, const std::vector<std
 
 }  // namespace
 
-TEST_CASE("every select of a scene is found, by where it stands, with its vertices") {
+TEST_CASE("every `select` of a scene is found, with its location in the scene and its vertices") {
   const TestScene scene(R"(time: {step: 0.01 s, duration: 1 s}
 parameters: {above: 0.4 m}
 objects:
@@ -52,7 +52,7 @@ probes:
   CHECK(found["probes lift to"].front() >= 8);
 }
 
-TEST_CASE("a preview has what a run would warn of, bodies, reaches of contact and adhesion") {
+TEST_CASE("a preview has the warnings of a run, bodies, and ranges of contact and adhesion") {
   const auto document = preview_of(tiny_scene);
   CHECK(document["kind"] == "preview");
   const auto& preview = document["preview"];
@@ -73,7 +73,7 @@ TEST_CASE("a preview has what a run would warn of, bodies, reaches of contact an
   CHECK(run["frames"]["vertices"] == 16);
 }
 
-TEST_CASE("a scene that intersects is previewed without contact, and says why it cannot be run; one that makes no sense is refused") {
+TEST_CASE("a scene that intersects is previewed without contact, with the reason; an invalid scene is refused") {
   const auto document = preview_of(tiny_scene, {"objects.block.place.translate=[0, 0, 0]"});
   CHECK_THAT(document["preview"]["error"].get<std::string>(), Catch::Contains("the start intersects"));
   CHECK(document["preview"]["bodies"][1]["contact"].is_null());

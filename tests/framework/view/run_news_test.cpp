@@ -34,7 +34,7 @@ struct Written {
 
 }  // namespace
 
-TEST_CASE("news of a run are the rows and frames that the page has not, the elements with the first") {
+TEST_CASE("news of a run are the rows and frames that the page lacks, with the elements in the first") {
   Written run;
   RunNews news(run.folder.path());
   CHECK(news.generation() == 0);
@@ -65,7 +65,7 @@ TEST_CASE("news of a run are the rows and frames that the page has not, the elem
   CHECK(news.since({3, 0, 3, false}, true).size() == 1);
 }
 
-TEST_CASE("at the end there is its summary, once; a damaged frame is left out; another run is another generation") {
+TEST_CASE("the end has the summary once; a damaged frame is left out; another run begins a new generation") {
   Written run;
   RunNews news(run.folder.path());
   run.step(1);

@@ -29,7 +29,7 @@ double error_of(const CubicCurve& curve, const std::function<double(double)>& f)
 
 }  // namespace
 
-TEST_CASE("functions are followed to what is stated, smooth ones, kinks and narrow peaks", "[curves]") {
+TEST_CASE("adaptive curves have the stated error for smooth functions, kinks and narrow peaks", "[curves]") {
   for (const auto& f : {exponential, triangle, steep}) {
     const AdaptiveCurve sampled = adaptive_curve(f, 0, range);
     CHECK(sampled.error <= AdaptiveCurve::tolerance);
@@ -39,13 +39,13 @@ TEST_CASE("functions are followed to what is stated, smooth ones, kinks and narr
   CHECK(adaptive_curve(triangle, 0, range).curve.total() == Approx(3.7e-3 / 2).epsilon(1e-7));
 }
 
-TEST_CASE("a cubic needs no more knots than there are at first", "[curves]") {
+TEST_CASE("a cubic needs only the initial knots", "[curves]") {
   const AdaptiveCurve sampled = adaptive_curve([](double d) { return d * (range - d) * (range - d); }, 0, range);
   CHECK(sampled.curve.knots() == 129);
   CHECK(sampled.error < 1e-9);
 }
 
-TEST_CASE("derivatives are followed as well", "[curves]") {
+TEST_CASE("adaptive derivatives have the stated error", "[curves]") {
   const auto energy = [](double d) { return -3e-4 * std::exp(1.0) * (1 + d / 3e-4) * std::exp(-d / 3e-4); };
   const AdaptiveCurve smooth = adaptive_derivative(energy, 0, range);
   CHECK(smooth.error <= AdaptiveCurve::tolerance);
@@ -59,7 +59,7 @@ TEST_CASE("derivatives are followed as well", "[curves]") {
   CHECK(error_of(kinked.curve, triangle) <= 3e-6);
 }
 
-TEST_CASE("a jump is found and told", "[curves]") {
+TEST_CASE("a jump is found and reported", "[curves]") {
   const AdaptiveCurve sampled = adaptive_curve([](double d) { return d < 1.234e-3 ? 1.0 : 0.0; }, 0, range);
   CHECK(sampled.error > 0.1);
   CHECK(sampled.worst_from <= 1.234e-3);
@@ -67,13 +67,13 @@ TEST_CASE("a jump is found and told", "[curves]") {
   CHECK(sampled.worst_to - sampled.worst_from < 1e-8 * range);
 }
 
-TEST_CASE("what never settles uses its knots up", "[curves]") {
+TEST_CASE("a function that never converges uses all knots", "[curves]") {
   const AdaptiveCurve sampled = adaptive_curve([](double d) { return std::sin(1e7 * d); }, 0, range);
   CHECK(sampled.curve.knots() == AdaptiveCurve::most_knots);
   CHECK(sampled.error > AdaptiveCurve::tolerance);
 }
 
-TEST_CASE("lengths a million times smaller make no difference", "[curves]") {
+TEST_CASE("results do not depend on the unit of length", "[curves]") {
   const AdaptiveCurve large = adaptive_curve(triangle, 0, range);
   const AdaptiveCurve small = adaptive_curve([](double d) { return 1e9 * triangle(1e6 * d); }, 0, 1e-6 * range);
   CHECK(std::abs(small.curve.knots() - large.curve.knots()) <= 4);

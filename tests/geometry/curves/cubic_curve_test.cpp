@@ -48,7 +48,7 @@ TEST_CASE("slopes of a monotone curve are those of Fritsch and Butland", "[curve
   CHECK(curve.total() == Approx(6.718096080165045).epsilon(1e-14));
 }
 
-TEST_CASE("a monotone curve goes through its rows, does not overshoot, and has a continuous slope", "[curves]") {
+TEST_CASE("a monotone curve interpolates its values, does not overshoot, and has a continuous slope", "[curves]") {
   const CubicCurve curve = CubicCurve::monotone(gaps, tractions);
   for (size_t i = 0; i < gaps.size(); ++i) CHECK(curve.at(gaps[i]).value == Approx(tractions[i]).margin(1e-14));
   for (size_t i = 0; i + 1 < gaps.size(); ++i) {
@@ -66,7 +66,7 @@ TEST_CASE("a monotone curve goes through its rows, does not overshoot, and has a
   CHECK(curve.largest(1.0).value == Approx(curve.at(1.0).value));
 }
 
-TEST_CASE("the slope is the derivative of the value, the value that of the integral, and the rest keeps its digits", "[curves]") {
+TEST_CASE("slope, value and integral are consistent, and the remaining integral has no cancellation", "[curves]") {
   const CubicCurve curve = CubicCurve::monotone(gaps, tractions);
   for (int i = 1; i < 997; ++i) {
     const double x = 2.5 * i / 997, h = 1e-6;
@@ -85,7 +85,7 @@ TEST_CASE("largest values between knots are found", "[curves]") {
   CHECK(arch.least().value < 0);
 }
 
-TEST_CASE("beyond its ends a curve goes on as it ends", "[curves]") {
+TEST_CASE("beyond its ends a curve is constant", "[curves]") {
   const CubicCurve curve({1, 2}, {3, 5}, {2, 2});
   CHECK(curve.at(0).value == 3);
   CHECK(curve.at(0).integral == -3);
@@ -94,13 +94,13 @@ TEST_CASE("beyond its ends a curve goes on as it ends", "[curves]") {
   CHECK(curve.at(4).integral == 14);
 }
 
-TEST_CASE("what makes no curve is refused", "[curves]") {
+TEST_CASE("invalid knots are refused", "[curves]") {
   CHECK_THROWS_AS(CubicCurve::monotone({1}, {1}), std::logic_error);
   CHECK_THROWS_AS(CubicCurve::monotone({1, 1}, {1, 2}), std::logic_error);
   CHECK_THROWS_AS(CubicCurve::monotone({1, 2}, {1, std::nan("")}), std::logic_error);
 }
 
-TEST_CASE("of many knots, some far apart and some close, the right one is found", "[curves]") {
+TEST_CASE("the piece of a position is found among many knots of uneven spacing", "[curves]") {
   std::vector<double> x = {0};
   for (int i = 0; i < 4000; ++i) x.push_back(x.back() + (i % 100 < 60 ? 1e-9 : 0.01));
   const CubicCurve curve = CubicCurve::monotone(x, of(x, [](double at) { return std::sin(at); }));

@@ -6,18 +6,18 @@
 
 using namespace tack;
 
-TEST_CASE("straight lines stay, whatever the distances", "[curves]") {
+TEST_CASE("straight lines stay for any spacing", "[curves]") {
   std::vector<double> x, y;
   for (int i = 0; i < 100; ++i) x.push_back(i + 0.4 * std::sin(7.0 * i)), y.push_back(3 - 2 * x.back());
   const auto smooth = smoothed(x, y, 5);
   for (size_t i = 0; i < x.size(); ++i) CHECK(smooth[i] == Approx(y[i]).margin(1e-10));
 }
 
-TEST_CASE("values without a neighbour within reach stay", "[curves]") {
+TEST_CASE("values without a neighbour within the half width stay", "[curves]") {
   CHECK(smoothed({0, 1, 3}, {1, 5, 2}, 0.5) == std::vector<double>{1, 5, 2});
 }
 
-TEST_CASE("noise goes, and what is wide stays", "[curves]") {
+TEST_CASE("noise is removed, and wide features stay", "[curves]") {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.01);
   std::vector<double> x, exact, y;
@@ -34,7 +34,7 @@ TEST_CASE("noise goes, and what is wide stays", "[curves]") {
   CHECK(turns(smooth, 0.005) <= 5);
 }
 
-TEST_CASE("turns are counted where values go back by more than is said", "[curves]") {
+TEST_CASE("reversals larger than the threshold are counted", "[curves]") {
   CHECK(turns({0, 1, 2, 1, 0}, 0.1) == 1);
   CHECK(turns({0, 1, 0.95, 2, 0}, 0.1) == 1);
   CHECK(turns({0, 1, 0.8, 2, 0}, 0.1) == 3);

@@ -19,7 +19,7 @@ VecX corner(double height) {
 
 }  // namespace
 
-TEST_CASE("the sign of a volume is exact however flat the tet is", "[orientation]") {
+TEST_CASE("the sign of a volume is exact for nearly flat tets", "[orientation]") {
   const std::vector<Tet> up = {{0, 1, 2, 3}}, down = {{0, 2, 1, 3}};
   for (const double height : {1.0, 1e-14, std::ldexp(1.0, -54)}) {
     REQUIRE(first_inverted_tet(up, corner(height)) == -1);

@@ -59,7 +59,7 @@ std::string error_after() {
 
 }  // namespace
 
-TEST_CASE("a mesh comes through unchanged", "[io]") {
+TEST_CASE("a mesh is passed on unchanged", "[io]") {
   check_same(read_isolated("part.vtk", tagged_box), tagged_box());
   check_same(read_isolated("part.vtk", [](const Path&) { return Mesh(); }), Mesh());
   const std::string bytes = bytes_of(tagged_box());

@@ -56,7 +56,7 @@ TEST_CASE("ply, off: same polygons, full precision, in order", "[io]") {
   }
 }
 
-TEST_CASE("glTF: everything of the scene in its place, without the copies that normals make", "[io]") {
+TEST_CASE("glTF: all objects of the scene have their positions, without duplicates per normal", "[io]") {
   const Mesh mesh = read("nodes.gltf");
   const std::vector<Vec3> places = {{2, 0, 0}, {2, 2, 0}, {0, 0, 0}, {0, 2, 0}};
   REQUIRE(mesh.vertices.size() == places.size());

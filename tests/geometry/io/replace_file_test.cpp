@@ -27,7 +27,7 @@ TEST_CASE("a file is replaced as a whole and leaves nothing beside it") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "a.txt.part"));
 }
 
-TEST_CASE("a pipe is written to, and stays one") {
+TEST_CASE("a pipe is written to and not replaced") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "pipe";
   REQUIRE(::mkfifo(path.c_str(), 0600) == 0);

@@ -136,7 +136,7 @@ TEST_CASE("the distance to a rectangular polygon is that of a box, whatever the 
   }
 }
 
-TEST_CASE("what a polygon encloses twice is outside, by the even-odd rule", "[level_set]") {
+TEST_CASE("points that a polygon encloses twice are outside, by the even-odd rule", "[level_set]") {
   // A pentagram: its inner pentagon is enclosed twice.
   std::vector<Vec2> star;
   for (int i = 0; i < 5; ++i) star.push_back({std::sin(4 * M_PI / 5 * i), std::cos(4 * M_PI / 5 * i)});

@@ -7,7 +7,7 @@
 
 using namespace tack;
 
-TEST_CASE("gradient noise is smooth, without a mean, and no steeper than said", "[level_set]") {
+TEST_CASE("gradient noise is smooth, has zero mean, and is no steeper than its bound", "[level_set]") {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> anywhere(-50, 50);
   double sum = 0, most = 0, steepest = 0;

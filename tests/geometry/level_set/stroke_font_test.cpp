@@ -50,7 +50,7 @@ TEST_CASE("capitals have their symmetries about the centre of the line", "[level
   CHECK(reflected("L", -1, 1) != reflected("L", 1, 1));
 }
 
-TEST_CASE("words read the same mirrored as they are spelt backwards with mirrored letters", "[level_set][font]") {
+TEST_CASE("a mirrored word is the reversed word of mirrored letters", "[level_set][font]") {
   CHECK(reflected("TOX", -1, 1) == reflected("XOT", 1, 1));
   CHECK(reflected("OTTO", -1, 1) == reflected("OTTO", 1, 1));
 }

@@ -34,7 +34,7 @@ TEST_CASE("vertices within the tolerance merge across the cells of the hash grid
   CHECK_THROWS_AS(merge_duplicate_vertices(mesh, -1), InputError);
 }
 
-TEST_CASE("elements that are part of others are dropped, others stay", "[mesh]") {
+TEST_CASE("faces and edges of other elements are dropped, others stay", "[mesh]") {
   Mesh mesh;
   mesh.vertices.resize(8, Vec3::Zero());
   mesh.tets = {{0, 1, 2, 3}};
@@ -47,7 +47,7 @@ TEST_CASE("elements that are part of others are dropped, others stay", "[mesh]")
   CHECK(mesh.points == std::vector<int>{6});
 }
 
-TEST_CASE("unused vertices disappear and the rest is renumbered", "[mesh]") {
+TEST_CASE("unused vertices are removed and the others renumbered", "[mesh]") {
   Mesh mesh;
   for (int i = 0; i < 5; ++i) mesh.vertices.emplace_back(i, 0, 0);
   mesh.edges = {{1, 4}};

@@ -46,7 +46,7 @@ TEST_CASE("mass properties of a box, far from the origin, by its tets and by its
   }
 }
 
-TEST_CASE("mass properties need a closed surface that is turned outwards", "[mass]") {
+TEST_CASE("mass properties need a closed surface with outward normals", "[mass]") {
   Mesh box = surface_of(box_tets({1, 1, 1}, {1, 1, 1}));
   Mesh open = box, inside_out = box, mixed = box, sheetless;
   open.triangles.pop_back();

@@ -41,7 +41,7 @@ double volume(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("windings of nested shells count those around them by their orientation", "[mesh]") {
+TEST_CASE("winding numbers of nested shells count enclosing shells by orientation", "[mesh]") {
   Surface s;
   CHECK(s.windings().empty());
   s.box({0, 0, 0}, Vec3::Constant(4), false);
@@ -53,7 +53,7 @@ TEST_CASE("windings of nested shells count those around them by their orientatio
   CHECK(s.windings() == std::vector{0, 1, 0, 0, 1});
 }
 
-TEST_CASE("windings change their sign where all surfaces are reversed, and not under renumbering of triangles", "[mesh]") {
+TEST_CASE("winding numbers change sign if all surfaces are reversed, and do not depend on the order of triangles", "[mesh]") {
   for (const bool reversed : {false, true}) {
     Surface s;
     s.box({0, 0, 0}, Vec3::Constant(4), reversed);
@@ -64,7 +64,7 @@ TEST_CASE("windings change their sign where all surfaces are reversed, and not u
   }
 }
 
-TEST_CASE("two volumes over area is the thickness of a plate, and half that of a bar", "[mesh]") {
+TEST_CASE("thickness 2 V / A is that of a plate, and half of that of a bar", "[mesh]") {
   const auto thickness = [](const Vec3& half, const Vec3& centre) {
     Surface s;
     s.box(centre, half, false);
@@ -80,7 +80,7 @@ TEST_CASE("two volumes over area is the thickness of a plate, and half that of a
   CHECK(Thickness().thickness() == 0);
 }
 
-TEST_CASE("a sliver on a closed surface is flipped, without a change of volume of flat faces", "[mesh]") {
+TEST_CASE("a sliver on a closed surface is flipped; flat faces keep the volume", "[mesh]") {
   // A cube whose top is cut by a vertex a hair off the diagonal.
   Surface s;
   s.box({0, 0, 0}, Vec3::Ones(), false);

@@ -41,7 +41,7 @@ VecX two_squares(int n, double gap) {
 
 }  // namespace
 
-TEST_CASE("a closed surface has its volume, wherever the origin is, and its areas are the gradient", "[mesh]") {
+TEST_CASE("the volume of a closed surface does not depend on the origin, and its area vectors are the gradient", "[mesh]") {
   const OrientedSurface surface(consistently_oriented(tet_faces));
   CHECK(surface.closed());
   RandomMotions random(1);
@@ -62,7 +62,7 @@ TEST_CASE("a closed surface has its volume, wherever the origin is, and its area
   CHECK(total_moment(x, areas).norm() < 1e-15);
 }
 
-TEST_CASE("triangles are turned alike, and what has no two sides is refused", "[mesh]") {
+TEST_CASE("triangles are consistently oriented, and one-sided surfaces are refused", "[mesh]") {
   std::vector<Triangle> mixed = tet_faces;
   std::swap(mixed[2][0], mixed[2][1]);
   const OrientedSurface surface(consistently_oriented(mixed));

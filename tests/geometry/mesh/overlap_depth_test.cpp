@@ -26,7 +26,7 @@ class Points {
 
 }  // namespace
 
-TEST_CASE("the distance to the surface of a cube is that of the formula, negative inside, whatever the mesh", "[mesh][overlap]") {
+TEST_CASE("the signed distance to a cube agrees with its formula for any mesh", "[mesh][overlap]") {
   Points random;
   for (const int cells : {1, 3}) {
     const SurfaceDistance surface = cube(cells);
@@ -47,7 +47,7 @@ TEST_CASE("the distance to the surface of a cube is that of the formula, negativ
   }
 }
 
-TEST_CASE("an open surface has a distance without a sign, and none on itself", "[mesh][overlap]") {
+TEST_CASE("an open surface has an unsigned distance, and none on the surface", "[mesh][overlap]") {
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles = {{0, 1, 2}};
@@ -62,7 +62,7 @@ TEST_CASE("an open surface has a distance without a sign, and none on itself", "
   CHECK_FALSE(surface.at({0.2, 0.3, 0}, 1).has_value());
 }
 
-TEST_CASE("cubes that overlap by a face have that depth, and separate along the axis", "[mesh][overlap]") {
+TEST_CASE("cubes that overlap at a face have the depth of the overlap and separate along the axis", "[mesh][overlap]") {
   const SurfaceDistance first = cube(2), second = cube(3);
   for (const double depth : {0.02, 0.1, 0.3})
     for (int axis = 0; axis < 3; ++axis)
@@ -88,7 +88,7 @@ TEST_CASE("cubes that overlap by a face have that depth, and separate along the 
       }
 }
 
-TEST_CASE("cubes apart have their distance, and none from the reach on", "[mesh][overlap]") {
+TEST_CASE("separate cubes have their distance, and none beyond the range", "[mesh][overlap]") {
   const SurfaceDistance first = cube(2), second = cube(2);
   const auto near = overlap_depth(first, Vec3::Zero(), second, {2.3, 0.1, 0.2}, 0.5, 1);
   REQUIRE(near);

@@ -27,7 +27,7 @@ Mesh two(const Mesh& second) {
 
 }  // namespace
 
-TEST_CASE("meshes whose tets share no more than their borders have no overlaps", "[mesh]") {
+TEST_CASE("meshes whose tets only touch have no overlaps", "[mesh]") {
   CHECK(overlapping_tets(box_tets({1, 2, 3}, {3, 4, 2})).empty());
   CHECK(overlapping_tets(sphere(0.01, 8)).empty());
   CHECK(overlapping_tets(cylinder(1, 2, 6, 4)).empty());
@@ -40,7 +40,7 @@ TEST_CASE("meshes whose tets share no more than their borders have no overlaps",
   CHECK(overlapping_tets(two(unit_tet({0.5, 0.5, 0}))).empty());    // touch in an edge's middle
 }
 
-TEST_CASE("tets in the same place are found, however they share it", "[mesh]") {
+TEST_CASE("overlapping tets are found for every kind of overlap", "[mesh]") {
   Mesh doubled = box_tets({1, 1, 1}, {2, 2, 2});
   const int count = static_cast<int>(doubled.tets.size());
   doubled.tets.push_back({doubled.tets[7][1], doubled.tets[7][2], doubled.tets[7][0], doubled.tets[7][3]});

@@ -77,7 +77,7 @@ TEST_CASE("a triangle with one, two or three long edges is divided into two, thr
   CHECK(parts(one_triangle({0, 0, 0}, {1.2, 0, 0}, {0, 1.2, 0})).triangles.size() == 4);
 }
 
-TEST_CASE("new vertices lie in the triangle or edge whose corners they follow", "[surface]") {
+TEST_CASE("new vertices lie in the triangle or edge whose corners they depend on", "[surface]") {
   const Mesh mesh = sphere(0.5, 2);
   const Surface surface = extract_surface(mesh);
   for (const auto& on : refined(mesh, 0.06).surface.added) {
@@ -97,7 +97,7 @@ TEST_CASE("new vertices lie in the triangle or edge whose corners they follow", 
   }
 }
 
-TEST_CASE("absurdly short edges are refused before they are made", "[surface]") {
+TEST_CASE("too short edges are refused before the division", "[surface]") {
   const Mesh mesh = box_tets(Vec3(1, 1, 1), {1, 1, 1});
   CHECK_THROWS_WITH(refined(mesh, 1e-9), Catch::Contains("more than 1000000 new vertices"));
   CHECK_NOTHROW(refine_surface(mesh.vertices, extract_surface(mesh).triangles, 0.8, 18));

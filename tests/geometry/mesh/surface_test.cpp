@@ -35,7 +35,7 @@ TEST_CASE("the surface of a box of tets is closed and encloses its volume", "[su
   CHECK(surface.vertices.size() == mesh.vertices.size() - 2 * 3 * 4);  // without the inner nodes
 }
 
-TEST_CASE("a mixture shows every dimension once", "[surface]") {
+TEST_CASE("a mesh of all dimensions lists every element once", "[surface]") {
   Mesh mesh;
   mesh.vertices.resize(9, Vec3::Zero());
   mesh.tets = {{0, 1, 2, 3}};

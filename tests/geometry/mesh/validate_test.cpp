@@ -63,14 +63,14 @@ TEST_CASE("each flaw of a mesh is named with the element and the remedy", "[mesh
   check_refused([](Mesh& m) { m.edges.push_back({8, 7}); }, "edge 0 (vertices 7 8) and edge 1 (vertices 8 7) are the same: remove one of them");
 }
 
-TEST_CASE("triangles on the faces of tets may be there twice, and edges on both", "[mesh]") {
+TEST_CASE("triangles on faces of tets, and edges of both, may be listed twice", "[mesh]") {
   Mesh mesh = valid();
   mesh.triangles.insert(mesh.triangles.end(), {{2, 0, 1}, {0, 1, 2}, {3, 1, 2}});
   mesh.edges.insert(mesh.edges.end(), {{0, 3}, {3, 0}, {4, 5}, {5, 4}});
   CHECK_NOTHROW(validate_mesh(mesh, "part.msh"));
 }
 
-TEST_CASE("flatness is judged relative to the size of the element", "[mesh]") {
+TEST_CASE("flatness is relative to the size of the element", "[mesh]") {
   Mesh mesh = valid();
   for (Vec3& x : mesh.vertices) x *= 1e-9;
   CHECK_NOTHROW(validate_mesh(mesh, "small"));

@@ -56,7 +56,7 @@ std::string error_of(const Mesh& mesh, const RepairOptions& options = {}) {
 
 }  // namespace
 
-TEST_CASE("a whole surface has no defects and stays as it is", "[meshing]") {
+TEST_CASE("a valid surface has no defects and stays as it is", "[meshing]") {
   for (const Mesh& mesh : {box_surface({1, 2, 3}, {2, 3, 4}), sphere_surface(1, 4), boxes_at({Vec3(0, 0, 0), Vec3(2, 0, 0)})}) {
     const SurfaceDefects d = find_defects(mesh);
     CHECK(list_defects(d).empty());
@@ -80,7 +80,7 @@ TEST_CASE("holes are found and filled", "[meshing]") {
   CHECK(find_defects(open.mesh).holes == 1);
 }
 
-TEST_CASE("what is taken for a solid is closed, what is taken for a sheet is not, unless asked", "[meshing]") {
+TEST_CASE("holes of solids are filled; holes of sheets only on request", "[meshing]") {
   // Half a ball, and one of 640 triangles of a ball missing.
   Mesh half = sphere_surface(1, 8);
   std::erase_if(half.triangles, [&](const Triangle& t) { return (half.vertices[t[0]] + half.vertices[t[1]] + half.vertices[t[2]]).y() < 0; });
@@ -106,7 +106,7 @@ TEST_CASE("what is taken for a solid is closed, what is taken for a sheet is not
   CHECK_THAT(error_of(grid({1, 1}, {6, 6}), {0, Holes::fill}), Contains("is an open sheet") && Contains("holes=keep"));
 }
 
-TEST_CASE("flipped triangles are found by number and turned", "[meshing]") {
+TEST_CASE("flipped triangles are listed and reoriented", "[meshing]") {
   const SurfaceDefects d = find_defects(with_flipped());
   CHECK(d.flipped.size() == 6);
   CHECK_THAT(check_solid(with_flipped(), 1, 1), Contains("turned 2 triangles to face as their neighbours: 3, 17"));
@@ -114,7 +114,7 @@ TEST_CASE("flipped triangles are found by number and turned", "[meshing]") {
   CHECK_THAT(check_solid(inside_out(), 1, 1), Contains("found inside out") && Contains("turned 1 parts"));
 }
 
-TEST_CASE("duplicated, collapsed and degenerate triangles are found by number and removed", "[meshing]") {
+TEST_CASE("duplicated, collapsed and degenerate triangles are listed and removed", "[meshing]") {
   using Pairs = std::vector<std::array<int, 2>>;
   CHECK(find_defects(with_duplicates()).duplicates == Pairs{{2, 13}, {4, 12}});
   CHECK_THAT(check_solid(with_duplicates(), 1, 1), Contains("removed 2 duplicated triangles: 12, 13"));
@@ -124,7 +124,7 @@ TEST_CASE("duplicated, collapsed and degenerate triangles are found by number an
   check_solid(with_degenerate(), 1, 1);
 }
 
-TEST_CASE("vertices at one place are merged, near ones if asked", "[meshing]") {
+TEST_CASE("vertices with equal positions are merged, near ones on request", "[meshing]") {
   CHECK(find_defects(unmerged()).doubled_vertices.size() == 28);
   CHECK_THAT(check_solid(unmerged(), 1, 1), Contains("merged 28 vertices"));
   Mesh near = unmerged();
@@ -169,13 +169,13 @@ TEST_CASE("edges of more than two triangles are found: fins are removed, solids 
   CHECK_THAT(error_of(sharing_an_edge()), Contains("edge of more than two triangles") && Contains("could not be repaired"));
 }
 
-TEST_CASE("parts that cross are united", "[meshing]") {
+TEST_CASE("components that cross are united", "[meshing]") {
   const SurfaceDefects d = find_defects(crossing_boxes());
   CHECK(d.crossings.size() > 4);
   CHECK_THAT(check_solid(crossing_boxes(), 2 - 0.5 * 0.6 * 0.7, 1), Contains("united 2 closed parts"));
 }
 
-TEST_CASE("a surface that crosses itself is mended where it does", "[meshing]") {
+TEST_CASE("a surface that crosses itself is repaired there", "[meshing]") {
   CHECK(find_defects(crossing_itself()).crossings.size() > 4);
   const Repaired r = repaired(crossing_itself());
   INFO(r.told);
@@ -191,7 +191,7 @@ TEST_CASE("neighbours that are folded onto each other cross", "[meshing]") {
   CHECK(find_defects(mesh).crossings.empty());
 }
 
-TEST_CASE("what is no surface, or has nothing to it, is refused", "[meshing]") {
+TEST_CASE("meshes without a surface, and empty ones, are refused", "[meshing]") {
   Mesh line;
   line.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0)};
   line.edges = {{0, 1}};

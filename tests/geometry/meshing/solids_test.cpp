@@ -85,7 +85,7 @@ TEST_CASE("the volumes of union, intersection and difference add up", "[meshing]
   check_volumes(box_surface({1, 1, 1}), moved(box_surface({1, 1, 1}, {2, 2, 2}), {0.5, 0, 0}));  // faces in one plane
 }
 
-TEST_CASE("booleans of what does not meet, or only touches", "[meshing]") {
+TEST_CASE("booleans of solids that do not meet or only touch", "[meshing]") {
   const Mesh box = box_surface({1, 1, 1}), far = moved(box, {3, 0, 0});
   CHECK(find_defects(combined(Boolean::unite, box, far)).component_count == 2);
   CHECK(volume(combined(Boolean::subtract, box, far)) == Approx(1));
@@ -96,7 +96,7 @@ TEST_CASE("booleans of what does not meet, or only touches", "[meshing]") {
   CHECK(volume(combined(Boolean::unite, box, moved(box, {1, 0, 0}))) == Approx(2));  // over a common face
 }
 
-TEST_CASE("booleans refuse what is no solid, by name and number", "[meshing]") {
+TEST_CASE("booleans refuse surfaces that are no solids, with name and indices", "[meshing]") {
   const Mesh box = box_surface({1, 1, 1});
   CHECK_THROWS_WITH(combined(Boolean::unite, with_hole(), box), Contains("first: needs a closed surface") && Contains("open edges"));
   CHECK_THROWS_WITH(combined(Boolean::unite, box, crossing_itself()), Contains("second: needs") && Contains("triangles that cross"));
@@ -104,7 +104,7 @@ TEST_CASE("booleans refuse what is no solid, by name and number", "[meshing]") {
   CHECK_THROWS_WITH(combined(Boolean::unite, boxes_at({Vec3(0, 0, 0), Vec3(0, 0, 0)}), box), Contains("first: needs"));
 }
 
-TEST_CASE("both halves of a cut make the whole", "[meshing]") {
+TEST_CASE("both halves of a cut have the volume of the solid", "[meshing]") {
   Notes notes;
   const Vec3 normal(1, 2, 3);
   for (const Mesh& mesh : {box_surface({1, 1, 1}), sphere_surface(1, 6)}) {
@@ -119,15 +119,15 @@ TEST_CASE("both halves of a cut make the whole", "[meshing]") {
   CHECK_THROWS_AS(cut(box_surface({1, 1, 1}), Vec3(0, 0, 0), Vec3(0, 0, 0), "part", notes), InputError);
 }
 
-TEST_CASE("tets fill a box, its edges kept", "[meshing]") {
+TEST_CASE("tets fill a box and keep its edges", "[meshing]") {
   check_tets(box_surface({1, 0.6, 0.4}), 0.12, 1e-6);
   const Filled f = filled(box_surface({1, 0.6, 0.4}), {.edge_length = 0.2});
   CHECK(total_volume(f.mesh) == Approx(0.24).epsilon(1e-9));
 }
 
-TEST_CASE("tets fill a ball within the asked distance", "[meshing]") { check_tets(sphere_surface(1, 16), 0.25, 0.006); }
+TEST_CASE("tets fill a ball within the requested deviation", "[meshing]") { check_tets(sphere_surface(1, 16), 0.25, 0.006); }
 
-TEST_CASE("tets fill bodies of several parts, smooth and sharp, and hollow ones", "[meshing]") {
+TEST_CASE("tets fill bodies of several components, smooth and sharp, and hollow ones", "[meshing]") {
   Mesh parts = box_surface({1, 1, 1});
   append(parts, moved(sphere_surface(0.3, 6), {2, 0, 0}));  // smooth: no crease leads there
   append(parts, moved(sphere_surface(0.2, 6), {0, 2, 0}));
@@ -137,7 +137,7 @@ TEST_CASE("tets fill bodies of several parts, smooth and sharp, and hollow ones"
 }
 
 // An arm of a coarse smooth body that was remeshed into a fold: nearly every edge passes for a crease, and balls that protect them touch.
-TEST_CASE("creases that cannot be protected are rounded instead of refining for ever", "[meshing]") {
+TEST_CASE("creases that cannot be protected are rounded instead of refined without end", "[meshing]") {
   const Mesh folded = read_mesh(TACK_TEST_DATA "/meshes/folded.obj");
   const Filled f = filled(folded, {.edge_length = 0.01, .surface_edge_length = 0.008, .deviation = 0.002});
   INFO(f.told);
@@ -155,7 +155,7 @@ TEST_CASE("the same surface gives the same tets", "[meshing]") {
   CHECK(a.tets == b.tets);
 }
 
-TEST_CASE("an angle that cannot be had is told with the worst tet", "[meshing]") {
+TEST_CASE("a dihedral angle that cannot be reached is reported with the worst tet", "[meshing]") {
   Mesh wedge;  // two faces at five degrees
   const double up = std::tan(5 * pi / 180);
   wedge.vertices = {Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(1, 0, 1), Vec3(1, up, 0), Vec3(1, up, 1)};
@@ -167,7 +167,7 @@ TEST_CASE("an angle that cannot be had is told with the worst tet", "[meshing]")
   CHECK_THAT(f.told, Contains("of tet"));
 }
 
-TEST_CASE("nothing is filled that is no solid, nor with too many tets", "[meshing]") {
+TEST_CASE("surfaces that are no solids, and too many tets, are refused", "[meshing]") {
   CHECK_THROWS_WITH(filled(with_hole(), {.edge_length = 0.3}), Contains("3 open edges"));
   CHECK_THROWS_WITH(filled(crossing_boxes(), {.edge_length = 0.3}), Contains("triangles that cross"));
   CHECK_THROWS_WITH(filled(sharing_a_vertex(), {.edge_length = 0.3}), Contains("vertex in which surfaces touch"));

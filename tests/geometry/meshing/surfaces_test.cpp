@@ -52,7 +52,7 @@ TEST_CASE("a box stays a box when it is remeshed", "[meshing]") {
   CHECK(triangle_angles(mesh).smallest > 15);
 }
 
-TEST_CASE("edges that leave nothing of a surface are refused, and those that change it are doubted", "[meshing]") {
+TEST_CASE("edges longer than the surface are refused, and those that change its area give a warning", "[meshing]") {
   const Mesh ball = sphere_surface(1, 16);
   CHECK_THROWS_WITH(remeshed(ball, 5), Contains("part: edges of 5 m are longer than the surface, which is 3.46") && Contains("edge_length=5mm"));
   Notes coarse, fine;
@@ -78,7 +78,7 @@ TEST_CASE("open surfaces keep their border when they are remeshed", "[meshing]")
   CHECK(find_defects(mesh).holes == 1);
 }
 
-TEST_CASE("simplification leaves as many triangles as asked", "[meshing]") {
+TEST_CASE("simplification reaches the requested number of triangles", "[meshing]") {
   Notes notes;
   const Mesh ball = simplify(sphere_surface(1, 12), 400, "ball", notes);
   CHECK(ball.triangles.size() <= 400);
@@ -127,24 +127,24 @@ TEST_CASE("the offset of a box is round outside and sharp inside", "[meshing]") 
   CHECK_THROWS_WITH(offset_by(box_surface({1, 1, 1}), -0.6, 0.1, 0.01), Contains("nothing of the surface is 0.6 m inside"));
 }
 
-TEST_CASE("offsets of several parts miss none", "[meshing]") {
+TEST_CASE("offsets include all components", "[meshing]") {
   const Mesh two = boxes_at({Vec3(0, 0, 0), Vec3(4, 0, 0)}), far = offset_by(two, 0.1, 0.2, 0.02);
   CHECK(find_defects(far).component_count == 2);
   CHECK(find_defects(offset_by(boxes_at({Vec3(0, 0, 0), Vec3(1.1, 0, 0)}), 0.2, 0.1, 0.01)).parts == 1);  // grown together
 }
 
-TEST_CASE("too many triangles are refused before they are made", "[meshing]") {
+TEST_CASE("too many triangles are refused before meshing", "[meshing]") {
   CHECK_THROWS_WITH(remeshed(box_surface({1, 1, 1}), 1e-6), Contains("more than the 1e7"));
   CHECK_THROWS_WITH(subdivided(sphere_surface(1, 20), SubdivisionRule::loop, 8), Contains("divide fewer times"));
 }
 
-TEST_CASE("broken surfaces are refused with the numbers of what is broken", "[meshing]") {
+TEST_CASE("defective surfaces are refused with the indices of the defects", "[meshing]") {
   CHECK_THROWS_WITH(remeshed(with_fin(), 0.2), Contains("part: needs") && Contains("of triangles") && Contains("12") && Contains("repair"));
   CHECK_THROWS_WITH(subdivided(with_duplicates(), SubdivisionRule::loop, 1), Contains("2 duplicated triangles: 2 and 13, 4 and 12"));
   CHECK_THROWS_WITH(offset_by(with_hole(), 0.1, 0.1, 0.01), Contains("3 open edges"));
 }
 
-TEST_CASE("distances between surfaces are those of shifted planes and balls", "[meshing]") {
+TEST_CASE("surface deviations agree with shifted planes and balls", "[meshing]") {
   Mesh high = grid({1, 1}, {4, 4});
   translate(high, Vec3(0, 0.25, 0));
   const SurfaceDeviation d = surface_deviation(grid({1, 1}, {4, 4}), high, 0.05);

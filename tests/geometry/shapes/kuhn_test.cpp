@@ -141,7 +141,7 @@ TEST_CASE("a prism has three positive tets of its volume, fewer where corners co
   CHECK(volume(mesh) == Approx(1 / 3.0));
 }
 
-TEST_CASE("prisms that name the corners of a common side in one order conform", "[shapes]") {
+TEST_CASE("prisms that list the corners of a common side in one order conform", "[shapes]") {
   // Two prisms over the triangles (0, 1, 2) and (1, 3, 2).
   Mesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};

@@ -33,7 +33,7 @@ double exact_volume(double r) {
 
 }  // namespace
 
-TEST_CASE("a rounded box: its surface lies on the exact one, and is as large", "[shapes]") {
+TEST_CASE("a rounded box: its vertices are on the exact surface, and its area converges", "[shapes]") {
   const double rounding = GENERATE(0.01, 0.02, 0.04);
   const std::array<int, 3> cells = {52, 32, 80};
   Mesh surface = box_surface(size, cells), solid = box_tets(size, cells);
@@ -62,7 +62,7 @@ TEST_CASE("a rounded box: sides stay flat, coarse cells do not turn over", "[sha
   CHECK(bounding_box(solid).min() == -size / 2);
 }
 
-TEST_CASE("a rounded box: roundings that do not fit are refused, none changes nothing", "[shapes]") {
+TEST_CASE("a rounded box: roundings that do not fit are refused; zero rounding has no effect", "[shapes]") {
   Mesh box = box_surface(size, {7, 4, 10});
   const auto before = box.vertices;
   round_box(box, size, {7, 4, 10}, 0);

@@ -23,7 +23,7 @@ double volume(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("graded cells are as long as said where it is said") {
+TEST_CASE("graded cells have the given lengths at the given positions") {
   const std::vector<double> places = graded({{0, 1}, {10, 1}, {110, 21}});
   REQUIRE(places.size() > 15);
   for (int i = 0; i <= 10; ++i) CHECK(places[i] == Approx(i).margin(1e-12));
@@ -55,7 +55,7 @@ TEST_CASE("a sector has the volume of its wedge, fits inside and is closed") {
   for (const int v : crowned.tags.at("bottom")) CHECK(crowned.vertices[v].y() == Approx(-0.5));
 }
 
-TEST_CASE("what is no sector is refused") {
+TEST_CASE("invalid sectors are refused") {
   const std::vector<double> one = {0, 1};
   CHECK_THROWS_AS(sector({0, 0, one, one}), InputError);
   CHECK_THROWS_AS(sector({2, 0, one, one}), InputError);

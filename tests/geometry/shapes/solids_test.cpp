@@ -42,7 +42,7 @@ void check_solid(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a box has its nodes, tets and volume where the documentation says", "[shapes]") {
+TEST_CASE("a box has the documented nodes, tets and volume", "[shapes]") {
   const Vec3 size(0.3, 0.7, 1.1);
   const std::array<int, 3> n = {2, 3, 4};
   const Mesh box = box_tets(size, n);
@@ -62,7 +62,7 @@ TEST_CASE("a box has its nodes, tets and volume where the documentation says", "
   CHECK(bounding_box(box).min() == -size / 2);
 }
 
-TEST_CASE("every tet of a box holds its cell's diagonal", "[shapes]") {
+TEST_CASE("every tet of a box contains the diagonal of its cell", "[shapes]") {
   const Mesh box = box_tets(Vec3(2, 2, 2), {2, 2, 2});
   for (std::size_t t = 0; t < box.tets.size(); ++t) {
     const int cell = static_cast<int>(t) / 6;

@@ -34,7 +34,7 @@ TEST_CASE("a grid lies in y = 0, faces up and has its nodes in order", "[shapes]
   }
 }
 
-TEST_CASE("diagonals run one way or alternate", "[shapes]") {
+TEST_CASE("diagonals have one direction or alternate", "[shapes]") {
   const auto has_edge = [](const Mesh& mesh, const Edge& edge) {
     const auto edges = extract_surface(mesh).edges;
     return std::find(edges.begin(), edges.end(), edge) != edges.end();
@@ -94,7 +94,7 @@ TEST_CASE("surfaces refuse sizes and cells that make no mesh", "[shapes]") {
   CHECK_THROWS_AS(sphere_surface(1, 0), InputError);
 }
 
-TEST_CASE("a grid may have irregular triangles: straight borders, the same area, the same for the same seed", "[shapes]") {
+TEST_CASE("a grid with jitter has straight borders and the same area, and is determined by the seed", "[shapes]") {
   const Mesh regular = grid(Vec2(2, 3), {6, 9}, Diagonals::uniform);
   const Mesh mesh = grid(Vec2(2, 3), {6, 9}, Diagonals::uniform, 0.24), again = grid(Vec2(2, 3), {6, 9}, Diagonals::uniform, 0.24);
   const Mesh other = grid(Vec2(2, 3), {6, 9}, Diagonals::uniform, 0.24, 2);

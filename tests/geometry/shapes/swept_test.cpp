@@ -57,7 +57,7 @@ void check_solid(const Mesh& mesh, double volume, int euler, double within = 1e-
 
 }  // namespace
 
-TEST_CASE("profiles are divided piece by piece", "[shapes]") {
+TEST_CASE("profiles are divided segment by segment", "[shapes]") {
   CHECK(divided({{0, 0}, {3, 0}, {3, 1}}, false, 4).size() == 5);
   CHECK(divided({{0, 0}, {3, 0}, {3, 1}}, false, 4)[1] == Vec2(1, 0));
   CHECK(divided({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, true, 8).size() == 8);
@@ -98,7 +98,7 @@ TEST_CASE("a sphere of one profile is closed, with its area and volume in the li
   CHECK(volume_error(16) / volume_error(32) == Approx(4).epsilon(0.02));
 }
 
-TEST_CASE("a torus: a sheet along a loop has no seam, and Pappus' area", "[shapes]") {
+TEST_CASE("a torus: a sheet along a loop has no duplicate vertices, and Pappus' area", "[shapes]") {
   const Mesh torus = revolved_sheet(arc({3, 0}, 1, 0, 2 * pi, 64), 2 * pi, 128);
   CHECK(torus.vertices.size() == 64 * 128);
   CHECK(is_closed_manifold(torus.triangles));
@@ -107,7 +107,7 @@ TEST_CASE("a torus: a sheet along a loop has no seam, and Pappus' area", "[shape
   CHECK(total_area(torus) == Approx(4 * pi * pi * 3).epsilon(2e-3));
 }
 
-TEST_CASE("solids of revolution: Pappus, for whole and for parts of turns", "[shapes]") {
+TEST_CASE("solids of revolution have Pappus' volume, for full and partial turns", "[shapes]") {
   for (const double unit : {1e-3, 1.0, 1e3}) {
     // The section is 2 by 1, its centroid 3 from the axis: n sin(2 pi / n) / (2 pi) of Pappus' volume.
     const std::vector<Vec2> section = divided({unit * Vec2(2, 0), unit * Vec2(4, 0), unit * Vec2(4, 1), unit * Vec2(2, 1)}, true, 12);
@@ -134,7 +134,7 @@ TEST_CASE("solids of revolution: Pappus, for whole and for parts of turns", "[sh
   check_solid(revolved_solid(round, 2 * pi, 128), 2 * pi * pi * 3, 0, 3e-3);
 }
 
-TEST_CASE("what is moved along a line has the profile's length, or area, times the way", "[shapes]") {
+TEST_CASE("an extrusion has the profile's length, or area, times the length of the path", "[shapes]") {
   const std::vector<Vec2> channel = {{0, 1}, {0, 0}, {2, 0}, {2, 1}};
   const Mesh sheet = extruded_sheet(divided(channel, false, 8), 3, 6);
   CHECK(total_area(sheet) == Approx(4 * 3.0));
@@ -153,7 +153,7 @@ TEST_CASE("what is moved along a line has the profile's length, or area, times t
   check_solid(beam, 0.19 * 3, 2);
 }
 
-TEST_CASE("profiles that cannot be swept are refused with the place", "[shapes]") {
+TEST_CASE("profiles that cannot be swept are refused with the position", "[shapes]") {
   CHECK_THROWS_WITH(revolved_sheet({{-1, 0}, {1, 1}}, 2 * pi, 8), Contains("crosses the axis") && Contains("(-1, 0)"));
   CHECK_THROWS_WITH(revolved_sheet({{1, 0}, {0, 1}, {1, 2}}, 2 * pi, 8), Contains("touches the axis at (0, 1)"));
   CHECK_THROWS_WITH(revolved_sheet({{0, 0}, {0, 1}}, 2 * pi, 8), Contains("touches the axis"));

@@ -19,7 +19,7 @@ double volume(const Mesh& mesh, const Tet& t) {
 
 }  // namespace
 
-TEST_CASE("divided tets: eight positive parts of an eighth each, faces that fit, old vertices first", "[divide_tets]") {
+TEST_CASE("divided tets: eight positive tets of an eighth of the volume each, conforming faces, old vertices first", "[divide_tets]") {
   for (const Mesh& mesh : {box_tets({1, 0.7, 0.4}, {3, 2, 2}), sphere(1, 4), voussoir({}, {2, 2, 2})}) {
     const Mesh fine = divide_tets(mesh);
     REQUIRE(fine.tets.size() == 8 * mesh.tets.size());
@@ -38,7 +38,7 @@ TEST_CASE("divided tets: eight positive parts of an eighth each, faces that fit,
   }
 }
 
-TEST_CASE("divided tets: nodes are found again, the diagonal is the shortest", "[divide_tets]") {
+TEST_CASE("divided tets: composite nodes are recovered, the diagonal is the shortest", "[divide_tets]") {
   const Mesh mesh = sphere(1, 4), fine = divide_tets(mesh);
   const std::vector<CompositeTet> tets = composite_tets_of(fine.tets);
   REQUIRE(tets.size() == mesh.tets.size());
@@ -54,7 +54,7 @@ TEST_CASE("divided tets: nodes are found again, the diagonal is the shortest", "
   }
 }
 
-TEST_CASE("divided tets: a turned, moved and scaled mesh is divided alike", "[divide_tets]") {
+TEST_CASE("divided tets: a rotated, translated and scaled mesh has the same division", "[divide_tets]") {
   const Mesh mesh = box_tets({1, 1, 1}, {2, 2, 2});  // of many ties
   Mesh turned = mesh;
   rotate(turned, {0.3, 1, 0.2}, 0.7);

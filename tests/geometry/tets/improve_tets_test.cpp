@@ -62,7 +62,7 @@ bool positive(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("tets are better in the same surface, at any size", "[improve_tets]") {
+TEST_CASE("tets improve inside the same surface, at any size", "[improve_tets]") {
   const double scale = GENERATE(1.0, 1e-3, 1e3);
   CAPTURE(scale);
   const Mesh before = disturbed(scale);
@@ -95,7 +95,7 @@ TEST_CASE("tets are better in the same surface, at any size", "[improve_tets]") 
     if (improved.from[v] >= 0) CHECK(after.vertices[v] == before.vertices[improved.from[v]]);
 }
 
-TEST_CASE("tets that are good stay, and the same tets give the same bits", "[improve_tets]") {
+TEST_CASE("good tets stay, and the same tets give the same bits", "[improve_tets]") {
   const Mesh good = box_tets(Vec3(1, 1, 1), {3, 3, 3});
   const ImprovedTets same = improve_tets(good.vertices, good.tets, 0.3);
   CHECK(same.tets.size() == good.tets.size());
@@ -106,7 +106,7 @@ TEST_CASE("tets that are good stay, and the same tets give the same bits", "[imp
   CHECK(once.tets == again.tets);
 }
 
-TEST_CASE("each change of tets makes the worst one better and fills the same volume, or changes nothing", "[improve_tets]") {
+TEST_CASE("each change improves the worst tet and fills the same volume, or changes nothing", "[improve_tets]") {
   const Mesh mesh = disturbed(1, {3, 3, 3});
   const auto volume = [](const TetEditor& editor) {
     double sum = 0;

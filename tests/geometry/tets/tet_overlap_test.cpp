@@ -28,7 +28,7 @@ double volume(const Corners& x) { return tet_volume(x[0], x[1], x[2], x[3]); }
 
 }  // namespace
 
-TEST_CASE("two tets share what lies in both", "[tet_overlap]") {
+TEST_CASE("the shared volume of two tets agrees with closed forms", "[tet_overlap]") {
   const double size = GENERATE(1.0, 1e-3, 1e3);
   CAPTURE(size);
   const Corners a = moved(corner, Vec3::Zero(), size);
@@ -43,7 +43,7 @@ TEST_CASE("two tets share what lies in both", "[tet_overlap]") {
   CHECK(shared_volume(a, moved(a, size * Vec3(2, 0, 0))) == 0);
 }
 
-TEST_CASE("two meshes of a box divide each other's tets without remainder", "[tet_overlap]") {
+TEST_CASE("the overlaps of two meshes of a box fill its tets", "[tet_overlap]") {
   const std::vector<Corners> one = tets_of(box_tets(Vec3(1, 2, 0.5), {2, 3, 2})), other = tets_of(box_tets(Vec3(1, 2, 0.5), {3, 2, 1}));
   std::vector<double> of_one(one.size(), 0), of_other(other.size(), 0);
   int last = -1;
