@@ -63,7 +63,7 @@ const std::vector<Formula> formulas = {
 }  // namespace
 
 TEST_CASE("volumes and areas of level sets converge to their formulas", "[level_set]") {
-  constexpr double chance = 5e-4;  // where errors are that small at once, the place of the voxels decides
+  constexpr double chance = 5e-4;  // errors below it depend on the position of the voxels
   for (const Formula& f : formulas) {
     std::vector<double> volume_errors, area_errors;
     for (const double voxel : {0.1, 0.03}) {
@@ -98,7 +98,7 @@ TEST_CASE("level sets are nowhere steeper than distances, and positive outside o
     body->prepare(0.05);
     const Eigen::AlignedBox3d box = body->bounds();
     REQUIRE(finite(box));
-    // Where the surface is, for distances by force.
+    // Points of the surface, for distances by brute force.
     const Mesh surface = mesh_of(yaml, 0.05);
     std::vector<Vec3> points;
     for (int i = 0; i < 400; ++i) points.push_back(box.center() + anywhere().cwiseProduct(box.sizes()));

@@ -56,7 +56,7 @@ TEST_CASE("volumes, strains and plastic strains keep their sums and bounds in a 
   for (const auto& x : from) {
     const Mat3 any = Mat3::NullaryExpr([&] { return random.uniform(-0.01, 0.01); });
     const double flow = random.uniform(0, 2);
-    // On the yield surface of a material that hardens: |dev e| = 0.01 (1 + flow).
+    // Strains on the yield surface of a hardening material: |dev e| = 0.01 (1 + flow).
     Mat3 strain = any + any.transpose();
     const double trace = strain.trace();
     strain -= trace / 3 * Mat3::Identity();
@@ -69,7 +69,7 @@ TEST_CASE("volumes, strains and plastic strains keep their sums and bounds in a 
   CHECK(after.volume == Approx(before.volume).epsilon(1e-12));
   CHECK(after.flow == Approx(before.flow).epsilon(1e-12));
   CHECK((after.strain - before.strain).norm() < 1e-12 * before.strain.norm());
-  CHECK(after.square < before.square);  // what is stored
+  CHECK(after.square < before.square);  // stored energy decreases
   for (const TetContent& c : handed) {
     CHECK(c.flow <= most);
     CHECK((c.strain - c.strain.trace() / 3 * Mat3::Identity()).norm() <= 0.01 * (1 + c.flow) * (1 + 1e-12));

@@ -168,14 +168,14 @@ TEST_CASE("mass, momentum and plastic strain are transferred to new tets, and th
     CHECK((is.momentum - was.momentum).norm() < 1e-11 * was.momentum.norm());
     CHECK((is.spin - was.spin).norm() < 1e-11 * was.spin.norm());
     CHECK(was.energy - is.energy == Approx(lost).margin(1e-9 * was.energy));
-    CHECK(now.energy.kinetic + now.energy.elastic == Approx(was.energy).epsilon(1e-9));  // until the next step takes off what is lost
+    CHECK(now.energy.kinetic + now.energy.elastic == Approx(was.energy).epsilon(1e-9));  // until the next step subtracts the loss
     // The surface is the same one.
     REQUIRE(run.body().triangles.size() == surface.size());
     for (size_t t = 0; t < surface.size(); ++t)
       for (int i = 0; i < 3; ++i) CHECK(from[run.body().triangles[t][i]] == surface[t][i]);
     for (size_t v = 0; v < from.size(); ++v)
       if (from[v] >= 0) CHECK(Vec3(vertex(now.x, static_cast<int>(v))) == Vec3(vertex(state.x, from[v])));
-    // And the step after it balances: what was lost is on its account.
+    // The next step balances: the loss is in its account.
     const StepReport next = run.simulation.step();
     CHECK(next.flows.of("dissipated_remeshing") == Approx(lost));
     CHECK(std::abs(next.flows.numerics) < 0.1 * was.energy);
@@ -209,7 +209,7 @@ TEST_CASE("a run resumed before or after an exchange has the bits of an uninterr
   const int first = whole.remeshings[0].step, second = whole.remeshings[1].step;
   CHECK(whole.remeshings[0].after > whole.remeshings[0].before);
   const State end = last("whole").state;
-  // To the last step before an exchange, to the one after it, and to between two of them.
+  // Resumes from the last step before an exchange, from the one after it, and from a step between two exchanges.
   for (const int stop : {first - 1, first + 1, second + 1}) {
     CAPTURE(stop);
     const std::string name = "part" + std::to_string(stop);

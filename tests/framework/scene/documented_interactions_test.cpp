@@ -18,7 +18,7 @@ std::string hung(const std::string& reel, const std::string& gravity) {
          "interactions: [{type: documented_tether, from: bar, start: [0, 0.95, 0], to: crate, end: [0, 0.05, 0], stiffness: 1 kN/m, reel: " + reel + "}]\n";
 }
 
-// How high the crate is above where it was.
+// Returns the height of the crate above its start [m].
 double height(TestRun& run, double until) {
   while (run.state().time < until - 1e-9) run.step();
   return run.world->centre_of_mass(1, run.state().x).y();

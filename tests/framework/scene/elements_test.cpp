@@ -39,7 +39,7 @@ TEST_CASE("elements: composite tets are divided into eight, with their masses an
   CHECK(body.tets.size() == 8 * 12);
   CHECK(body.vertex_count == 5 * 3 * 3);
   CHECK(body.triangles.size() == 4 * 20);
-  CHECK(s.world->tets.size() == body.tets.size());  // what must not invert
+  CHECK(s.world->tets.size() == body.tets.size());  // tets that must not invert
   CHECK(s.world->mass.sum() == Approx(2000));
   CHECK(s.world->mass.minCoeff() > 0);
   REQUIRE(s.world->elastic_terms.size() == 1);
@@ -67,7 +67,7 @@ TEST_CASE("elements: energies with a selection act on complete composite tets", 
   REQUIRE(s.world->elastic_terms.size() == 2);
   for (const auto& term : s.world->elastic_terms) CHECK(term->batches()[0].count == 6);
   CHECK(s.world->mass.sum() == Approx(1500));
-  // A selection that takes parts of tets alone takes none of them.
+  // A selection that contains no complete composite tet selects none.
   CHECK_THROWS_WITH(TestScene(objects(object("composite", "", "{type: box, size: [2, 1, 1], cells: [2, 1, 1]}",
                                              "[{type: neo_hookean, young: 1e5, select: {type: box, min: [-2, -2, -2], max: [-0.4, 2, 2]}}]"))),
                     Contains("no whole element"));

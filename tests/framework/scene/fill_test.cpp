@@ -34,7 +34,7 @@ std::vector<std::array<Vec3, 3>> triangles_of(const World& world, int body) {
   return all;
 }
 
-// By force, over all pairs of vertices and triangles, and of edges.
+// Returns the smallest distance by brute force, over all vertex-triangle and edge-edge pairs.
 double distance(const std::vector<std::array<Vec3, 3>>& a, const std::vector<std::array<Vec3, 3>>& b) {
   double least = 1e9;
   for (const auto& s : a)

@@ -33,7 +33,7 @@ struct Held : FormulaOf<1, 1> {
   }
 };
 
-// k/2 |x_b - x_a - n e|^2: two places, and a number as a way along x.
+// Energy k/2 |x_b - x_a - n e|^2 of two points and a scalar, a displacement along x.
 struct Pushed : FormulaOf<3, 1> {
   struct Data {
     double stiffness;  // N/m
@@ -163,7 +163,7 @@ TEST_CASE("objects of an interaction are found, or refused with source location 
 }
 
 TEST_CASE("a scalar without mass minimises the potential, one with mass oscillates", "[interactions]") {
-  // Both springs in a row: stiffness k of the ends, S / l^2 of the number, which is a way l n.
+  // Springs in series: stiffness k of the ends, S / l^2 of the scalar, whose displacement is l n.
   const double k = 1e4, spring = 1, length = 0.1, goal = 0.1;
   TestRun run(scene("{type: test_jack, name: jack, between: [wall, cart], " + at + "}"));
   const int n = group_of(*run.world, "jack/way").vertices.at(0);

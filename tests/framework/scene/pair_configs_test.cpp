@@ -84,7 +84,7 @@ TEST_CASE("regions: the applicable entry is reported, and invalid entries are re
   const World& world = *scene.world;
   const PairTable& pairs = world.contact->pairs();
   const int a = world.body_index("a"), b = world.body_index("b"), c = world.body_index("c");
-  // Two parts, then one each in the order of the file; that of a group says less than that of the whole objects.
+  // Two regions, then single regions in file order; the region of a group is less specific than the entry of the objects.
   REQUIRE(pairs.region_pair_count(a, b) == 3);
   const auto mu = [&](int i, int j, int part) { return pairs.tangential(pairs.point(i, j, part).law).mu; };
   for (const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {

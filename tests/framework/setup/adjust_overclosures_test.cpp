@@ -27,7 +27,7 @@ std::string scene_of(const std::string& objects, const std::string& contact = "o
   return "objects:\n" + objects + "contact: {distance: 1 mm, " + contact + "}\n";
 }
 
-// How far the first vertex of an object is from where it is without contact.
+// Returns the displacement of the first vertex of an object, compared with a scene without contact.
 Vec3 moved(const TestScene& scene, const std::string& objects, const std::string& name) {
   TestScene plain("objects:\n" + objects);
   const World& world = *scene.world;

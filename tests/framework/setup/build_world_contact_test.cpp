@@ -47,7 +47,7 @@ double stiffness(const Of&... of) {
   return barrier_of(flying(of...));
 }
 
-// In contact distances: of pairs of edges, and of points beside what they face.
+// Returns ranges of safety barriers in contact distances: of edge pairs, and of points.
 template <class... Of>
 std::array<double, 2> guards(const Of&... of) {
   const TestScene scene(flying(of...));
@@ -68,7 +68,7 @@ TEST_CASE("the barrier carries the dynamic pressure of a soft body faster than i
   CHECK(stiffness(1e4, 10) == Approx(0.1 * 500 * 100));
   CHECK(stiffness(1e4, 100) == Approx(1e4));  // the modulus at most
   CHECK(stiffness(1e6, 100) == Approx(0.1 * 500 * 1e4));
-  CHECK(stiffness(1e4, 10, 1.234) == stiffness(1e4, 10));  // however it is turned
+  CHECK(stiffness(1e4, 10, 1.234) == stiffness(1e4, 10));  // for any orientation
   CHECK(stiffness(1e4, 0, 0, "gravity: [0, -200, 0]\n") == Approx(0.1 * 500 * 2 * 200 * 0.35));  // a fall over the whole scene
   CHECK(stiffness(1e4, 100, 0, "", ", barrier: {stiffness: 3 kPa}") == Approx(3e3));
 }
@@ -88,7 +88,7 @@ TEST_CASE("the barrier of a sheet scales with the contact pressure, not with its
   CHECK(barrier_of(sheet("100 MPa", 2)) == Approx(100 * 200 + 7071).epsilon(0.02));
   CHECK(barrier_of(sheet("1 GPa", 2)) == Approx(100 * 200 + 70711).epsilon(0.02));
   CHECK(barrier_of(sheet("100 MPa", 20)) == Approx(100 * 2000 + 7071).epsilon(0.02));
-  // In a field, what falls over the 0.5 m of the scene, and weighs 10 Pa.
+  // With gravity: an impact after a fall over the 0.5 m of the scene, and a weight of 10 Pa.
   const double fall = std::sqrt(2 * 10 * (0.2 + 0.1));
   CHECK(barrier_of(sheet("100 MPa", 0, "gravity: [0, -10, 0]\n")) == Approx(100 * (100 * fall + 10) + 7071).epsilon(0.02));
 }

@@ -67,7 +67,7 @@ TEST_CASE("bystanders that cannot meet a body change nothing for it", "[setup]")
   }
 }
 
-// Sabotage of the above: what can meet it does count.
+// Control of the test above: bodies that can meet the body do count.
 TEST_CASE("a fast body that may hit a soft one stiffens its contact", "[setup]") {
   const auto stiffness = [](double distance) {
     TestRun s(scene(bases[0].yaml + fmt::format("  - {{name: fast, shape: {{type: box, size: [0.01, 0.01, 0.01]}}, place: {{translate: [{}, 0.1, 0]}}, "

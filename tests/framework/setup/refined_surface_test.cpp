@@ -65,7 +65,7 @@ double error_of(const Contact& a, const Contact& reference) {
   return std::max(std::abs(a.energy / reference.energy - 1), (a.force - reference.force).norm() / reference.force.norm());
 }
 
-// On a base of few triangles, with finer surfaces.
+// A body on a base of few triangles, both with finer surfaces.
 std::string on_base(const std::string& shape_and_place, const std::string& material, const std::string& more = "") {
   return "time: {step: 5 ms, duration: 1 s}\ngravity: [0, -9.81, 0]\nobjects:\n"
          "  - {name: upper, shape: " + shape_and_place + ", surface: {edge_length: 7 mm}, " + material + "}\n"
@@ -125,7 +125,7 @@ TEST_CASE("bodies with finer surfaces come to rest on each other and never meet"
     CHECK(fastest < 1e-5);
     CHECK(run.sample(0)[1] == Approx(weight).epsilon(1e-4));
     CHECK(run.sample(1)[1] == Approx(run.sample(0)[1]).epsilon(1e-9));
-    // Where the corners put them.
+    // New vertices have the positions that follow from the corners.
     VecX x = run.state().x;
     world.dofs.update_dependents(x);
     CHECK((x - run.state().x).lpNorm<Eigen::Infinity>() < 1e-15);

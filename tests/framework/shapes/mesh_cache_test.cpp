@@ -53,7 +53,7 @@ TEST_CASE("meshes are cached in a folder for the next run, and made again if the
   const auto written = fs::last_write_time(file);
   CHECK(check(scene(1)) == first);
   CHECK(fs::last_write_time(file) == written);
-  // Damaged: not used, and written anew.
+  // A damaged file is not used, and is written again.
   const std::string bytes = file_text(file);
   write_file(file, bytes.substr(0, bytes.size() / 2));
   CHECK(check(scene(1)) == first);

@@ -25,7 +25,7 @@ TEST_CASE("revolve and extrude: corners with units, formulas, sheets and solids"
   CHECK(total_area(cone) == Approx(std::numbers::pi * 0.03 * 0.05).epsilon(2e-3));
   const Mesh torus = shape("{type: revolve, profile_x: 0.03 + 0.01 * cos(2 * pi * s), profile_y: 0.01 * sin(2 * pi * s), closed: true, cells_profile: 40, cells_around: 80}")->make();
   CHECK(total_volume(torus) == Approx(2 * std::pow(std::numbers::pi, 2) * 0.03 * 1e-4).epsilon(6e-3));
-  // The way back along the axis is straight, and divided as the rest is.
+  // The closing line along the axis is straight, and divided like the profile.
   const std::string half = "profile_x: cos(pi * (s - 0.5)), profile_y: sin(pi * (s - 0.5)), cells_profile: 20";
   const Mesh ball = shape("{type: revolve, closed: true, cells_around: 40, " + half + "}")->make();
   CHECK(total_volume(ball) == Approx(4 * std::numbers::pi / 3).epsilon(2e-2));

@@ -15,7 +15,7 @@ double exponential(double d) { return d / 3e-4 * std::exp(1 - d / 3e-4); }
 double triangle(double d) { return std::max(0.0, std::min(d / 1.1e-3, (3.7e-3 - d) / 2.6e-3)); }  // kinks that no knot is put on
 double steep(double d) { return std::exp(-std::pow((d - 2.3456e-3) / 4e-5, 2)); }
 
-// The largest difference at places that the refinement did not look at.
+// Returns the largest difference at positions that the refinement did not test.
 double error_of(const CubicCurve& curve, const std::function<double(double)>& f) {
   double error = 0;
   std::mt19937 random(1);

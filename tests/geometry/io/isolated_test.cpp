@@ -1,4 +1,4 @@
-// Whatever a reader does, the program gets a mesh or an error that names the file.
+// Readers in a child process: the program gets a mesh or an error that names the file.
 #include "geometry/io/isolated.hpp"
 
 #include <tbb/parallel_for.h>
@@ -48,7 +48,7 @@ std::string error_of(MeshReader reader) {
   return "";
 }
 
-// Of a reader that does this before it returns.
+// Returns the error of a reader with this action.
 template <auto act>
 std::string error_after() {
   return error_of([](const Path&) {

@@ -111,7 +111,7 @@ TEST_CASE("msh 2.2 and 4.1, ascii and binary: elements and physical groups", "[i
     CHECK(mesh.vertices[point] == Vec3(3, 3, 0.1));
     CHECK(mesh.tets == std::vector<Tet>{{s, s + 1, s + 2, s + 3}, {s + 1, s + 2, s + 3, s + 4}});
     CHECK(total_volume(mesh) == Approx(0.5));
-    CHECK(mesh.triangles.empty());  // the one in the file is a face of a tet: it carries "base"
+    CHECK(mesh.triangles.empty());  // the triangle in the file is a face of a tet and only names the group "base"
     CHECK(mesh.edges == std::vector<Edge>{{s + 4, rod}});
     CHECK(mesh.points == std::vector<int>{point});
     CHECK(mesh.tags.at("body") == std::vector<int>{s, s + 1, s + 2, s + 3, s + 4});

@@ -19,7 +19,7 @@ struct Surface {
   std::vector<Triangle> triangles;
   std::vector<int> part;
 
-  // A box around a centre as a part of its own.
+  // Adds a box around a centre as a separate component.
   void box(const Vec3& centre, const Vec3& half, bool inwards) {
     const int first = static_cast<int>(vertices.size()), number = part.empty() ? 0 : part.back() + 1;
     for (int i = 0; i < 8; ++i) vertices.push_back(centre + half.cwiseProduct(Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1)));
@@ -49,7 +49,7 @@ TEST_CASE("winding numbers of nested shells count enclosing shells by orientatio
   s.box({0.1, 0.2, 0}, Vec3::Constant(3), true);      // a cavity
   s.box({0, 0, 0.3}, Vec3::Constant(2), false);       // floats in it
   s.box({9, 0, 0}, Vec3::Constant(1), false);         // beside all
-  s.box({0.2, 0.1, 0.4}, Vec3::Constant(0.5), true);  // a cavity of what floats
+  s.box({0.2, 0.1, 0.4}, Vec3::Constant(0.5), true);  // a cavity inside the floating body
   CHECK(s.windings() == std::vector{0, 1, 0, 0, 1});
 }
 

@@ -78,9 +78,9 @@ TEST_CASE("cubes that overlap at a face have the depth of the overlap and separa
         const auto moved = overlap_depth(first, common, second, by + common, 0.5, 1);
         REQUIRE(moved);
         CHECK(moved->distance == Approx(-depth).margin(1e-9));
-        // It is found in what both have in common.
+        // The point is in the intersection of both.
         for (const Vec3& centre : {common, Vec3(common + by)}) CHECK((moved->at - centre).cwiseAbs().maxCoeff() <= 1 + 1e-9);
-        // The other way round, it is the other one that goes.
+        // With the cubes exchanged, the direction is reversed.
         const auto other = overlap_depth(second, by, first, Vec3::Zero(), 0.5, 1);
         REQUIRE(other);
         CHECK(other->distance == Approx(-depth));

@@ -31,7 +31,7 @@ Repaired repaired(const Mesh& mesh, const RepairOptions& options = {}) {
   return {std::move(result), joined(notes)};
 }
 
-// Repaired to a solid of that volume, in that many parts.
+// Checks that the repaired mesh is a solid of the volume with that number of components.
 std::string check_solid(const Mesh& mesh, double volume, int parts, double within = 1e-12) {
   const Repaired r = repaired(mesh);
   INFO(r.told);

@@ -130,7 +130,7 @@ TEST_CASE("the offset of a box is round outside and sharp inside", "[meshing]") 
 TEST_CASE("offsets include all components", "[meshing]") {
   const Mesh two = boxes_at({Vec3(0, 0, 0), Vec3(4, 0, 0)}), far = offset_by(two, 0.1, 0.2, 0.02);
   CHECK(find_defects(far).component_count == 2);
-  CHECK(find_defects(offset_by(boxes_at({Vec3(0, 0, 0), Vec3(1.1, 0, 0)}), 0.2, 0.1, 0.01)).parts == 1);  // grown together
+  CHECK(find_defects(offset_by(boxes_at({Vec3(0, 0, 0), Vec3(1.1, 0, 0)}), 0.2, 0.1, 0.01)).component_count == 1);  // grown together
 }
 
 TEST_CASE("too many triangles are refused before meshing", "[meshing]") {
@@ -150,7 +150,7 @@ TEST_CASE("surface deviations agree with shifted planes and balls", "[meshing]")
   const SurfaceDeviation d = surface_deviation(grid({1, 1}, {4, 4}), high, 0.05);
   CHECK(d.largest == Approx(0.25));
   CHECK(d.rms == Approx(0.25));
-  // A small patch is near a large one everywhere, but not the other way round.
+  // A small patch is near a large one everywhere; the large one is not near the small one.
   const Mesh large = grid({3, 1}, {6, 2}), small = grid({1, 1}, {2, 2});
   CHECK(surface_deviation(small, large, 0.1).largest == Approx(0).margin(1e-12));
   CHECK(surface_deviation(large, small, 0.1).largest == Approx(1));

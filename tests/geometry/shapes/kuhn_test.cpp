@@ -24,7 +24,7 @@ double volume(const Mesh& mesh) {
   return sum;
 }
 
-// How often each face is used, by its sorted corners.
+// Returns the number of uses of each face, by its sorted corners.
 std::map<std::array<int, 3>, int> faces(const Mesh& mesh) {
   std::map<std::array<int, 3>, int> uses;
   for (const Tet& t : mesh.tets)

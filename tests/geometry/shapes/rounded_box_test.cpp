@@ -18,7 +18,7 @@ namespace {
 
 const Vec3 size(0.13, 0.08, 0.2);
 
-// From a box that is smaller by `rounding` on every side.
+// Returns the distance from a box that is smaller by `rounding` on every side.
 double distance_to_core(const Vec3& x, double rounding) {
   const Vec3 inner = size / 2 - Vec3::Constant(rounding);
   return (x - x.cwiseMax(-inner).cwiseMin(inner)).norm();

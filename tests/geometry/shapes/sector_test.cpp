@@ -44,7 +44,7 @@ TEST_CASE("a sector has the volume of its wedge, fits inside and is closed") {
   const Mesh flat = sector({angle, 0, graded({{0, 0.1}, {1, 0.3}}), graded({{0, 0.1}, {0.5, 0.2}})});
   CHECK(volume(flat) == Approx(std::sin(angle) / 2 * 0.5));
   const Mesh crowned = sector({angle, 2, graded({{0, 0.01}, {1, 0.01}}), graded({{0, 0.1}, {0.5, 0.2}})});
-  // A cylinder of which the crown takes off what is beside a cap of height h.
+  // Volume of a cylinder minus the region beside a cap of height h.
   const double h = 2 - std::sqrt(3.0), cap = std::numbers::pi * h * (3 + h * h) / 6, cylinder = std::numbers::pi * 0.5;
   CHECK(volume(crowned) == Approx((cylinder - std::numbers::pi * h + cap) * std::sin(angle) / (2 * std::numbers::pi)).epsilon(1e-3));
   CHECK(crowned.tags.at("axis").size() == graded({{0, 0.1}, {0.5, 0.2}}).size());

@@ -1,4 +1,4 @@
-// What profiles pass over, against closed forms: of the polygon that a circle becomes exactly, of the circle in the limit.
+// Swept shapes against closed forms: exactly for the polygon that replaces a circle, in the limit for the circle.
 #include "geometry/shapes/swept.hpp"
 
 #include <catch2/catch.hpp>
@@ -68,7 +68,7 @@ TEST_CASE("a cone has the area of its polygon, and in the limit that of a cone",
   for (const double unit : {1e-3, 1.0, 1e3}) {
     const double r = 0.6 * unit, h = 0.8 * unit;
     const Mesh cone = revolved_sheet(divided({{r, 0}, {0, h}}, false, 5), 2 * pi, 24);
-    // Of a pyramid: 24 triangles over the chords.
+    // Area of a pyramid: 24 triangles over the chords.
     const double chord = 2 * r * std::sin(pi / 24), slant = std::hypot(h, r * std::cos(pi / 24));
     CHECK(total_area(cone) == Approx(24 * chord * slant / 2).epsilon(1e-12));
     CHECK(cone.vertices.size() == 5 * 24 + 1);
@@ -123,7 +123,7 @@ TEST_CASE("solids of revolution have Pappus' volume, for full and partial turns"
     for (const int v : part.tags.at("end"))
       CHECK(std::atan2(-part.vertices[v].z(), part.vertices[v].x()) == Approx(1.5));
   }
-  // On the axis prisms are less: a cylinder, a ball, and a quarter of one.
+  // On the axis prisms degenerate: a cylinder, a ball, and a quarter of a ball.
   const FlatMesh half = triangulate(divided({{0, -1}, {1, -1}, {1, 1}, {0, 1}}, true, 12), 0.5, "half");
   check_solid(revolved_solid(half, 2 * pi, 24), 24 * std::sin(2 * pi / 24), 2);
   check_solid(revolved_solid(half, pi / 2, 6), 6 * std::sin(pi / 12), 2);
@@ -141,13 +141,13 @@ TEST_CASE("an extrusion has the profile's length, or area, times the length of t
   CHECK(sheet.vertices.size() == 9 * 7);
   for (const int v : sheet.tags.at("start")) CHECK(sheet.vertices[v].z() == 1.5);
   for (const int v : sheet.tags.at("end")) CHECK(sheet.vertices[v].z() == -1.5);
-  // Normals to the right of the way.
+  // Normals point to the right of the path.
   const Mesh up = extruded_sheet({{0, 0}, {0, 1}}, 1, 1);
   for (const auto& [a, b, c] : up.triangles) CHECK((up.vertices[b] - up.vertices[a]).cross(up.vertices[c] - up.vertices[a]).x() > 0);
   const Mesh tube = extruded_sheet(arc({0, 0}, 1, 0, 2 * pi, 40), 2, 5);
   CHECK(tube.vertices.size() == 40 * 6);
   CHECK(total_area(tube) == Approx(2 * 40 * 2 * std::sin(pi / 40)));
-  // Not convex, given clockwise.
+  // A clockwise polygon that is not convex.
   const std::vector<Vec2> angle = {{0, 1}, {0.1, 1}, {0.1, 0.1}, {1, 0.1}, {1, 0}, {0, 0}};
   const Mesh beam = extruded_solid(triangulate(divided(angle, true, 40), 0.1, "angle"), 3, 20);
   check_solid(beam, 0.19 * 3, 2);

@@ -79,7 +79,7 @@ TEST_CASE("tets improve inside the same surface, at any size", "[improve_tets]")
   CHECK(positive(after));
   CHECK(faces(after) == faces(before));
   CHECK(total_volume(after) == Approx(total_volume(before)).epsilon(1e-12));
-  // What is told of where things come from.
+  // Old indices of vertices and tets.
   REQUIRE(improved.from.size() == after.vertices.size());
   REQUIRE(improved.kept.size() == after.tets.size());
   const std::vector<int> outside = extract_surface(before).vertices;

@@ -1,4 +1,4 @@
-// What two sets of tets have in common.
+// Intersections of two sets of tets.
 #include <catch2/catch.hpp>
 
 #include "geometry/mesh/quality.hpp"
@@ -33,7 +33,7 @@ TEST_CASE("the shared volume of two tets agrees with closed forms", "[tet_overla
   CAPTURE(size);
   const Corners a = moved(corner, Vec3::Zero(), size);
   CHECK(shared_volume(a, a) == Approx(volume(a)).epsilon(1e-14));
-  // The same corner, shifted along its axes by s: a corner of 1 - s is left.
+  // A corner tet shifted along its axes by s: a corner of size 1 - s remains.
   CHECK(shared_volume(a, moved(a, size * Vec3(0.25, 0, 0))) == Approx(std::pow(0.75 * size, 3) / 6).epsilon(1e-13));
   CHECK(shared_volume(a, moved(a, size * Vec3(0.1, 0.2, 0.3))) == Approx(std::pow(0.4 * size, 3) / 6).epsilon(1e-13));
   // One within the other, and one that only touches.

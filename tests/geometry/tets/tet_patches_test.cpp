@@ -34,7 +34,7 @@ TEST_CASE("patches of meshes of cells are the cells", "[tet_patches]") {
 }
 
 TEST_CASE("patches of other meshes are connected, large enough and not too large, whatever the order of tets", "[tet_patches]") {
-  // The parts of divided tets, in an order in which no six in a row are a cell.
+  // Divided tets, in an order in which no six consecutive ones are a cell.
   Mesh mesh = divide_tets(sphere(1, 6));
   for (const int stride : {7, 101}) {
     std::vector<Tet> tets;
