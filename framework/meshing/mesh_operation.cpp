@@ -66,7 +66,7 @@ Mesh run_operation(MeshOperation& operation, const Mesh& mesh, const std::string
   std::string_view text = result.text;
   std::optional<Mesh> made;
   if (take_notes(text, notes)) made = mesh_from(text);
-  if (!made) throw InputError(what + ": the process that made the mesh went astray; repair the mesh, or remesh it first");
+  if (!made) throw InputError(what + ": the process that made the mesh failed; repair the mesh, or remesh it first");
   for (const std::string& line : quality_notes(*made)) notes.push_back(line);
   notes.push_back(fmt::format("took {:.2g} s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()));
   return std::move(*made);

@@ -47,7 +47,7 @@ void add_attachments(const SceneConfig& scene, int index, World& world) {
     for (const int v : select(*attach.select, world.selection_context(index))) {
       const int local = v - world.bodies[index].first_vertex;
       if (world.prescribed_motion.ever_fixed(v))
-        throw InputError(fmt::format("{}: vertex {} is held by a motion as well; take it out of one of the two selections",
+        throw InputError(fmt::format("{}: vertex {} is prescribed by a motion as well; take it out of one of the two selections",
                                      name, local));
       if (std::find(attached.begin(), attached.end(), v) != attached.end())
         throw InputError(fmt::format("{}: vertex {} is attached twice; take it out of one of the selections", name, local));

@@ -105,7 +105,7 @@ class Filler {
       const Pose pose = random_pose();
       if (within(pose) && copies_.fits(pose)) copies_.add(pose), failures = 0;
       else if (++failures == failure_count_max)
-        throw InputError(fmt::format("fill: {} of {} copies found a place, then {} tries in a row none; ask for fewer, or for less clearance "
+        throw InputError(fmt::format("fill: {} of {} copies were placed, then {} attempts in a row failed; ask for fewer, or for less clearance "
                                      "({:.4g} m), or widen the region", copies_.poses().size(), target_count, failure_count_max, fill_.clearance));
     }
     return copies_.poses();

@@ -57,7 +57,7 @@ PairConfigs::Side PairConfigs::side(int entry, const PairSide& named) const {
   }
   if (std::find(found.objects.begin(), found.objects.end(), 1) != found.objects.end()) {
     if (named.select && found.rank != object)
-      throw error(entry, fmt::format("a part is one of a single object, and '{}' is {}; name the object", name, name == all_objects ? "all of them" : "a group"));
+      throw error(entry, fmt::format("a region belongs to a single object, and '{}' is {}; name the object", name, name == all_objects ? "all of them" : "a group"));
     return found;
   }
   std::vector<std::string> names;

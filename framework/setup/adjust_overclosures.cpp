@@ -154,7 +154,7 @@ class OverclosureAdjustment {
   [[noreturn]] void refuse(int a, int b, const OverlapDepth& found) const {
     const auto at_limit = [&](int i) { return free_[i] && displacement_[i].norm() >= limit_ * (1 - 1e-9); };
     const std::string why = at_limit(a) || at_limit(b) ? fmt::format("'{}' would have to go farther than contact.overclosure_adjustment ({:.4g} m)", name(at_limit(a) ? a : b), limit_)
-                                             : "what is around leaves no room";
+                                             : "surrounding objects leave no space";
     throw InputError(fmt::format("{}'{}' and '{}' {} at ({:.6g}, {:.6g}, {:.6g}) m, {:.4g} m {}, and could not be pushed apart: {}; move one of them "
                                  "(place.translate), or turn their contact off (contact.pairs, contact: false)",
                                  source_location(root_, "objects", static_cast<size_t>(b)), name(a), name(b), found.distance < 0 ? "overlap" : "are too close",

@@ -130,8 +130,8 @@ void prescribe_motions(const SceneConfig& scene, int index, World& world) {
     if (object.remesh) drop_interior_vertices(name, world.bodies[index], vertices);
     if (motion.partial() && object.body) {
       if (static_cast<int>(vertices.size()) != world.bodies[index].vertex_count)
-        throw InputError(fmt::format("{}: holds some directions of a part of an affine body; select all of it, or hold "
-                                     "vertices whole (on a line: a hinge, one: a joint)", name));
+        throw InputError(fmt::format("{}: fixes directions of some vertices of an affine body; select all of it, or fix "
+                                     "vertices in all directions (on a line: a hinge, one: a joint)", name));
       vertices = world.bodies[index].frame;
     }
     world.prescribed_motion.add({&motion, vertices, name});
@@ -314,7 +314,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (const Dependence& d : world->constraints.lasting()) world->prescribed_motion.add_dependence(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
     with_source_location(root.find("objects"), [] {
-      throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
+      throw InputError("nothing can move: the motion of every object is prescribed throughout; free one of them (motion, its "
                        "select, from and until)");
     });
   for_each_object(scene, root, [&](size_t i) { add_attachments(scene, static_cast<int>(i), *world); });

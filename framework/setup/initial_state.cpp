@@ -71,7 +71,7 @@ void copy_history(const ObjectConfig& object, const InitialStateFromRun& earlier
     any = true;
   }
   if (any && earlier.energies.at(object.name) != energies_text(object))
-    throw InputError(fmt::format("object '{}' remembers what happened to it in {} (plastic strain, turns, frames), and its energies or elements are others now; "
+    throw InputError(fmt::format("object '{}' has history variables in {} (plastic strain, turns, frames), and its energies or elements differ now; "
                                  "give it the same, or leave it out of start.objects", object.name, earlier.file));
 }
 
@@ -89,7 +89,7 @@ void copy_keyed_history(const InitialStateFromRun& earlier, const NewIndices& in
     for (int i = 0; i < there.entries(); ++i) {
       const auto& [vertex, object] = there.keys[i];
       if (vertex < 0 || object < 0 || vertex >= static_cast<int>(indices.vertices.size()) || object >= static_cast<int>(indices.objects.size()))
-        throw InputError(fmt::format("{}: its history '{}' does not fit its objects; write it anew", earlier.file, name));
+        throw InputError(fmt::format("{}: its history '{}' does not fit its objects; write it again", earlier.file, name));
       if (indices.vertices[vertex] >= 0 && indices.objects[object] >= 0) kept.push_back({{indices.vertices[vertex], indices.objects[object]}, i});
     }
     if (kept.empty()) continue;

@@ -52,9 +52,9 @@ int InteractionBuilder::attachment_point(int body, const Vec3& at) {
   const Embedding::Attachment attachment = embedding.of(at);
   const std::string& object = world_.bodies[body].name;
   if (attachment.on.empty())
-    throw InputError(fmt::format("interaction '{}': '{}' has neither tets nor triangles that could carry a point along; choose vertices of it", name(), object));
+    throw InputError(fmt::format("interaction '{}': '{}' has neither tets nor triangles that could be the host of a point; select vertices of it", name(), object));
   if (attachment.error > Embedding::touching * embedding.size())
-    throw InputError(fmt::format("interaction '{}': the point ({:.6g}, {:.6g}, {:.6g}) m is {:.4g} m away from '{}', which has no tets that could carry it "
+    throw InputError(fmt::format("interaction '{}': the point ({:.6g}, {:.6g}, {:.6g}) m is {:.4g} m away from '{}', which has no tets that a point could follow "
                                  "beyond its surface; choose one on it", name(), at.x(), at.y(), at.z(), attachment.error, object));
   Unknowns own = unknowns();
   const int v = own.add_vector_dofs("anchor", std::vector{at})[0];
@@ -79,7 +79,7 @@ void InteractionBuilder::make_dependent(Dependences dependences, double from, do
   for (const Dependence& d : dependences)
     if (world_.prescribed_motion.ever_fixed(d.vertex)) {
       const int i = world_.body_of(d.vertex);
-      throw InputError(fmt::format("interaction '{}': vertex {} of '{}' is held by a motion as well; take it out of one of the two", name(),
+      throw InputError(fmt::format("interaction '{}': vertex {} of '{}' is prescribed by a motion as well; take it out of one of the two", name(),
                                    i < 0 ? d.vertex : world_.index_in_body(d.vertex), i < 0 ? name() : world_.bodies[i].name));
     }
   world_.constraints.add(TimedConstraint{fmt::format("interaction '{}'", name()), std::move(dependences), from, until});
@@ -98,7 +98,7 @@ void refuse_duplicate(const Joint& joint, const World& world) {
     if (!std::is_permutation(joint.bodies.begin(), joint.bodies.end(), other.bodies.begin(), other.bodies.end())) continue;
     const int relation_count = static_cast<int>(joint.relations.size() - joint.own_vertices.size());
     if (redundant_relation_count({other, joint}, world) - redundant_relation_count({other}, world) >= relation_count)
-      throw InputError(fmt::format("joint '{}' joins what '{}' joins already; take one of them away", joint.name, other.name));
+      throw InputError(fmt::format("joint '{}' repeats the relations of '{}'; take one of them away", joint.name, other.name));
   }
 }
 
@@ -112,12 +112,12 @@ void InteractionBuilder::add(Joint joint) {
     if (body.frame.empty() || !body.movable) continue;
     any = true;
     if (std::any_of(body.frame.begin(), body.frame.end(), [&](int v) { return world_.prescribed_motion.ever_fixed(v); }))
-      throw InputError(fmt::format("joint '{}': a motion of '{}' holds some of its directions (along, across), which joints do not go with; a hinge or a "
-                                   "slider holds them", name(), body.name));
+      throw InputError(fmt::format("joint '{}': a motion of '{}' fixes some of its directions (along, across), which joints do not support; use a hinge or a "
+                                   "slider", name(), body.name));
   }
   if (!any)
     throw InputError(fmt::format("joint '{}' moves nothing: none of '{}' is an affine body that may move; give one of them `body: affine`, tie deformable "
-                                 "objects by `attach` or springs, and take a joint of what is held away", name(),
+                                 "objects by `attach` or springs, and remove joints between fixed objects", name(),
                                  fmt::join([&] {
                                    std::vector<std::string> names;
                                    for (const int i : joint.bodies) names.push_back(world_.bodies[i].name);

@@ -62,7 +62,7 @@ void add_named_selections(const SceneConfig& scene, const Value& root, World& wo
       any = true;
     }
     if (any) continue;
-    throw InputError(fmt::format("{}selection '{}' chooses no vertex of any object{}; check its place and units, or "
+    throw InputError(fmt::format("{}selection '{}' chooses no vertex of any object{}; check its position and units, or "
                                  "whether objects have a group of that name", selection_location(&root, i), named.name, why));
   }
 }

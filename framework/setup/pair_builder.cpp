@@ -110,11 +110,11 @@ void PairBuilder::build() {
 // no_contact: the two objects have no contact.
 void PairBuilder::check_regions(int a, int b, const std::vector<int>& regions, bool no_contact) const {
   for (const int entry : regions) {
-    if (table_.plain_sums) throw configs_.error(entry, "parts of objects have areas, and contact.weights: pair counts close pairs instead; take it away, or name whole objects");
+    if (table_.plain_sums) throw configs_.error(entry, "regions of objects have areas, and contact.weights: pair counts close pairs instead; take it away, or name whole objects");
     if (!contact_.pairs[entry].contact)
-      throw configs_.error(entry, "what passes through each other does so as a whole; take `contact: false` away, or name whole objects");
+      throw configs_.error(entry, "objects without contact have none in any region; take `contact: false` away, or name whole objects");
     if (no_contact && configs_.names_objects(entry))
-      throw configs_.error(entry, fmt::format("'{}' and '{}' are in no contact, where one is attached to the other or their pair says so, and neither are parts of them; take this "
+      throw configs_.error(entry, fmt::format("'{}' and '{}' have no contact, because one is attached to the other or their pair says so, and neither have regions of them; take this "
                                               "pair away", world_.bodies[a].name, world_.bodies[b].name));
   }
   regions_.require_distinct(regions, a, b);
@@ -276,7 +276,7 @@ PairBuilder::Side PairBuilder::integration_side_of(int a, int b, int config, con
     const Side side = integration_side_of(a, b, entry);
     if (found == Side::automatic) found = side;
     if (side == Side::automatic || side == found) continue;
-    throw configs_.error(entry, fmt::format("integrate: '{}' and '{}' have one integration side, whatever the part, and another of their pairs names another one; say the same in both, or "
+    throw configs_.error(entry, fmt::format("integrate: '{}' and '{}' have one integration side for all regions, and another of their pairs names another one; name the same in both, or "
                                             "in one of them alone", world_.bodies[a].name, world_.bodies[b].name));
   }
   return found;

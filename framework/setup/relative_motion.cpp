@@ -66,7 +66,7 @@ const Motion& carrier_of(const Motion& motion, const std::string& who, const Sce
     if (other->pose(0) && !other->partial() && other->selection().type() == std::string("all") && other->from() <= motion.from() &&
         other->until() >= motion.until())
       return *other;
-  throw InputError(fmt::format("{}: object '{}' has no one motion that holds all of it, rigidly, from {} to {}; give it one (fixed, translate, rotate, "
+  throw InputError(fmt::format("{}: object '{}' has no single rigid motion of all its vertices from {} to {}; give it one (fixed, translate, rotate, "
                                "hinge, keyframes), or this one a span (from, until) within that", who, object.name, time_of(motion.from()),
                                time_of(motion.until())));
 }

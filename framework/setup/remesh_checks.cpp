@@ -34,18 +34,18 @@ std::string obstacle(const ObjectConfig& object, const Body& body, const SceneCo
   if (body.tets.empty()) return "it has no tets; take `remesh` away, or use a tet mesh or shape";
   if (!body.sheet.empty() || !body.edges.empty() || !body.points.empty())
     return "it has triangles, edges or points beside its tets; make them an object of their own";
-  if (!body.movable) return "motions hold it throughout, so that it does not flow; take `remesh` away";
+  if (!body.movable) return "its motion is prescribed throughout, so that it does not flow; take `remesh` away";
   if (object.elements != Elements::linear) return "its elements are not linear; take `elements` away, or `remesh`";
-  if (object.surface) return "contact sees a finer surface of it; use finer cells and take `surface` away";
+  if (object.surface) return "its contact surface is refined; use finer cells and take `surface` away";
   if (!object.attach.empty()) return "it is attached to another object; hold it by contact, or take `remesh` away";
   if (has_attached_objects(object, scene)) return "another object is attached to it; hold that by contact or motions, or take `remesh` away";
   if (const std::string type = interaction_on(object, scene); !type.empty())
-    return fmt::format("the interaction {} acts on it, and takes its tets for lasting; take one of the two away", type);
+    return fmt::format("the interaction {} acts on it and refers to its tets; take one of the two away", type);
   if (object.energies.size() != 1 || object.energies.front()->selection())
-    return "it takes one energy, of all of its tets; give it von_mises alone";
+    return "it needs exactly one energy, on all of its tets; use von_mises alone";
   const auto& records = world.records.exchangeable();
   const bool known = std::any_of(records.begin(), records.end(), [&](const ExchangeableTets& r) { return r.body == body.name; });
-  if (!known) return fmt::format("{} does not flow, or not in a way that other tets could take over; choose von_mises, or take `remesh` away", object.energies.front()->type());
+  if (!known) return fmt::format("{} does not flow, or its state cannot be transferred to other tets; choose von_mises, or take `remesh` away", object.energies.front()->type());
   return "";
 }
 
@@ -58,7 +58,7 @@ void drop_interior_vertices(const std::string& motion, const Body& body, std::ve
   const auto inside = [&](int v) { return !outside[v - body.first_vertex]; };
   const auto count = std::count_if(vertices.begin(), vertices.end(), inside);
   if (count > 0 && body.references.empty())
-    throw InputError(fmt::format("{} holds {} vertices inside of '{}', which is meshed anew as it flows (remesh): others would be there; select vertices of its "
+    throw InputError(fmt::format("{} prescribes {} vertices inside of '{}', which is remeshed as it flows (remesh): they would be replaced; select vertices of its "
                                  "surface alone, or take `remesh` away", motion, count, body.name));
   std::erase_if(vertices, inside);
 }
@@ -74,7 +74,7 @@ void check_remeshing(const SceneConfig& scene, const Value& root, const World& w
     if (why.empty()) continue;
     const Value* object = entry_of(root.find("objects"), i);
     with_source_location(object && object->find("remesh") ? object->find("remesh") : object,
-             [&] { throw InputError(fmt::format("object '{}' cannot be meshed anew: {}", scene.objects[i].name, why)); });
+             [&] { throw InputError(fmt::format("object '{}' cannot be remeshed: {}", scene.objects[i].name, why)); });
   }
 }
 

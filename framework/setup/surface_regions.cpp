@@ -24,11 +24,11 @@ SurfaceRegions::SurfaceRegions(const SceneConfig& scene, const PairConfigs& conf
   for (size_t i = 0; i < pairs.size(); ++i)
     for (int side = 0; side < 2; ++side)
       if (const PairSide& named = pairs[i].between[side]; named.select && !has_element_in(world.bodies[world.body_index(named.object)], sides_[i][side]))
-        throw configs.error(static_cast<int>(i), fmt::format("the part {} of object '{}' holds no whole triangle (edge, point) of its surface; widen it", named.select->type(), named.object));
+        throw configs.error(static_cast<int>(i), fmt::format("the region {} of object '{}' contains no complete triangle (edge, point) of its surface; enlarge it", named.select->type(), named.object));
 }
 
 RegionSet SurfaceRegions::add(int entry, const PairSide& side) {
-  if (next_ == PairTable::region_count_max) throw configs_.error(entry, fmt::format("pairs name more than {} parts of objects; let fewer entries name larger ones", PairTable::region_count_max));
+  if (next_ == PairTable::region_count_max) throw configs_.error(entry, fmt::format("pairs name more than {} regions of objects; let fewer entries name larger ones", PairTable::region_count_max));
   vertex_regions_.resize(static_cast<size_t>(world_.rest.size()) / 3, 0);
   const RegionSet bit = RegionSet(1) << next_++;
   try {
@@ -66,8 +66,8 @@ void SurfaceRegions::require_distinct(const std::vector<int>& entries, int a, in
       if (!meet(0, 1) && !(a == b && meet(1, 0))) continue;
       std::string where = configs_.location(entries[i]);
       if (!where.empty()) where = fmt::format(" ({})", where.substr(0, where.size() - 2));
-      throw configs_.error(entries[j], fmt::format("parts of '{}' and '{}' that it names are also named by another entry{} that says as much; let the two not overlap, or say "
-                                                   "more of one", body_a.name, body_b.name, where));
+      throw configs_.error(entries[j], fmt::format("regions of '{}' and '{}' that it names are also named by an equally specific entry{}; let the two not overlap, or make "
+                                                   "one more specific", body_a.name, body_b.name, where));
     }
 }
 

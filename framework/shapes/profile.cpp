@@ -52,7 +52,7 @@ std::vector<Vec2> ProfileConfig::of_formulas(const std::string& name) const {
   for (int i = 0; i <= cells; ++i) {
     const std::array s = {double(i) / cells};
     points.emplace_back(x_of(s), y_of(s));
-    if (!points.back().allFinite()) throw InputError(fmt::format("{}: ({}, {}) is no place at s = {:g}", name, x, y, s[0]));
+    if (!points.back().allFinite()) throw InputError(fmt::format("{}: ({}, {}) is no position at s = {:g}", name, x, y, s[0]));
   }
   return points;
 }

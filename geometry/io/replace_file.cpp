@@ -16,7 +16,7 @@ std::string write_failure(const fs::path& path) {
   const std::string reason = errno ? fmt::format(" ({})", std::strerror(errno)) : "";
   return fmt::format(
       "{}: cannot be written{}: check the folder, its permissions and the space on "
-      "the disk, or choose another place",
+      "the disk, or choose another path",
       path.string(), reason);
 }
 

@@ -112,7 +112,7 @@ void require_supported(const Mesh& mesh, const std::filesystem::path& path) {
     throw InputError(path.string() + ": such a file can hold triangles only; write .vtu, .vtk, .msh, .obj or .glb");
   if (!gltf) return;
   if (const auto [a, b] = merged_in_single_precision(mesh); a >= 0)
-    throw InputError(fmt::format("{}: such a file has single precision, in which the vertices {} and {} are in one place; move the mesh to the origin first "
+    throw InputError(fmt::format("{}: such a file has single precision, in which the vertices {} and {} coincide; move the mesh to the origin first "
                                  "(`tack mesh transform`), or write .obj", path.string(), a, b));
 }
 

@@ -19,7 +19,7 @@ CgalMesh solid(const Mesh& mesh, const std::string& name) {
   require_solid(surface, name);
   const CgalMesh result = to_cgal(surface);
   if (!pmp::does_bound_a_volume(result))
-    throw InputError(name + ": its closed parts are not oriented as the border of a solid: each has to have its normals outwards, "
+    throw InputError(name + ": its closed components are not oriented as the border of a solid: each has to have its normals outwards, "
                      "a hollow inwards; repair it (`tack mesh repair`)");
   return result;
 }

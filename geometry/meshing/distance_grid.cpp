@@ -36,7 +36,7 @@ Vec3 base_of(const Eigen::AlignedBox3d& box, double voxel) {
   const double far = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   constexpr double resolved = 1e-6;  // of a voxel
   if (!(far * std::numeric_limits<double>::epsilon() < resolved * voxel))
-    throw InputError(fmt::format("a level set at {:.3g} m from the origin, where numbers tell places no finer than {:.1g} m apart, has voxels of {:.3g} m; "
+    throw InputError(fmt::format("a level set at {:.3g} m from the origin, where positions have a resolution of {:.1g} m, has voxels of {:.3g} m; "
                                  "move it nearer (place.translate), or take larger ones", far, far * std::numeric_limits<double>::epsilon(), voxel));
   if (far < near * voxel) return Vec3::Zero();
   return (centre / multiple).array().round() * multiple;

@@ -84,7 +84,7 @@ void merge_vertices(NumberedMesh& s, double distance, Notes& notes) {
   std::vector<int> merged(s.mesh.vertices.size());
   for (const auto& [old, now] : points.tags) merged[static_cast<std::size_t>(std::stoi(old))] = now[0];
   if (points.vertices.size() == merged.size()) return;
-  notes.push_back(fmt::format("merged {} vertices with others at the same place", merged.size() - points.vertices.size()));
+  notes.push_back(fmt::format("merged {} vertices with others at the same position", merged.size() - points.vertices.size()));
   s.mesh.vertices = points.vertices;
   for (Triangle& t : s.mesh.triangles)
     for (int& v : t) v = merged[v];
@@ -256,7 +256,7 @@ Mesh unite_crossing_components(const Mesh& mesh, Notes& notes) {
       return mesh;  // they touch: the remaining defects are reported
     }
   }
-  notes.push_back(fmt::format("united {} closed parts that cross each other", crossing.size()));
+  notes.push_back(fmt::format("united {} closed components that cross each other", crossing.size()));
   append(others, united);
   return others;
 }
@@ -275,7 +275,7 @@ void orient_outwards(CgalMesh& m, Notes& notes) {
     };
     if (normal(before).dot(normal(after)) < 0) flipped.insert(component[t]);
   }
-  if (!flipped.empty()) notes.push_back(fmt::format("turned {} parts to have their normals outwards (hollows: inwards)", flipped.size()));
+  if (!flipped.empty()) notes.push_back(fmt::format("turned {} components to have their normals outwards (hollows: inwards)", flipped.size()));
 }
 
 // Returns lines with the position of the first defect of each kind.
@@ -312,7 +312,7 @@ void refuse(const Mesh& mesh, const SurfaceDefects& before, const SurfaceDefects
   for (const std::string& line : list_defects(before)) text += "\n  " + line;
   text += "\nof which is left, in numbers of the repaired mesh,";
   for (const std::string& line : list_defects(after)) text += "\n  " + line;
-  throw InputError(text + defect_positions(left, after) + "\nremedy: mend these places in a modelling program");
+  throw InputError(text + defect_positions(left, after) + "\nremedy: repair these positions in a modelling program");
 }
 
 }  // namespace

@@ -66,13 +66,13 @@ class Builder {
 }  // namespace
 
 std::vector<double> graded(const std::vector<Vec2>& cells) {
-  if (cells.size() < 2 || cells.front().x() != 0) throw InputError("cells of a sector: expects places and lengths there, [[0, 1 mm], [1 cm, 2 mm]], say, the first at 0");
+  if (cells.size() < 2 || cells.front().x() != 0) throw InputError("cells of a sector: expects positions and lengths there, [[0, 1 mm], [1 cm, 2 mm]], say, the first at 0");
   std::vector<double> positions = {0};
   for (size_t k = 0; k < cells.size(); ++k) {
     if (!(cells[k].y() > 0)) throw InputError(fmt::format("cells of a sector: the length {:g} m at {:g} m is not positive", cells[k].y(), cells[k].x()));
     if (k == 0) continue;
     const double from = cells[k - 1].x(), to = cells[k].x(), first = cells[k - 1].y(), last = cells[k].y(), length = to - from;
-    if (!(length > 0)) throw InputError(fmt::format("cells of a sector: the place {:g} m is not above that before, {:g} m", to, from));
+    if (!(length > 0)) throw InputError(fmt::format("cells of a sector: the position {:g} m is not above the previous one, {:g} m", to, from));
     // Lengths are linear in the position, so that positions are exponential in the cell index.
     const double growth = std::log(last / first), cell_count = std::abs(growth) < 1e-9 ? length / first : growth * length / (last - first);
     if (!(cell_count < cell_count_max)) throw InputError(fmt::format("cells of a sector: from {:g} to {:g} m there are more than {}", from, to, cell_count_max));

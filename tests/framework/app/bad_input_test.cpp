@@ -104,7 +104,7 @@ const std::vector<Mistake> mistakes = {
      {"scene.yaml:20:5: probe 'stickiness': no pair has friction or tangential adhesion; give one in "
       "contact.pairs"}},
     {"nothing free", "energies: [{type: neo_hookean", "motion: [fixed]\n    energies: [{type: neo_hookean",
-     {"scene.yaml:5:3: nothing can move: every object is held throughout; free one of them"}},
+     {"scene.yaml:5:3: nothing can move: the motion of every object is prescribed throughout; free one of them"}},
     {"load on no vertex", "energies: [{type: neo_hookean",
      "loads:\n      - {type: traction, value: [0, 1, 0], select: {type: sphere, centre: [9, 9, 9], radius: 1}}\n"
      "    energies: [{type: neo_hookean",

@@ -176,7 +176,7 @@ TEST_CASE("a state that does not fit is refused with the object and the remedy",
   weaker.replace(weaker.find("1.5 kPa"), 7, "2.5 kPa");
   soft.replace(soft.find("body: {type: affine, density: 3000}"), 35, "energies: [{type: neo_hookean, young: 1 MPa, density: 1000}]");
   refused(finer, from(settled.run), "object 'lump' had another mesh in");
-  refused(weaker, from(settled.run), "object 'lump' remembers what happened to it");
+  refused(weaker, from(settled.run), "object 'lump' has history variables");
   refused(soft, from(settled.run), "object 'stone' had 4 vertices in");
   CHECK_NOTHROW(TestScene(scene_of(weaker, 0.1, from(settled.run, ", objects: [floor]"))));
   refused(all, from(settled.run, ", objects: [stones]"), "there is no object or group 'stones'; did you mean 'stone'?");

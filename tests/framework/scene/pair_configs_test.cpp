@@ -95,13 +95,13 @@ TEST_CASE("regions: the applicable entry is reported, and invalid entries are re
   }
   CHECK_FALSE(pairs.has_regions(a, c));
   CHECK(pairs.region_pair_count(a, a) == 2);
-  CHECK_THROWS_WITH(TestScene(with("{between: [{object: red, select: all}, b]}")), Contains(":") && Contains("a part is one of a single object, and 'red' is a group"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [{object: red, select: all}, b]}")), Contains(":") && Contains("a region belongs to a single object, and 'red' is a group"));
   CHECK_THROWS_WITH(TestScene(with("{between: [{object: \"*\", select: all}, b]}")), Contains("all of them"));
   CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: {type: tag, name: rim}}, b]}")), Contains("has no group 'rim'"));
-  CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: {type: indices, vertices: [0]}}, b]}")), Contains("holds no whole triangle"));
-  CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: all}, b]}, {between: [" + top + ", b]}")), Contains("are also named by another entry") && Contains("says as much"));
-  CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b], contact: false}")), Contains("as a whole"));
-  CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b]}, {between: [a, b], contact: false}")), Contains("are in no contact"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: {type: indices, vertices: [0]}}, b]}")), Contains("contains no complete triangle"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: all}, b]}, {between: [" + top + ", b]}")), Contains("are also named by an equally specific entry"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b], contact: false}")), Contains("have none in any region"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b]}, {between: [a, b], contact: false}")), Contains("have no contact"));
   CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b], integrate: a}, {between: [" + left + ", b], integrate: b}")), Contains("one integration side"));
   CHECK_THROWS_WITH(TestScene(boxes(std::string(apart) + "weights: pair, pairs: [{between: [" + top + ", b]}]")), Contains("weights: pair"));
 }

@@ -51,7 +51,7 @@ TEST_CASE("revolve and extrude: inconsistent parameters are refused with source 
   CHECK_THAT(refused("{type: revolve, profile: [[0, 0], [1, 1]], profile_x: s, profile_y: s}"), Contains("give either its corners"));
   CHECK_THAT(refused("{type: revolve, profile_x: s}"), Contains("give either its corners"));
   CHECK_THAT(refused("{type: revolve, profile_x: s +, profile_y: s}"), Contains("profile_x"));
-  CHECK_THAT(refused("{type: revolve, profile_x: 1 / s, profile_y: s}"), Contains("is no place at s = 0"));
+  CHECK_THAT(refused("{type: revolve, profile_x: 1 / s, profile_y: s}"), Contains("is no position at s = 0"));
   CHECK_THAT(refused("{type: revolve, profile: [[0, 0], [1, 1]], closed: true}"), Contains("three corners"));
   CHECK_THAT(refused("{type: revolve, profile: [[1, 0], [1, 0], [2, 1]]}"), Contains("corners 0 and 1"));
   CHECK_THAT(refused("{type: revolve, profile: [[1, 0], [2, 1]], angle: 400 deg}"), Contains("more than a whole turn"));

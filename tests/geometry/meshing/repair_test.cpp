@@ -172,7 +172,7 @@ TEST_CASE("edges of more than two triangles are found: fins are removed, solids 
 TEST_CASE("components that cross are united", "[meshing]") {
   const SurfaceDefects d = find_defects(crossing_boxes());
   CHECK(d.crossings.size() > 4);
-  CHECK_THAT(check_solid(crossing_boxes(), 2 - 0.5 * 0.6 * 0.7, 1), Contains("united 2 closed parts"));
+  CHECK_THAT(check_solid(crossing_boxes(), 2 - 0.5 * 0.6 * 0.7, 1), Contains("united 2 closed components"));
 }
 
 TEST_CASE("a surface that crosses itself is repaired there", "[meshing]") {
