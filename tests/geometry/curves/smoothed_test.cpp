@@ -30,14 +30,14 @@ TEST_CASE("noise is removed, and wide features stay", "[curves]") {
   double before = 0, after = 0;
   for (size_t i = 0; i < x.size(); ++i) before += std::pow(y[i] - exact[i], 2), after += std::pow(smooth[i] - exact[i], 2);
   CHECK(std::sqrt(after / before) < 0.35);
-  CHECK(turns(y, 0.005) > 100);
-  CHECK(turns(smooth, 0.005) <= 5);
+  CHECK(count_reversals(y, 0.005) > 100);
+  CHECK(count_reversals(smooth, 0.005) <= 5);
 }
 
 TEST_CASE("reversals larger than the threshold are counted", "[curves]") {
-  CHECK(turns({0, 1, 2, 1, 0}, 0.1) == 1);
-  CHECK(turns({0, 1, 0.95, 2, 0}, 0.1) == 1);
-  CHECK(turns({0, 1, 0.8, 2, 0}, 0.1) == 3);
-  CHECK(turns({2, 1, 0}, 0.1) == 0);
-  CHECK(turns({}, 0.1) == 0);
+  CHECK(count_reversals({0, 1, 2, 1, 0}, 0.1) == 1);
+  CHECK(count_reversals({0, 1, 0.95, 2, 0}, 0.1) == 1);
+  CHECK(count_reversals({0, 1, 0.8, 2, 0}, 0.1) == 3);
+  CHECK(count_reversals({2, 1, 0}, 0.1) == 0);
+  CHECK(count_reversals({}, 0.1) == 0);
 }
