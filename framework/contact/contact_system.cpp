@@ -42,6 +42,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
     : surface_(std::move(surface)), pairs_(std::move(pairs)), colliding_(colliding), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
   range_ = std::max(range_, pairs_.bond_range());
+  for (const auto& [a, b] : pairs_.classes().examples()) range_ = std::max(range_, pairs_.edge(a, b).clipped_range);
   const double mean_edge = mean_edge_of(surface_);
   skin_ = skin_of(mean_edge, range_);
   radii_ = pair_radii(surface_, pairs_);
@@ -155,7 +156,9 @@ void ContactSystem::move_to(const VecX& x) {
 
 bool ContactSystem::update_candidates(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
-  return broad_phase_->update(x, p, radii_, skin_);
+  if (!broad_phase_->update(x, p, radii_, skin_)) return false;
+  ++candidates_version_;
+  return true;
 }
 
 void ContactSystem::cover(const VecX& x, const VecX& p) {

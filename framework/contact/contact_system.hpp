@@ -63,6 +63,8 @@ class ContactSystem : public StepParticipant {
   const ContactSurface& surface() const { return surface_; }
   const PairTable& pairs() const { return pairs_; }
   const CollidingObjects& colliding() const { return colliding_; }
+  // Counts the changes of the candidates.
+  long candidates_version() const { return candidates_version_; }
   int broad_phase_builds() const;
   double range() const { return range_; }
   // The largest displacement for which one search is efficient [m]: above it, the AABBs of
@@ -82,6 +84,7 @@ class ContactSystem : public StepParticipant {
   double skin_ = 0;                     // Verlet skin of the candidates [m]
   InflationRadii radii_;
   std::unique_ptr<BroadPhase> broad_phase_;
+  long candidates_version_ = 0;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   std::optional<IntegrationSides::Pairs> previous_coarse_pairs_;
   IntegrationSides::Pairs kept_sides_;

@@ -127,6 +127,12 @@ void ContactConfig::fields(Fields& f) {
            {{"area", Weights::area, "surface integrals that do not depend on the mesh"},
             {"pair", Weights::pair, "every close pair counts, as in plain IPC; strength depends on the mesh"}},
            "weighting of pairs");
+  f.choice("integral", integral,
+           {{"lagged", Integral::lagged, "overlap areas and normals are those of the start of each step"},
+            {"clipped", Integral::clipped,
+             "triangles are clipped by the opposite ones at the present positions: exact areas and boundary forces, at "
+             "three to five times the cost of an evaluation; pairs of two objects with surfaces and an adhesion of the gap"}},
+           "integral of adhesion over surfaces");
   f.flag("between_prescribed", between_prescribed,
          "contact between objects whose motion is prescribed throughout; false: they may overlap");
   f.optional_number("overclosure_adjustment", overclosure_adjustment, units::length,
@@ -136,6 +142,9 @@ void ContactConfig::fields(Fields& f) {
   f.optional_object("friction", friction, "friction of every pair");
   f.object("lagging", lagging, "updates of the lagged normal forces of friction within a step");
   f.list("pairs", pairs, "contact settings of pairs of objects");
+  f.check("integral", [this]() -> std::string {
+    return integral == Integral::clipped && weights == Weights::pair ? "clipped integrates areas, and contact.weights: pair counts close pairs; take one of them out" : "";
+  });
 }
 
 void StartConfig::fields(Fields& f) {

@@ -97,9 +97,11 @@ struct PairConfig {
 
 struct ContactConfig {
   enum class Weights { area, pair };
+  enum class Integral { lagged, clipped };
   double contact_distance = 1e-3;  // m
   std::optional<double> safety_barrier;  // range of safety barriers, in contact distances
   Weights weights = Weights::area;
+  Integral integral = Integral::lagged;
   bool between_prescribed = true;
   std::unique_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");
   std::optional<double> overclosure_adjustment;  // m

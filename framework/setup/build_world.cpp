@@ -8,6 +8,7 @@
 #include "framework/body/selected_elements.hpp"
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/clipped/clipped_adhesion_term.hpp"
 #include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
@@ -254,6 +255,7 @@ void publish(World& world, bool friction_record) {
   for (const auto& load : world.load_terms) world.records.publish(*load);
   if (world.contact_term) world.records.publish(*world.contact_term);
   if (world.overlap_boundary_term) world.records.publish(*world.overlap_boundary_term);
+  if (world.clipped_adhesion) world.records.publish(*world.clipped_adhesion);
   if (world.bonds) world.records.publish(*world.bonds);
   if (world.friction) world.records.publish(*world.friction);
   else if (friction_record) world.records.add(zero_friction_record());
@@ -345,6 +347,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (const auto& load : world->load_terms) world->terms.push_back(load.get());
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
   if (world->overlap_boundary_term) world->terms.push_back(world->overlap_boundary_term.get());
+  if (world->clipped_adhesion) world->terms.push_back(world->clipped_adhesion.get());
   if (world->bonds) world->terms.push_back(world->bonds.get());
   if (world->friction) world->terms.push_back(world->friction.get());
   if (world->contact) world->participants.add(world->contact.get());
@@ -357,6 +360,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (const auto& load : world->load_terms) world->participants.add(load.get());
   if (world->contact_term) world->participants.add(world->contact_term.get());
   if (world->overlap_boundary_term) world->participants.add(world->overlap_boundary_term.get());
+  if (world->clipped_adhesion) world->participants.add(world->clipped_adhesion.get());
   if (world->bonds) world->participants.add(world->bonds.get());
   if (world->friction) world->participants.add(world->friction.get());
   if (any_remeshed(scene)) {

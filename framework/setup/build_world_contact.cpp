@@ -6,6 +6,7 @@
 
 #include "framework/body/local_mesh.hpp"
 #include "framework/bond/bond_term.hpp"
+#include "framework/contact/clipped/clipped_adhesion_term.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/setup/build_world.hpp"
@@ -121,11 +122,13 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
   PairBuilder builder(scene, root, cells, times, world);
   builder.build();
   BondTable bonds = std::move(builder.bonds());
+  ClippedLaws clipped = std::move(builder.clipped());
   check_range(builder.table(), root, world.rest);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
   if (world.contact->pairs().any_overlap_boundary()) world.overlap_boundary_term = std::make_unique<OverlapBoundaryTerm>(*world.contact);
+  if (!clipped.empty()) world.clipped_adhesion = std::make_unique<ClippedAdhesionTerm>(*world.contact, std::move(clipped));
   if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, *world.contact_term, std::move(bonds));
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term, contact_spins(scene, world));

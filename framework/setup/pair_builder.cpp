@@ -79,7 +79,7 @@ PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std:
       pressures_(dynamic_pressures(scene, world, loadings_)), sheets_(sheet_stiffnesses(scene, world, loadings_, times.step)),
       resting_(adheres(contact_) ? resting_pressures(scene, world, times.duration) : std::vector<double>(world.bodies.size(), 0)),
       classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), regions_(scene, configs_, world), table_(classes_, mean_areas),
-      colliding_(classes_), bonds_(classes_, contact_offsets(scene)) {
+      colliding_(classes_), bonds_(classes_, contact_offsets(scene)), clipped_(classes_) {
   table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
   if (regions_.any()) table_.set_regions(regions_.vertex_regions());
 }
@@ -199,10 +199,19 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
     if (!pair) throw InputError(contact_location() + error.what());
     throw configs_.error(config, error.what());
   }
+  PairLaw whole = pressure;
+  int clipped = -1;
   if (adhesion) {
-    pressure.add(adhesion);
+    whole.add(adhesion);
+    report(a, b, region, dynamic_cast<const AdhesionLaw&>(*adhesion), whole);
+    if (region < 0 && clips(a, b, config)) {
+      PairLaw alone(offset);
+      alone.add(adhesion);
+      clipped = clipped_.add(std::move(alone));
+    } else {
+      pressure = whole;
+    }
     if (table_.plain_sums) barrier_only.add(adhesion);
-    report(a, b, region, dynamic_cast<const AdhesionLaw&>(*adhesion), pressure);
   }
   const TangentialLaw tangential = tangential_of(pair, materials.adhesion_peak);
   TangentialLaw barrier_tangential = tangential;
@@ -212,8 +221,9 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
     rule = bonds_.add(rule_of(*pair, bond, pressure, config));
     report(a, b, region, *bond);
   }
-  const LawIds ids{table_.add_law(pressure, tangential), table_.add_law(barrier_only, barrier_tangential),
-                   adhesion || bond ? static_cast<int>(world_.adhesion.size()) - 1 : -1, rule};
+  LawIds ids{table_.add_law(pressure, tangential), table_.add_law(barrier_only, barrier_tangential),
+                   adhesion || bond ? static_cast<int>(world_.adhesion.size()) - 1 : -1, rule, clipped};
+  ids.codimensional = clipped < 0 ? ids.pressure : table_.add_law(whole, tangential);
   laws_.emplace(key, ids);
   return ids;
 }
@@ -231,6 +241,22 @@ void PairBuilder::report(int a, int b, int region, const AdhesionLaw& adhesion, 
 }
 
 bool PairBuilder::has_surface(int object) const { return !world_.bodies[object].triangles.empty() || !world_.bodies[object].surface_triangles.empty(); }
+
+// Returns whether the adhesion of a pair is integrated by clipping.
+bool PairBuilder::clips(int a, int b, int config) const {
+  return contact_.integral == ContactConfig::Integral::clipped && a != b && has_surface(a) && has_surface(b) &&
+         config >= 0 && contact_.pairs[config].adhesion && !contact_.pairs[config].bonds();
+}
+
+void PairBuilder::set_clipped(int a, int b, int config, const LawIds& ids, Side side) {
+  if (contact_.pairs[config].tangential_adhesion)
+    throw configs_.error(config, "tangential_adhesion needs the areas of contact points, which contact.integral: clipped has none of; drop it, or choose integral: lagged");
+  if (side == Side::both)
+    throw configs_.error(config, "integrate: both is of contact.integral: lagged; clipped takes the planes of one side: name one, or leave it out");
+  clipped_.set(a, b, ids.clipped, side == Side::first ? ClippedPlanes::of_second
+                                  : side == Side::second ? ClippedPlanes::of_first
+                                  : side == Side::finer ? ClippedPlanes::of_coarser : ClippedPlanes::of_larger);
+}
 
 void PairBuilder::refuse_bond(int a, int b, int config) const {
   if (!has_surface(a) && !has_surface(b))
@@ -291,7 +317,8 @@ PairBuilder::Roles PairBuilder::roles_of(int a, int b, const LawIds& ids, const 
   // twice.
   roles.edge = {ids.safety_barrier, 0.25, barrier_range, false};
   if (!integral.adheres && !table_.plain_sums) roles.edge.area_ratio_max = area_ratio_max;
-  roles.codimensional = {ids.pressure, 1, range};
+  roles.codimensional = {ids.codimensional, 1, table_.laws()[ids.codimensional].range()};
+  roles.edge.clipped_range = integral.clipped_range;
   roles.codimensional.region_range_max = integral.region_range;
   if (table_.plain_sums) {
     roles.first = roles.second = {ids.pressure, 1, range, false};
@@ -319,9 +346,17 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& re
   Integral integral{integration_side_of(a, b, config, regions)};
   // Region interfaces are overlap boundaries: regions are separated by their overlap areas.
   integral.adheres = adheres(config) || std::any_of(regions.begin(), regions.end(), adheres);
-  integral.overlap = a != b && (adheres(config) || !regions.empty());
+  for (const int entry : regions)
+    if (of_objects.clipped >= 0 || clips(a, b, entry))
+      throw configs_.error(entry, "contact.integral: clipped is of whole objects; name whole objects, or choose integral: lagged");
+  if (of_objects.clipped >= 0) {
+    set_clipped(a, b, config, of_objects, integral.side);
+    integral.side = Side::automatic;
+    integral.clipped_range = clipped_.laws()[of_objects.clipped].range;
+  }
+  integral.overlap = a != b && (adheres(config) || !regions.empty()) && of_objects.clipped < 0;
   integral.bonds = of_objects.bond >= 0;
-  integral.gap_adhesion = adheres(config) && of_objects.bond < 0;
+  integral.gap_adhesion = adheres(config) && of_objects.bond < 0 && of_objects.clipped < 0;
   std::vector<int> rules;
   if (of_objects.bond >= 0) refuse_bond(a, b, config);
   for (size_t i = 0; i < regions.size(); ++i) {

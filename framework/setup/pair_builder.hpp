@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "framework/bond/bond_table.hpp"
+#include "framework/contact/clipped/clipped_laws.hpp"
 #include "framework/contact/pair_table.hpp"
 #include "framework/scene/pair_configs.hpp"
 #include "framework/setup/loading.hpp"
@@ -27,6 +28,7 @@ class PairBuilder {
 
   PairTable& table() { return table_; }
   BondTable& bonds() { return bonds_; }
+  ClippedLaws& clipped() { return clipped_; }
   const CollidingObjects& colliding() const { return colliding_; }
 
  private:
@@ -34,6 +36,8 @@ class PairBuilder {
     int pressure, safety_barrier;
     int summary = -1;  // of world.adhesion; -1: without adhesion
     int bond = -1;     // of the bond table; -1: without bonds
+    int clipped = -1;  // of the clipped laws; -1: adhesion, if any, is part of `pressure`
+    int codimensional = -1;  // of rods and particles
   };
   // Integration side of a pair.
   enum class Side { automatic, finer, both, first, second };
@@ -41,7 +45,7 @@ class PairBuilder {
   struct Integral {
     Side side = Side::automatic;
     bool adheres = false, overlap = false, bonds = false, gap_adhesion = false;
-    double region_range = 0;
+    double region_range = 0, clipped_range = 0;
   };
   struct Roles {
     // first, second: roles of the points of either object.
@@ -58,11 +62,13 @@ class PairBuilder {
   void report(int a, int b, int region, const AdhesionLaw& adhesion, const PairLaw& law);
   void report(int a, int b, int region, const BondLaw& bond);
   bool has_surface(int object) const;
+  bool clips(int a, int b, int config) const;
   void refuse_bond(int a, int b, int config) const;
   void check_regions(int a, int b, const std::vector<int>& regions, bool no_contact) const;
   BondRule rule_of(const PairConfig& pair, std::shared_ptr<const BondLaw> law,
                    const PairLaw& barrier, int config);
   Side integration_side_of(int a, int b, int config) const;
+  void set_clipped(int a, int b, int config, const LawIds& ids, Side side);
   Side integration_side_of(int a, int b, int config, const std::vector<int>& regions) const;
   Roles roles_of(int a, int b, const LawIds& ids, const Integral& integral) const;
   void set_roles(int a, int b, int config, const std::vector<int>& regions);
@@ -82,6 +88,7 @@ class PairBuilder {
   PairTable table_;
   CollidingObjects colliding_;
   BondTable bonds_;
+  ClippedLaws clipped_;
   std::map<std::tuple<int, int, double, double, double, double, double>, LawIds> laws_;
 };
 

@@ -8,6 +8,7 @@
 #include "framework/bond/bond_term.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/clipped/clipped_adhesion_term.hpp"
 #include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"

@@ -22,6 +22,7 @@
 namespace tack {
 
 class BondTerm;
+class ClippedAdhesionTerm;
 class ContactSystem;
 class ContactTerm;
 class DampingTerm;
@@ -68,6 +69,7 @@ struct World {
   std::unique_ptr<ContactTerm> contact_term;
   /// Null unless a pair adheres by a traction-separation law over overlap areas.
   std::unique_ptr<OverlapBoundaryTerm> overlap_boundary_term;
+  std::unique_ptr<ClippedAdhesionTerm> clipped_adhesion;  ///< null unless contact.integral is clipped
   std::unique_ptr<BondTerm> bonds;         ///< null if no pair adheres by bonds
   std::unique_ptr<FrictionTerm> friction;  ///< null without tangential forces
   std::vector<const Term*> terms;  ///< all terms above that the scene uses

@@ -1,0 +1,88 @@
+#include "framework/contact/clipped/clip_tape.hpp"
+
+#include <algorithm>
+
+namespace tack {
+
+ClipLine2::ClipLine2(const Vec2& from, const Vec2& to)
+    : begin(from), end(to), slope_begin(Vec2::Zero()), slope_end(Vec2::Zero()) {
+  const Vec2 along = to - from;
+  length = along.norm();
+  inward = Vec2(-along.y(), along.x()) / length;
+}
+
+Vec2 ClipLine2::add_slope(const Vec3& at, double by_distance) {
+  const double fraction = (end - begin).dot(at.head<2>() - begin) / (length * length);
+  slope_begin -= (1 - fraction) * by_distance * inward;
+  slope_end -= fraction * by_distance * inward;
+  return by_distance * inward;
+}
+
+template <class Distance>
+void ClipTape::cut(const ClipPiece& piece, int line, double tolerance, const Distance& distance,
+                   ClipPiece& beyond, ClipPiece* within) {
+  beyond.clear();
+  if (within) within->clear();
+  const int corners = static_cast<int>(piece.size());
+  if (corners < 3) return;
+  double next = distance(nodes[piece[0].node].at);
+  const double first = next;
+  for (int i = 0; i < corners; ++i) {
+    const double here = next;
+    const ClipCorner2 corner = piece[i], after = piece[(i + 1) % corners];
+    next = i + 1 < corners ? distance(nodes[after.node].at) : first;
+    const bool in = here > tolerance, next_in = next > tolerance;
+    if (in) beyond.push_back(corner);
+    else if (within) within->push_back(corner);
+    if (in == next_in) continue;
+    // An end within the tolerance lies on the line: the segment is never extended.
+    const double at_here = in ? here : std::min(here, 0.0);
+    const double at_next = next_in ? next : std::min(next, 0.0);
+    const double difference = at_here - at_next;
+    const double t = at_here / difference;
+    ClipNode crossing{nodes[corner.node].at + t * (nodes[after.node].at - nodes[corner.node].at), Vec3::Zero()};
+    crossing.from = corner.node;
+    crossing.to = after.node;
+    crossing.line = line;
+    crossing.t = t;
+    crossing.rate_from = -at_next / (difference * difference);
+    crossing.rate_to = at_here / (difference * difference);
+    nodes.push_back(crossing);
+    const int node = static_cast<int>(nodes.size()) - 1;
+    beyond.push_back({node, in ? -1 : corner.side});
+    if (within) within->push_back({node, in ? corner.side : -1});
+  }
+  if (beyond.size() < 3) beyond.clear();
+  if (within && within->size() < 3) within->clear();
+}
+
+void ClipTape::cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,
+                           ClipPiece& beyond, ClipPiece* within) {
+  const ClipLine2& by = lines[line];
+  cut(piece, line, tolerance, [&](const Vec3& at) { return by.distance(at) - distance; }, beyond, within);
+}
+
+void ClipTape::cut_by_level(const ClipPiece& piece, double level, ClipPiece& above, ClipPiece& below) {
+  cut(piece, -1, 0, [&](const Vec3& at) { return at.z() - level; }, above, &below);
+}
+
+void ClipTape::pass_back() {
+  for (int i = static_cast<int>(nodes.size()) - 1; i >= 0; --i) {
+    const ClipNode node = nodes[i];
+    if (node.from < 0) continue;
+    ClipNode &from = nodes[node.from], &to = nodes[node.to];
+    from.slope += (1 - node.t) * node.slope;
+    to.slope += node.t * node.slope;
+    const double by_t = node.slope.dot(to.at - from.at);
+    const double by_from = by_t * node.rate_from, by_to = by_t * node.rate_to;
+    if (node.line >= 0) {
+      from.slope.head<2>() += lines[node.line].add_slope(from.at, by_from);
+      to.slope.head<2>() += lines[node.line].add_slope(to.at, by_to);
+    } else {
+      from.slope.z() += by_from;
+      to.slope.z() += by_to;
+    }
+  }
+}
+
+}  // namespace tack

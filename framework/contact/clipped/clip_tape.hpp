@@ -1,0 +1,76 @@
+// Polygons that are cut by lines and levels, with derivatives. A node is a point (x, y) of the
+// plane of a triangle with a gap g. Every cut makes nodes on the segments between two older nodes;
+// the tape keeps how, so that one pass backwards takes the derivatives of a function of the newest
+// nodes to the first ones and to the lines.
+//
+// A line runs through two points of the plane, with the inside on its left. A level is a gap.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+struct ClipNode {
+  Vec3 at;         // x, y, g [m]
+  Vec3 slope;      // derivative of the integral by `at`
+  int from = -1;   // ends of the segment that was cut; -1: a node of its own
+  int to = -1;
+  int line = -1;   // that cut it; -1: a level
+  double t = 0;    // at = (1 - t) from + t to
+  double rate_from = 0, rate_to = 0;  // derivatives of t by the distances of both ends [1/m]
+};
+
+struct ClipLine2 {
+  Vec2 begin, end;   // m
+  Vec2 inward;       // unit normal to the left
+  double length;     // m
+  Vec2 slope_begin, slope_end;  // derivative of the integral by the two points
+
+  ClipLine2() = default;
+  ClipLine2(const Vec2& from, const Vec2& to);
+  // Returns the distance of a point from the line, positive inside [m].
+  double distance(const Vec3& at) const { return inward.dot(at.head<2>() - begin); }
+  // Adds the derivative of the integral by the distance of a point: to the line's two points.
+  // Returns the derivative by the point.
+  Vec2 add_slope(const Vec3& at, double by_distance);
+};
+
+// A corner of a convex polygon. `side`: the edge of the first triangle on which the side lies that
+// begins here; -1: none.
+struct ClipCorner2 {
+  int node, side;
+};
+// Corners in their order around the polygon.
+using ClipPiece = std::vector<ClipCorner2>;
+
+// The tape of one pair of triangles. It keeps its memory from one pair to the next.
+class ClipTape {
+ public:
+  std::vector<ClipNode> nodes;
+  std::array<ClipLine2, 3> lines;
+
+  void clear() { nodes.clear(); }
+  int add(const Vec3& at) {
+    nodes.push_back({at, Vec3::Zero()});
+    return static_cast<int>(nodes.size()) - 1;
+  }
+  // Cuts a piece where the distance from a line is `distance`. Overwrites `beyond` with the side of
+  // larger distances and `within` (null: not wanted) with the other; a side of fewer than three
+  // corners is empty. Nodes whose distance is at most `tolerance` larger count as within.
+  void cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,
+                   ClipPiece& beyond, ClipPiece* within);
+  // Cuts a piece at a gap.
+  void cut_by_level(const ClipPiece& piece, double level, ClipPiece& above, ClipPiece& below);
+  // Passes the slopes of all nodes back to those without a segment, and to the lines.
+  void pass_back();
+
+ private:
+  template <class Distance>
+  void cut(const ClipPiece& piece, int line, double tolerance, const Distance& distance,
+           ClipPiece& beyond, ClipPiece* within);
+};
+
+}  // namespace tack
