@@ -80,6 +80,13 @@ TEST_CASE("the feasible step is the smallest of those of all filters", "[steppin
   const double both = FeasibleSteps(plates.world, plates.clock).largest(plates.x(), p);
   CHECK(both < by_contact);
   CHECK(both == Approx(0.4).epsilon(1e-3));
+  // A tall tet bounds less than contact does.
+  VecX x = plates.x();
+  vertex(x, plates.world.tets[0][3]).z() = 3;
+  const double tall = FeasibleSteps(plates.world, plates.clock).largest(x, p);
+  CHECK(tall < 0.5);
+  plates.world.tets.clear();
+  CHECK(tall == FeasibleSteps(plates.world, plates.clock).largest(x, p));
 }
 
 TEST_CASE("steps that a minimiser requests reach the observer, other questions do not", "[stepping][feasible]") {
