@@ -86,9 +86,9 @@ TEST_CASE("orthogonality: retracted steps rotate bodies about centroids on linea
   CHECK_FALSE(f.term.retract(dofs, q, cheap, 1.01 * f.term.value(q + straight)));
   CHECK(cheap == straight);
   // A body with fixed vertices is not retracted.
-  std::vector<char> free(8, 1);
-  free[0] = 0;
-  const DofMap fewer(free);
+  std::vector<char> partly_free(8, 1);
+  partly_free[0] = 0;
+  const DofMap fewer(partly_free);
   VecX r, s = straight.tail<21>();
   fewer.gather(f.rest, r);
   CHECK_FALSE(f.term.retract(fewer, r, s, 1e-3));
