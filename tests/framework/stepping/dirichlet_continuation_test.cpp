@@ -76,7 +76,7 @@ TEST_CASE("a continuation ends exactly at the targets, by feasible steps alone")
   CHECK(result.solve.iterations > 0);
 }
 
-TEST_CASE("a continuation against a fixed obstacle fails with its name, as near as it came, and feasible") {
+TEST_CASE("a continuation against a fixed obstacle fails with its name, at the nearest feasible positions") {
   Continuation c("motion: [fixed]");
   const DirichletContinuation::Result result = c.run();
   CHECK_THAT(result.failure, Catch::Contains("'plate' into 'block'"));

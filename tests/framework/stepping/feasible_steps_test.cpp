@@ -32,7 +32,7 @@ struct Plates : HandMadeWorld {
 
 }  // namespace
 
-TEST_CASE("pins the part of a gap that a step may use, nine tenths, whatever its length", "[stepping][feasible]") {
+TEST_CASE("pins the fraction of a gap that a step of any length may use: nine tenths", "[stepping][feasible]") {
   Plates plates;
   FeasibleSteps steps(plates.world, plates.clock);
   for (const double factor : {1.2, 2.0, 10.0, 1000.0}) {
@@ -43,7 +43,7 @@ TEST_CASE("pins the part of a gap that a step may use, nine tenths, whatever its
   }
 }
 
-TEST_CASE("steps that separate, slide or stay short of the obstacle are feasible as a whole", "[stepping][feasible]") {
+TEST_CASE("full steps that separate, slide or end before the obstacle are feasible", "[stepping][feasible]") {
   Plates plates;
   FeasibleSteps steps(plates.world, plates.clock);
   for (const Vec3& by : {Vec3(0, 0, 0), Vec3(0, 0, 5), Vec3(0.2, 0.1, 0), Vec3(0, 0, -0.5 * gap), Vec3(3, 0, 0)}) CHECK(steps.largest(plates.x(), plates.motion(by)) == 1);
@@ -58,7 +58,7 @@ TEST_CASE("plates that do not collide bound no step", "[stepping][feasible]") {
   CHECK(steps.blocker().empty());
 }
 
-TEST_CASE("pins the part of a tet's volume that a step leaves, a fifth", "[stepping][feasible]") {
+TEST_CASE("pins the fraction of the volume of a tet that a step leaves: a fifth", "[stepping][feasible]") {
   Plates plates;
   // The apex is a vertex of the upper plate, high above the base: its height, and so its volume, falls linearly.
   plates.world.tets = {{0, 1, 3, plates.world.bodies[1].first_vertex}};
@@ -89,7 +89,7 @@ TEST_CASE("the feasible step is the smallest of those of all filters", "[steppin
   CHECK(tall == FeasibleSteps(plates.world, plates.clock).largest(x, p));
 }
 
-TEST_CASE("steps that a minimiser requests reach the observer, other questions do not", "[stepping][feasible]") {
+TEST_CASE("the observer is notified of steps that a minimiser requests, and of no others", "[stepping][feasible]") {
   Plates plates;
   FeasibleSteps steps(plates.world, plates.clock);
   std::vector<double> observed;

@@ -50,7 +50,7 @@ SurfaceBuilder triangles(RandomPoints& random, int n, double size) {
 
 }  // namespace
 
-TEST_CASE("components hang together by edges, tets and frames, and particles are components of their own", "[stepping][components]") {
+TEST_CASE("components are connected by edges, tets and frames, and each particle is a component", "[stepping][components]") {
   SurfaceBuilder builder;
   builder.add_rectangle({2, 2}, 0, {0, 0, 0}, 1, 1);                     // vertices 0 to 8
   builder.add_triangle({5, 0, 0}, {6, 0, 0}, {5, 1, 0}, 0);              // 9 to 11: apart from the rectangle
@@ -78,7 +78,7 @@ TEST_CASE("components hang together by edges, tets and frames, and particles are
   CHECK(components[components.component_of(24)].width == 0);
 }
 
-TEST_CASE("a relative displacement exceeds no relative displacement of two points that differ in motion most", "[stepping][components]") {
+TEST_CASE("a relative displacement is a lower bound of the largest relative displacement of two points", "[stepping][components]") {
   RandomPoints random(1);
   for (int trial = 0; trial < 300; ++trial) {
     const Points a = random_points(random, random.uniform(0.01, 1), random.uniform(0, 0.5)), b = random_points(random, random.uniform(0.01, 1), random.uniform(0, 0.5));

@@ -36,7 +36,7 @@ SurfaceBuilder shelves() {
 
 }  // namespace
 
-TEST_CASE("the tightest bound of all filters is described, whatever their order", "[stepping][obstacle]") {
+TEST_CASE("the tightest bound of all filters is described, for any order of the filters", "[stepping][obstacle]") {
   const HandMadeWorld made(shelves(), 0.2);
   VecX p = VecX::Zero(made.world.rest.size());
   p[4] = -0.5;
@@ -47,7 +47,7 @@ TEST_CASE("the tightest bound of all filters is described, whatever their order"
   }
 }
 
-TEST_CASE("an element that bounds a step is named alone, and a free step is described by nothing", "[stepping][obstacle]") {
+TEST_CASE("an element that bounds a step is named alone, and the description of a free step is empty", "[stepping][obstacle]") {
   const HandMadeWorld made(shelves(), 0.2);
   const VecX p = VecX::Ones(made.world.rest.size());
   CHECK(describe_blocker(made.world, filters({Blocker{{9, 10, 11, 12}, {}, 0, 0.25}}), made.world.rest, p) ==
@@ -68,7 +68,7 @@ TEST_CASE("the obstacle of a vertex is the nearest object within range, or the b
   CHECK_THAT(obstacle(20), Catch::Contains("'c' into 'b'"));
 }
 
-TEST_CASE("without an object in range, it is the deformation that goes too far", "[stepping][obstacle]") {
+TEST_CASE("without an object in range, the obstacle is the deformation of the body", "[stepping][obstacle]") {
   CollidingObjects colliding;  // without contact of an object with itself, whose own triangles are always near
   for (int a = 0; a < 3; ++a) colliding.set(a, a, false);
   HandMadeWorld made(shelves(), 0.01, colliding);

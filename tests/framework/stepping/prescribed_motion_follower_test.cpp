@@ -58,7 +58,7 @@ TEST_CASE("on a free linear trajectory targets are reached exactly without an it
   CHECK(follow.displacement(1) == 0);
 }
 
-TEST_CASE("free vertices move along as predicted, where that lowers the potential", "[stepping][follower]") {
+TEST_CASE("free vertices move as predicted if that lowers the potential", "[stepping][follower]") {
   const Follow follow(scene(rises(0.01), 0.05, "velocity: [0, 1, 0], energies: [{type: neo_hookean, young: 1e5, density: 1000}]"));
   CHECK(follow.arrived());
   CHECK(follow.result.solve.iterations == 0);
@@ -77,7 +77,7 @@ TEST_CASE("on a blocked trajectory the continuation pushes the obstacle out of t
   CHECK_FALSE(follow.tried.empty());
 }
 
-TEST_CASE("an obstacle that does not move is named by the failure, and nothing has passed through it", "[stepping][follower]") {
+TEST_CASE("a fixed obstacle is named by the failure, and nothing has passed through it", "[stepping][follower]") {
   const Follow follow(scene(rises(0.02), 0.005, "motion: [fixed]"));
   CHECK_THAT(follow.result.failure, Catch::Contains("'plate'") && Catch::Contains("'block'"));
   CHECK_FALSE(follow.arrived());

@@ -265,7 +265,7 @@ TEST_CASE("a helix at rest stays, and a straight mesh with that curvature and tw
   CHECK(curling.world->elastic_terms[0]->value(curling.state().x) < 1e-6 * 1e7 * pi / 4 * std::pow(5e-3, 4) / s2 * a * a / s2 * length);
 }
 
-TEST_CASE("a frame of welded rods holds its corners", "[rod]") {
+TEST_CASE("a frame of welded rods keeps its corners", "[rod]") {
   const TemporaryFolder folder;
   // A mast with two arms at right angles, fixed at its foot. A force on an arm rotates the joint about the mast.
   std::string text;
@@ -329,7 +329,7 @@ TEST_CASE("a rod that continues as a string has twists in the rod only", "[rod]"
   CHECK(run.at(10).y() < -0.3);
 }
 
-TEST_CASE("the twist of a rod is no part of the force on it", "[rod]") {
+TEST_CASE("the twist of a rod does not contribute to the force on it", "[rod]") {
   TestRun run("time: {step: 1 ms, duration: 1}\nobjects:\n"
               "  - {name: rod, shape: {type: segment, length: 0.1, edges: 4}, rod: {radius: 5 mm}, energies: [{type: elastic_rod, young: 1e6, density: 1000}], "
               "damping: {mass: 10}, spin: [20, 0, 0]}\n"
