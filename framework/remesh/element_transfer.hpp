@@ -2,11 +2,10 @@
 // from the old tets that it overlaps, the stress-free volume and the volume means of the elastic
 // strain and of the accumulated plastic strain.
 //   conserved  mass; over any region that tets fill before and after: the integrals of the
-//   Kirchhoff
-//              stress over the stress-free volume (of the Cauchy stress over space) and of the
-//              plastic strain
+//              Kirchhoff stress over the stress-free volume (of the Cauchy stress over space) and
+//              of the plastic strain
 //   yield      means lie within the yield surface, which is convex and grows linearly with
-//   hardening
+//              hardening
 //   lost       stored energy, by the variance of the strain
 #pragma once
 

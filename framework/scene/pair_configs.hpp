@@ -2,7 +2,7 @@
 // group of objects or "*" (every object). The most specific of the matching entries applies, in
 // this order:
 //     object and object; object and group; object and *; group and group; group and *; * and *
-// A side may name a region of an object. Such an entry holds where both positions are within the
+// A side may name a region of an object. Such an entry applies where both positions are within the
 // named regions, before an entry of whole objects of the same rank; two regions precede one. Two
 // entries that are equally specific for the same positions are an error (SurfaceRegions).
 // Errors: InputError with the entry's source location, for an unknown name, a region of a side that

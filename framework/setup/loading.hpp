@@ -1,19 +1,21 @@
 // Loads that may press on bodies, estimated from the scene before it runs: the speed that something
 // near a body may attain, and the weight that may lie on a body. Both belong to a meeting group:
 // bodies that may touch each other in the run, directly or through others. Bodies outside the group
-// change nothing for it.
+// do not affect it.
 //
 // Each body has a search box: its box at rest, inflated by a bound of its displacement,
 //     R = max(diagonal, 2 (v T + g T^2 / 2)) + s.
-// 2: an elastic collision at most doubles a speed; v: the largest initial speed in its group, T:
-// the duration of the run, s: the largest displacement of a prescribed motion in its group. Bodies
-// whose search boxes overlap, are attached or are named by an interaction are of one group. Fixed
-// bodies are of none: a common floor joins nothing. A body with loads, or in an interaction, may be
-// driven anywhere. The duration counts: without an end, all that moves meets. A longer run of a
-// scene may therefore join groups, and find another stiffness for them; summary.json and `tack
-// check` name the groups. To compare runs of different durations, give contact.barrier.stiffness
-// and body.stiffness. Limits: the bound is an estimate for defaults. Energy that is stored at the
-// start, or a mass that a heavier one throws, may go farther.
+// Factor 2: an elastic collision at most doubles a speed. v: largest initial speed in its group;
+// T: duration of the run; s: largest displacement of a prescribed motion in its group.
+// Bodies are of one group if their search boxes overlap, if they are attached, or if an interaction
+// names them. Fixed bodies belong to no group: a common floor joins nothing. A body with loads, or
+// in an interaction, may be driven anywhere.
+//
+// Groups depend on the duration: a longer run may join groups, and find another stiffness for them.
+// summary.json and `tack check` name the groups. To compare runs of different durations, give
+// contact.barrier.stiffness and body.stiffness.
+// Limits: the bound is an estimate for defaults. Energy stored at the start, or a light mass hit by
+// a heavier one, may carry a body farther.
 #pragma once
 
 #include <vector>

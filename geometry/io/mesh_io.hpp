@@ -3,8 +3,7 @@
 //   .ply .off  polygon meshes, ASCII and (.ply) binary
 //   .stl       ASCII and binary; equal corners are merged, as the format has no shared vertices
 //   .glb .gltf the scene of a glTF 2.0 file, with node transforms applied; equal vertices are
-//   merged,
-//              because each normal and colour has its own; single precision
+//              merged, because each normal and colour has its own; single precision
 //   .vtk .vtu  points, lines, triangles, polygons, tets of unstructured grids; .vtk also poly data
 //   .msh       Gmsh 2.2 and 4.1, ASCII and binary: points, lines, triangles, tets; physical groups
 //              become tags (an unnamed one is named by its number)

@@ -1,7 +1,7 @@
 // Surface of consistent orientation: enclosed volume and area vectors. With an origin o and corners
 // a, b, c relative to o, the enclosed volume is the cubic polynomial
 //     V(x) = 1/6 sum_t det(a, b, c):
-// for a closed surface that of its interior, for any o; for an open one that of the cone from o.
+// the volume of the interior of a closed surface, for any o; of the cone from o for an open one.
 //
 // The area vector of a vertex, its force under a unit pressure, is a third of the sum of those of
 // its triangles:

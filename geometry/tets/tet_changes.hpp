@@ -18,7 +18,7 @@ bool collapse(TetEditor& mesh, int vertex, int onto);
 bool smooth(TetEditor& mesh, int vertex);
 // Inserts a vertex in an edge, and smooths it.
 bool split_edge(TetEditor& mesh, int a, int b);
-// Replaces a tet, and neighbours in the way, by tets around a new vertex.
+// Replaces a tet, and some of its neighbours, by tets around a new vertex.
 bool insert(TetEditor& mesh, int tet);
 
 }  // namespace tack
