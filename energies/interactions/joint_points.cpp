@@ -33,11 +33,11 @@ JointPoints::JointPoints(InteractionBuilder& builder, const JointEnds& ends) : b
 bool JointPoints::affine(int body) const { return body >= 0 && !builder_.world().bodies[body].frame.empty(); }
 
 int JointPoints::of_object(const Vec3& at) {
-  joint_.attachment_points.push_back(builder_.anchor(object_, at));
+  joint_.attachment_points.push_back(builder_.attachment_point(object_, at));
   return joint_.attachment_points.back();
 }
 
-int JointPoints::of_other(const Vec3& at) { return other_ < 0 ? builder_.fixed(at) : builder_.anchor(other_, at); }
+int JointPoints::of_other(const Vec3& at) { return other_ < 0 ? builder_.fixed_vertex(at) : builder_.attachment_point(other_, at); }
 
 int JointPoints::joined(const Vec3& at) {
   const int a = of_object(at), b = of_other(at);
@@ -53,7 +53,7 @@ int JointPoints::joined(const Vec3& at) {
 }
 
 void JointPoints::finish() {
-  if (!ends_.contact && other_ >= 0) builder_.join(object_, other_);
+  if (!ends_.contact && other_ >= 0) builder_.exclude_contact(object_, other_);
   builder_.add(std::move(joint_));
 }
 
