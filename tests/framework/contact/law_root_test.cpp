@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/framework/contact/barrier_and_fang.hpp"
+#include "tests/support/component_variants.hpp"
 
 using namespace tack;
 
@@ -15,11 +15,11 @@ PairLaw law_of(bool adhesive, double offset) {
   PairLaw law(offset);
   const auto add = [&](auto component) {
     std::shared_ptr<NormalLaw> shared = dynamic_cast<const NormalLaw&>(*component).clone();
-    shared->prepare({dhat, 1e5, 0});
+    shared->prepare({1e-3, 1e5, 0});
     law.add(shared);
   };
-  add(bind_component<BarrierLaw>(parse_string("{type: clamped_log, stiffness: 3e3}", "t")));
-  if (adhesive) add(bind_component<AdhesionLaw>(parse_string("{type: fang, young: 1e4, critical_strain: 0.2}", "t")));
+  add(component<BarrierLaw>("{type: clamped_log, stiffness: 3e3}"));
+  if (adhesive) add(component<AdhesionLaw>("{type: fang, young: 1e4, critical_strain: 0.2}"));
   return law;
 }
 
