@@ -1,5 +1,6 @@
 // Fluid cavities between objects: volume, pressure, and the leak through slits.
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 
