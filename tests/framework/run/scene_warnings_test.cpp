@@ -23,7 +23,7 @@ TEST_CASE("a barrier that takes much of the work of adhesion is warned of", "[ch
   CHECK_FALSE(warned(warnings(tiny), WarningKind::adhesion_in_barrier));
   std::string stiff = tiny;
   stiff.insert(stiff.find("  pairs:"), "  barrier: {stiffness: 1 GPa}\n");
-  CHECK_THAT(first_text(warnings(stiff), WarningKind::adhesion_in_barrier), Contains("'block' - 'floor'") && Contains("contact.barrier.stiffness"));
+  CHECK_THAT(first_text(warnings(stiff), WarningKind::adhesion_in_barrier), Contains("'floor' - 'block'") && Contains("contact.barrier.stiffness"));
 }
 
 TEST_CASE("a bound that a mesh operation missed is warned of once for all copies", "[checks][meshing]") {
@@ -36,11 +36,10 @@ TEST_CASE("a bound that a mesh operation missed is warned of once for all copies
 }
 
 TEST_CASE("an object that starts with contact forces on itself is warned of", "[checks]") {
-  const auto parts = [](const char* height) {
-    return std::string("objects:\n  - {name: jaws, shape: {type: parts, parts: [{shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}},\n"
-                       "     {shape: {type: box, size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, place: {translate: [0, ") + height +
-           ", 0]}}]}, energies: [{type: neo_hookean, young: 1 MPa}]}\ncontact: {distance: 1 mm}\n";
+  const auto grains = [](const char* radius) {
+    return std::string("objects:\n  - {name: grains, shape: {type: points, size: [0.1, 0, 0], counts: [2, 1, 1]}, particle: {radius: ") + radius +
+           "}, energies: [particle]}\ncontact: {distance: 1 mm}\n";
   };
-  CHECK_THAT(first_text(warnings(parts("0.1005")), WarningKind::self_contact_force), Contains("'jaws'"));
-  CHECK_FALSE(warned(warnings(parts("0.102")), WarningKind::self_contact_force));
+  CHECK_THAT(first_text(warnings(grains("49.8 mm")), WarningKind::self_contact_force), Contains("'grains'"));
+  CHECK_FALSE(warned(warnings(grains("49 mm")), WarningKind::self_contact_force));
 }
