@@ -24,7 +24,7 @@ namespace {
 constexpr double beta = 2e-3, h = 1e-3;  // s
 
 // A body of any kind, and how it moves rigidly.
-struct Shape {
+struct DampedBody {
   const Body* body;
   const VecX* rest;
   const RodBody* rod = nullptr;
@@ -58,11 +58,11 @@ void for_each_energy(const Check& check) {
       patches(Vec3(0.1, 0.07, 0.05), {1, 1, 1}, Elements::patches);
   static const SheetBody sheet(Vec2(0.1, 0.08), {3, 2}, 1e-3);
   static const RodBody rod({{0, 0, 0}, {0.03, 0.01, 0}, {0.06, 0, 0.01}, {0.08, 0.02, 0.01}}, {{0, 1}, {1, 2}, {2, 3}}, {0, 3e-3, 2e-3, Vec3(0, 0, 1)});
-  const Shape shapes[] = {{&linear.body, &linear.rest}, {&composite.body, &composite.rest}, {&patches.body, &patches.rest}, {&sheet.body, &sheet.rest}, {&rod.body, &rod.rest, &rod}};
+  const DampedBody shapes[] = {{&linear.body, &linear.rest}, {&composite.body, &composite.rest}, {&patches.body, &patches.rest}, {&sheet.body, &sheet.rest}, {&rod.body, &rod.rest, &rod}};
   std::set<std::string> checked;
   for (const ComponentVariant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"stiffness", "1e-3"}}})) {
     if (v.type.starts_with("toy_") || v.type == "remembering") continue;  // components of other tests
-    for (const Shape& shape : shapes) {
+    for (const DampedBody& shape : shapes) {
       const auto energy = component<Energy>(v.yaml);
       if (dynamic_cast<const EnergyWithUnknowns*>(energy.get()) || (shape.body->elements != Elements::linear && !energy->takes_elements())) continue;
       std::unique_ptr<Term> term;
@@ -99,7 +99,7 @@ std::unique_ptr<DampingTerm> begun(Term& elastic, const VecX& x) {
 }  // namespace
 
 TEST_CASE("damping of strain: no rigid motion is damped, and forces have no moment", "[damping]") {
-  for_each_energy([](Term& elastic, const Shape& shape) {
+  for_each_energy([](Term& elastic, const DampedBody& shape) {
     RandomMotions random(4);
     const VecX x = *shape.rest + shape.positions(5e-4 * random.vectors(shape.rest->size()));
     const auto damping = begun(elastic, x);
@@ -123,7 +123,7 @@ TEST_CASE("damping of strain: no rigid motion is damped, and forces have no mome
 }
 
 TEST_CASE("damping of strain: a spin that the integrator continues is not damped", "[damping]") {
-  for_each_energy([](Term& elastic, const Shape& shape) {
+  for_each_energy([](Term& elastic, const DampedBody& shape) {
     const VecX& x = *shape.rest;
     const Vec3 spin(30, -20, 50);  // rad/s
     VecX v = VecX::Zero(x.size());
@@ -143,7 +143,7 @@ TEST_CASE("damping of strain: a spin that the integrator continues is not damped
 }
 
 TEST_CASE("damping of strain: derivatives, projections, and beta K of small strains", "[damping]") {
-  for_each_energy([](Term& elastic, const Shape& shape) {
+  for_each_energy([](Term& elastic, const DampedBody& shape) {
     RandomMotions random(7);
     const VecX x = *shape.rest + shape.positions(2e-4 * random.vectors(shape.rest->size()));
     const auto damping = begun(elastic, x);
