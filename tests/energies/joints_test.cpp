@@ -174,9 +174,8 @@ TEST_CASE("a slider on a rotating body stays on its line within its stiffness", 
 }
 
 TEST_CASE("a slider that is too soft for its load gets a warning with its name", "[joints]") {
-  TestRun run(scene(bar(0, ", spin: [0, 0, 10], velocity: [0, 1, 0]") + bar(1, ", spin: [0, 0, 10], velocity: [0, 3, 0]"),
-                    hinge + "}, {type: slider, name: s, object: bar_1, to: bar_0, at: [0.2, 0, 0], axis: [1, 0, 0], stiffness: 1 N/m}", "", "step: 2 ms, duration: 1"));
-  for (int i = 0; i < 20; ++i) run.step();
+  TestRun run(scene(bar(0, ", motion: [fixed]") + bar(1), "{type: slider, name: s, object: bar_1, to: bar_0, at: [0.2, 0, 0], axis: [1, 0, 0], stiffness: 10 N/m}", gravity, "step: 10 ms, duration: 1"));
+  run.step();
   CHECK_THAT(first_text(run.warnings, WarningKind::joint_play), Catch::Contains("'s'"));
   for (const Warning& warning : run.warnings) CHECK(warning.subject == "s");
 }
