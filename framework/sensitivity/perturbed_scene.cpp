@@ -96,13 +96,13 @@ void PerturbedScene::solve(const SolvedStep& step, const VecX& gradient, Tangent
     system.begin_solve();
     converged = converge(own, before, system) && converged;
     const VecX& x = own.potential.configuration();
-    if (own.impulses) own.impulses->settle(world.friction->lagged_at(x));
+    if (own.impulses) own.impulses->update_start_up(world.friction->lagged_at(x));
     else world.participants.lag(x);
   }
   if (!step.result.earlier_solves.empty()) system.begin_solve();
   unconverged_ += !(converge(own, {step.result.x, gradient}, system) && converged);
   end_ = own.potential.configuration();
-  if (own.impulses) own.impulses->settle(world.friction->lagged_at(end_));
+  if (own.impulses) own.impulses->update_start_up(world.friction->lagged_at(end_));
 }
 
 // The displacement of unconstrained bodies is not corrected, and must not diverge.
