@@ -39,7 +39,8 @@ inline std::string only_text(const std::vector<Warning>& warnings, WarningKind k
 // Returns the warnings of a summary.json.
 inline std::vector<Warning> warnings_in(const std::filesystem::path& summary) {
   std::vector<Warning> warnings;
-  for (const auto& w : read_json(summary)["warnings"]) {
+  const nlohmann::json json = read_json(summary);
+  for (const auto& w : json["warnings"]) {
     const auto kind = warning_kind_of(w["kind"].get<std::string>());
     REQUIRE(kind);
     warnings.emplace_back(*kind, w["text"].get<std::string>());
