@@ -5,8 +5,8 @@
 //  3. Where an overlap boundary crosses a triangle, interior quadrature points are added
 //     (surface_overlap.hpp).
 //  4. Each quadrature point is reduced to features, at each configuration (point_features.hpp).
-// Areas and orientations are lagged from the start of the step, or from the moment in the step at
-// which a group first appears, so that the potential of the step is one function.
+// Areas and orientations are those of the surfaces at the start of the step, also for groups that
+// first appear within it, so that the potential of the step is one function.
 #pragma once
 
 #include "framework/contact/contact_set.hpp"
