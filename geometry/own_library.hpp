@@ -18,11 +18,11 @@ std::filesystem::path shared_file(const std::string& name);
 std::filesystem::path own_library_path(const std::string& name);
 
 struct OwnLibrary {
-  const char* file;       // "libtack_msh.so"
-  const char* table;      // symbol of its function table, which begins with the text `interface`
+  const char* file;   // "libtack_msh.so"
+  const char* table;  // symbol of its function table, which begins with the text `interface`
   const char* interface;
-  const char* target;     // CMake target that builds it
-  const char* without;    // consequence of its absence: ".msh files cannot be read or written"
+  const char* target;   // CMake target that builds it
+  const char* without;  // consequence of its absence: ".msh files cannot be read or written"
 };
 
 // Opens the library for the rest of the process and returns its function table. Throws InputError,

@@ -64,8 +64,12 @@ class Pack {
     return Pack(mask ? yes.v_ : no.v_);
   }
   friend Pack abs(const Pack& a) { return select(a < 0, -a, a); }
-  friend Pack sqrt(const Pack& a) { return each_lane(a, [](double x) { return std::sqrt(x); }); }
-  friend Pack log(const Pack& a) { return each_lane(a, [](double x) { return std::log(x); }); }
+  friend Pack sqrt(const Pack& a) {
+    return each_lane(a, [](double x) { return std::sqrt(x); });
+  }
+  friend Pack log(const Pack& a) {
+    return each_lane(a, [](double x) { return std::log(x); });
+  }
   // Returns the angle of finite numbers, with an error of at most four roundings; zeros count as
   // +0. Method: reduction to arcs of at most pi/8, and a polynomial in t^2 for atan(t) / t that is
   // exact at Chebyshev points.
@@ -95,7 +99,9 @@ class Pack {
     angle = select(x < 0, 4 * quarter - angle, angle);
     return select(y < 0, -angle, angle);
   }
-  friend Pack log1p(const Pack& a) { return each_lane(a, [](double x) { return std::log1p(x); }); }
+  friend Pack log1p(const Pack& a) {
+    return each_lane(a, [](double x) { return std::log1p(x); });
+  }
 
  private:
   template <class F>

@@ -41,16 +41,20 @@ void for_each_chunk(int n, const Body& body, int chunk = chunk_size) {
 // Calls body(i) for each i of [0, n).
 template <class Body>
 void for_each(int n, const Body& body, int chunk = chunk_size) {
-  for_each_chunk(n, [&](int, int first, int last) {
-    for (int i = first; i < last; ++i) body(i);
-  }, chunk);
+  for_each_chunk(
+      n,
+      [&](int, int first, int last) {
+        for (int i = first; i < last; ++i) body(i);
+      },
+      chunk);
 }
 
 // Returns the sum over chunks of body(first, last), in chunk order.
 template <class Body>
 double sum_chunks(int n, const Body& body, int chunk = chunk_size) {
   std::vector<double> partial(chunk_count(n, chunk), 0.0);
-  for_each_chunk(n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk);
+  for_each_chunk(
+      n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk);
   double sum = 0;
   for (const double s : partial) sum += s;
   return sum;
@@ -60,7 +64,8 @@ double sum_chunks(int n, const Body& body, int chunk = chunk_size) {
 template <class Body>
 double min_chunks(int n, double start, const Body& body, int chunk = chunk_size) {
   std::vector<double> partial(chunk_count(n, chunk), start);
-  for_each_chunk(n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk);
+  for_each_chunk(
+      n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk);
   double smallest = start;
   for (const double s : partial) smallest = s < smallest ? s : smallest;
   return smallest;

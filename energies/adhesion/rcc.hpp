@@ -65,9 +65,9 @@ class RccLawOf : public BondLawOf<Law> {
     return T(normal_) * d * d + T(across_) * s;
   }
 
-  double normal_ = 1e8, across_ = 0;                            // Pa/m
-  double work_ = 1, viscosity_ = 0;                             // J/m^2, J s/m^2
-  double healing_ = 0, saturation_ = 0;                         // 1/(Pa s), Pa
+  double normal_ = 1e8, across_ = 0;     // Pa/m
+  double work_ = 1, viscosity_ = 0;      // J/m^2, J s/m^2
+  double healing_ = 0, saturation_ = 0;  // 1/(Pa s), Pa
   std::optional<double> intensity_;
 };
 

@@ -50,9 +50,7 @@ class JointCoordinate {
 
   // history_name: name of the history array of the value; offset: the value at the start.
   JointCoordinate(const std::array<int, arity>& vertices, double offset, std::string history_name)
-      : vertices_(vertices),
-        offset_(offset),
-        last_(offset),
+      : vertices_(vertices), offset_(offset), last_(offset),
         history_name_(std::move(history_name)) {}
 
   const std::array<int, arity>& vertices() const { return vertices_; }

@@ -18,7 +18,7 @@ namespace tack {
 // A hinge has angles and torques, a slider displacements and forces.
 struct JointUnits {
   Unit value, rate, effort, damping;
-  const char* what;    // "angle"
+  const char* what;        // "angle"
   const char* effort_key;  // "torque"
   // Default widths of position motors, of friction and rate motors, and of limits.
   double soft, soft_rate, margin;

@@ -17,8 +17,8 @@ class SpringTerm : public Term, public ResidualView {
   explicit SpringTerm(std::string history) : Term("springs"), history_(std::move(history)) {}
 
   struct Spring {
-    double stiffness = 0;  // N/m
-    double length = 0;     // m, at rest
+    double stiffness = 0;                                       // N/m
+    double length = 0;                                          // m, at rest
     double strength = std::numeric_limits<double>::infinity();  // N
   };
   void add(Edge vertices, const Spring& spring);

@@ -79,11 +79,11 @@ struct VonMisesLanes {
 // Material of a body whose tets have a yield surface each.
 struct VonMises {
   Lame lame;
-  double yield_stress;  // sigma_y [Pa]
-  double hardening;     // H: yield stress per accumulated plastic strain [Pa]
-  double viscosity = 0;  // eta [Pa s]
+  double yield_stress;            // sigma_y [Pa]
+  double hardening;               // H: yield stress per accumulated plastic strain [Pa]
+  double viscosity = 0;           // eta [Pa s]
   std::vector<Pack> limits = {};  // of pack_width tets each
-  double h = 0;          // step size [s], with viscosity only
+  double h = 0;                   // step size [s], with viscosity only
 
   VonMisesLanes at(int pack) const {
     return {lame, viscosity > 0 && h == 0 ? lame.mu : lame.mu * slope() / (3 * lame.mu + slope()),
@@ -117,9 +117,7 @@ struct VonMises {
 
  private:
   // Returns d stress / d plastic strain [Pa]
-  double slope() const {
-    return viscosity > 0 ? hardening + viscosity / h : hardening;
-  }
+  double slope() const { return viscosity > 0 ? hardening + viscosity / h : hardening; }
   double bulk() const { return lame.lambda + 2 * lame.mu / 3; }
 };
 

@@ -37,7 +37,8 @@ class VonMisesTerm : public Base {
   void begin_step(const StepStart& start) override { material_.h = start.h; }
 
   void commit(const VecX& x, History& history) const override {
-    history_.commit(material_, [&](int t) { return deformation(t, x); }, history);
+    history_.commit(
+        material_, [&](int t) { return deformation(t, x); }, history);
   }
 
   double dissipated(const VecX& x) const {

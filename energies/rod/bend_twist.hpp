@@ -48,7 +48,7 @@ class BendTwist {
   // the step, or has no length.
   static bool within_reach(const Vec3& edge);
 
-  double turn(const EdgePair& p) const;      // arg u, the value next to p.turn
+  double turn(const EdgePair& p) const;        // arg u, the value next to p.turn
   using Slopes = Eigen::Matrix<double, 3, 8>;  // by (first, second, theta_1, theta_2)
   Strains strains(const EdgePair& p, Slopes* slopes = nullptr) const;
   // Gradient and Hessian of W by (first, second, theta_1, theta_2); stiffness: C [J]. Hessian may

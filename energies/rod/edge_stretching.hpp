@@ -35,8 +35,9 @@ class EdgeStretching {
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian,
                    const double* lengths = nullptr) const {
     for_each(count(), [&](int e) {
-      spring(e, lengths).derivatives(span(e, x), projection, gradient + 6 * static_cast<size_t>(e),
-                                     hessian ? hessian + 27 * static_cast<size_t>(e) : nullptr);
+      spring(e, lengths)
+          .derivatives(span(e, x), projection, gradient + 6 * static_cast<size_t>(e),
+                       hessian ? hessian + 27 * static_cast<size_t>(e) : nullptr);
     });
   }
   void lengths(const VecX& x, double* out) const {

@@ -27,9 +27,9 @@ struct RodMaterial {
 
 // Rest shape beside that of the mesh.
 struct RodRest {
-  bool straight = false;         // of vertices with two edges
+  bool straight = false;          // of vertices with two edges
   Vec2 curvature = Vec2::Zero();  // of those vertices, added to that of the mesh [1/m]
-  double twist = 0;              // 1/m
+  double twist = 0;               // 1/m
 };
 
 class RodTerm : public Term, public ResidualView, public StrainView {
@@ -68,12 +68,12 @@ class RodTerm : public Term, public ResidualView, public StrainView {
   using Chain = Eigen::Matrix<double, 8, 15>;
   // Vertices a, v, b of a path along two edges, and their twists.
   struct Pair {
-    std::array<int, 2> edge;         // in the frames
-    std::array<bool, 2> backwards;   // against the direction in which it is stored
-    bool second_from_end;            // true: the second edge leads from b to v
-    std::array<double, 2> turned;    // rotation of the directors [rad]
-    Mat3 root;                       // of the stiffness C = root^T root (see BendTwist) [J^1/2]
-    Vec3 rest;                       // strains at rest (see BendTwist)
+    std::array<int, 2> edge;        // in the frames
+    std::array<bool, 2> backwards;  // against the direction in which it is stored
+    bool second_from_end;           // true: the second edge leads from b to v
+    std::array<double, 2> turned;   // rotation of the directors [rad]
+    Mat3 root;                      // of the stiffness C = root^T root (see BendTwist) [J^1/2]
+    Vec3 rest;                      // strains at rest (see BendTwist)
   };
   int pair_count() const { return static_cast<int>(pairs_.size()); }
   // strains: reference strains; null: those at rest.

@@ -25,7 +25,7 @@ class DihedralTerm : public Term {
   std::vector<const StencilRanges*> ranges() const override;
 
  private:
-  std::string history_name_;   // of its history array
+  std::string history_name_;  // of its history array
   std::vector<FanStencils> fans_;
   std::vector<double> turns_;  // of each dihedral edge of each fan
 };

@@ -73,9 +73,9 @@ class FanStencils final : public StencilRanges {
   FanShape shape_;
   int count_;
   std::vector<int> vertices_;
-  std::vector<Pack> c_;          // of pack_width fans each; the last lanes repeat the last fan
+  std::vector<Pack> c_;  // of pack_width fans each; the last lanes repeat the last fan
   std::vector<Angles> resting_;
-  std::vector<Angles> start_;    // at the start of the step, turns included
+  std::vector<Angles> start_;  // at the start of the step, turns included
 };
 
 }  // namespace tack

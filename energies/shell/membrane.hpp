@@ -36,7 +36,7 @@ class MembraneEnergy : public Energy {
  protected:
   // Checks the body first.
   Fibres fibres(const Body& body, const VecX& rest) const;
-  double young_ = 1e5;     // Pa
+  double young_ = 1e5;  // Pa
   double poisson_ = 0.3;
   double density_ = 1000;  // kg/m^3
 

@@ -20,7 +20,7 @@
 namespace tack {
 
 struct Fibres {
-  double young = 0;                        // E_f [Pa]
+  double young = 0;  // E_f [Pa]
   std::vector<PackVec2> directions =
       {};  // of pack_width triangles each, in their frames; unit vectors. Empty: no fibres
 };
@@ -81,16 +81,20 @@ class MembraneTerm : public Term, public StencilRanges {
   // Returns stresses without the elastic change of thickness and without fibres [Pa].
   std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(triangles_.size());
-    for_each(static_cast<int>(rest_.size()), [&](int p) {
-      const int first = p * pack_width, n = std::min(pack_width, count() - first);
-      const PlaneStretch stretch =
-          plane_stretch(deformation_gradient(rest_[p], &triangles_[first], n, x));
-      const PackVec2 principal =
-          material(p).derivatives(stretch.s).gradient.cwiseProduct(stretch.s) / stretch.s.prod();
-      PackMat3 sigma = stretch.u.template leftCols<2>() * principal.asDiagonal() *
-                       stretch.u.template leftCols<2>().transpose();
-      for (int l = 0; l < n; ++l) stress[first + l] = get_lane<3, 3>(sigma, l);
-    }, chunk_size / pack_width);
+    for_each(
+        static_cast<int>(rest_.size()),
+        [&](int p) {
+          const int first = p * pack_width, n = std::min(pack_width, count() - first);
+          const PlaneStretch stretch =
+              plane_stretch(deformation_gradient(rest_[p], &triangles_[first], n, x));
+          const PackVec2 principal =
+              material(p).derivatives(stretch.s).gradient.cwiseProduct(stretch.s) /
+              stretch.s.prod();
+          PackMat3 sigma = stretch.u.template leftCols<2>() * principal.asDiagonal() *
+                           stretch.u.template leftCols<2>().transpose();
+          for (int l = 0; l < n; ++l) stress[first + l] = get_lane<3, 3>(sigma, l);
+        },
+        chunk_size / pack_width);
     return stress;
   }
 

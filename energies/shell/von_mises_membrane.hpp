@@ -126,11 +126,11 @@ struct VonMisesMembrane {
       : elastic(lame), yield_stress(yield_stress_), hardening(hardening_), viscosity(viscosity_) {}
 
   PlaneStress elastic;
-  double yield_stress;  // sigma_y [Pa]
-  double hardening;     // H: yield stress per accumulated plastic strain [Pa]
-  double viscosity;     // eta [Pa s]
+  double yield_stress;            // sigma_y [Pa]
+  double hardening;               // H: yield stress per accumulated plastic strain [Pa]
+  double viscosity;               // eta [Pa s]
   std::vector<Pack> yields = {};  // of pack_width triangles each
-  double h = 0;         // step size [s], with viscosity only
+  double h = 0;                   // step size [s], with viscosity only
 
   VonMisesMembraneLanes at(int pack) const {
     constexpr double out_of_reach = 1e100;  // Pa

@@ -76,26 +76,29 @@ class CompositeTerm : public Term, public StencilRanges {
   // part the mean of the four. The pressure of U is equal in all parts.
   std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(tets_.parts().size());
-    for_each(tets_.packs(), [&](int p) {
-      const int first = p * pack_width, n = std::min(pack_width, count() - first);
-      const CompositePoints points = tets_.points(p, tets_.at(first, n, x));
-      const Pack pressure = split_.volume.at(points.growth).pressure;
-      std::array<PackMat3, composite_points> sigma;
-      PackMat3 mean = PackMat3::Zero();
-      for (int q = 0; q < composite_points; ++q) {
-        const Svd3<Pack> svd = svd3(points.f[q]);
-        const PackVec3 tau =
-            material(split_.shape, p, q).derivatives(svd.s).gradient.cwiseProduct(svd.s);
-        PackVec3 principal = tau / svd.s.prod();
-        for (int i = 0; i < 3; ++i) principal(i) += pressure;
-        sigma[q] = svd.u * principal.asDiagonal() * svd.u.transpose();
-        mean += Pack(0.25) * sigma[q];
-      }
-      for (int l = 0; l < n; ++l)
-        for (int s = 0; s < composite_parts; ++s)
-          stress[composite_parts * (first + l) + s] =
-              get_lane<3, 3>(s < composite_points ? sigma[s] : mean, l);
-    }, chunk_size / pack_width);
+    for_each(
+        tets_.packs(),
+        [&](int p) {
+          const int first = p * pack_width, n = std::min(pack_width, count() - first);
+          const CompositePoints points = tets_.points(p, tets_.at(first, n, x));
+          const Pack pressure = split_.volume.at(points.growth).pressure;
+          std::array<PackMat3, composite_points> sigma;
+          PackMat3 mean = PackMat3::Zero();
+          for (int q = 0; q < composite_points; ++q) {
+            const Svd3<Pack> svd = svd3(points.f[q]);
+            const PackVec3 tau =
+                material(split_.shape, p, q).derivatives(svd.s).gradient.cwiseProduct(svd.s);
+            PackVec3 principal = tau / svd.s.prod();
+            for (int i = 0; i < 3; ++i) principal(i) += pressure;
+            sigma[q] = svd.u * principal.asDiagonal() * svd.u.transpose();
+            mean += Pack(0.25) * sigma[q];
+          }
+          for (int l = 0; l < n; ++l)
+            for (int s = 0; s < composite_parts; ++s)
+              stress[composite_parts * (first + l) + s] =
+                  get_lane<3, 3>(s < composite_points ? sigma[s] : mean, l);
+        },
+        chunk_size / pack_width);
     return stress;
   }
 

@@ -41,9 +41,9 @@ class SolidEnergy : public Energy {
   Lame lame() const { return tack::lame(young_, poisson_); }
 
  private:
-  double young_ = 1e5;      // Pa
+  double young_ = 1e5;  // Pa
   double poisson_ = 0.3;
-  double density_ = 1000;   // kg/m^3
+  double density_ = 1000;  // kg/m^3
 };
 
 /// Makes the term of grouped tets (Body::elements). Defined in grouped_solid.hpp. A separate file,

@@ -70,6 +70,8 @@ inline Pack volume_growth(const PackMat3& f) {
 
 /// A material that offers the split.
 template <class Material>
-concept SplitMaterial = requires(const Material& material) { material.split(); };
+concept SplitMaterial = requires(const Material& material) {
+  material.split();
+};
 
 }  // namespace tack

@@ -30,14 +30,14 @@ class PatchTerm : public SolidTerm<PatchShape<Shape>> {
 
   double value(const VecX& x) const override {
     return Base::value(x) + sum_chunks(patches_.count(), [&](int first, int last) {
-      double sum = 0;
-      for (int p = first; p < last; ++p) {
-        const double growth = patches_.growth(p, x);
-        sum += growth > -1 ? patches_.patch(p).volume * law_.at(growth).energy
-                           : std::numeric_limits<double>::infinity();
-      }
-      return sum;
-    });
+             double sum = 0;
+             for (int p = first; p < last; ++p) {
+               const double growth = patches_.growth(p, x);
+               sum += growth > -1 ? patches_.patch(p).volume * law_.at(growth).energy
+                                  : std::numeric_limits<double>::infinity();
+             }
+             return sum;
+           });
   }
 
   std::vector<StencilBatch> batches() const override {

@@ -46,7 +46,7 @@ class Patches {
 
  private:
   std::vector<Tet> tets_;
-  std::vector<double> rest_;                // six times the volume of each [m^3]
+  std::vector<double> rest_;                 // six times the volume of each [m^3]
   std::vector<std::array<int, 4>> corners_;  // of each, in the vertices of its patch
   std::vector<int> patch_of_, vertices_;
   std::vector<Patch> patches_;

@@ -71,15 +71,18 @@ class SolidTerm : public Term, public StencilRanges {
 
   std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(tets_.size());
-    for_each(count() / pack_width + 1, [&](int p) {
-      const int first = p * pack_width, n = std::min(pack_width, count() - first);
-      if (n <= 0) return;
-      const Svd3<Pack> svd = svd3(deformation_gradient(rest_[p], &tets_[first], n, x));
-      const PackVec3 principal =
-          material(p).derivatives(svd.s).gradient.cwiseProduct(svd.s) / svd.s.prod();
-      const PackMat3 sigma = svd.u * principal.asDiagonal() * svd.u.transpose();
-      for (int l = 0; l < n; ++l) stress[first + l] = get_lane<3, 3>(sigma, l);
-    }, chunk_size / pack_width);
+    for_each(
+        count() / pack_width + 1,
+        [&](int p) {
+          const int first = p * pack_width, n = std::min(pack_width, count() - first);
+          if (n <= 0) return;
+          const Svd3<Pack> svd = svd3(deformation_gradient(rest_[p], &tets_[first], n, x));
+          const PackVec3 principal =
+              material(p).derivatives(svd.s).gradient.cwiseProduct(svd.s) / svd.s.prod();
+          const PackMat3 sigma = svd.u * principal.asDiagonal() * svd.u.transpose();
+          for (int l = 0; l < n; ++l) stress[first + l] = get_lane<3, 3>(sigma, l);
+        },
+        chunk_size / pack_width);
     return stress;
   }
 

@@ -14,7 +14,7 @@ template <class T>
 struct TetRest {
   // Row a-1: grad N_a, a = 1, 2, 3 [1/m]; grad N_0 is minus their sum
   Eigen::Matrix<T, 3, 3> shape;
-  T volume;                      // [m^3]
+  T volume;  // [m^3]
 };
 
 // Throws InputError naming the body and the tet if one is not positively oriented.

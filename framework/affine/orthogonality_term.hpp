@@ -41,11 +41,11 @@ class OrthogonalityTerm : public Term, public ResidualView {
 
  private:
   struct Body {
-    Mat3 shape;    // rest edges^-1 [1/m]
+    Mat3 shape;      // rest edges^-1 [1/m]
     double modulus;  // kappa V [J]
   };
-  double energy(int body, const VecX& x) const;  // J
-  Mat3 map_of(int body, const VecX& x) const;  // A
+  double energy(int body, const VecX& x) const;         // J
+  Mat3 map_of(int body, const VecX& x) const;           // A
   Eigen::Matrix<double, 3, 4> corners(int body) const;  // d A / d x: A = sum_a x_a corners.col(a)^T
 
   std::vector<Tet> frames_;

@@ -8,8 +8,8 @@
 namespace tack {
 
 struct CommandOption {
-  std::vector<std::string> names;    // "-o", "--output"; empty: positional
-  std::string word;                  // placeholder of the positional argument: "file"
+  std::vector<std::string> names;  // "-o", "--output"; empty: positional
+  std::string word;                // placeholder of the positional argument: "file"
   std::string about;
   // Placeholder of the value: "FOLDER", "TEXT", ...; "" for a flag.
   std::string value;

@@ -49,11 +49,11 @@ int compare_command(const CompareOptions& options);
 
 struct BatchOptions {
   SceneOptions file;
-  std::string command_line;   // as it would be typed in a shell
-  std::string output;         // empty: results/<name>
-  int jobs = 0, threads = 0;  // 0: as the file says
-  bool dry_run = false;       // show the plan and its estimated duration
-  bool failed = false;        // run failed cases again
+  std::string command_line;       // as it would be typed in a shell
+  std::string output;             // empty: results/<name>
+  int jobs = 0, threads = 0;      // 0: as the file says
+  bool dry_run = false;           // show the plan and its estimated duration
+  bool failed = false;            // run failed cases again
   std::vector<std::string> only;  // names of cases, with * and ?; empty: all
   bool slurm = false, no_wait = false;
   // The folder of a batch whose table is to be made again.
@@ -68,11 +68,11 @@ int batch_command(const BatchOptions& options);
 
 struct CalibrateOptions {
   SceneOptions file;
-  std::string command_line;   // as it would be typed in a shell
-  std::string output;         // empty: results/<name>
-  int jobs = 0, threads = 0;  // 0: as the file says
-  bool dry_run = false;       // check everything and estimate the duration
-  bool failed = false;        // run failed cases again
+  std::string command_line;       // as it would be typed in a shell
+  std::string output;             // empty: results/<name>
+  int jobs = 0, threads = 0;      // 0: as the file says
+  bool dry_run = false;           // check everything and estimate the duration
+  bool failed = false;            // run failed cases again
   std::vector<std::string> only;  // names of cases, with * and ?; empty: all
   bool slurm = false;
   bool quiet = false;
@@ -119,9 +119,9 @@ struct PlotOptions {
   std::string x, y;
   std::vector<std::string> by;
   bool log_x = false, log_y = false;
-  std::vector<double> x_range;  // displayed range of x; empty: all
-  std::string style;                    // a style file; empty: the default style
-  std::vector<std::string> overrides;   // overrides of the style, "a.b=c"
+  std::vector<double> x_range;         // displayed range of x; empty: all
+  std::string style;                   // a style file; empty: the default style
+  std::vector<std::string> overrides;  // overrides of the style, "a.b=c"
   // Files of measured or reference points, with the same column names; drawn as marks.
   std::vector<std::string> data;
 };
@@ -132,15 +132,15 @@ struct CheckOptions : SceneOptions {
   // "PROBE:KEY": runs the scene and compares this derivative with finite differences. Empty: no
   // run.
   std::string gradient;
-  double gradient_step = 1e-4;   // of the finite differences, relative to the parameter
-  int threads = 0;               // 0: all cores
+  double gradient_step = 1e-4;  // of the finite differences, relative to the parameter
+  int threads = 0;              // 0: all cores
 };
 // Validates an experiment without running it: keys, meshes, pairs, the initial state, and the
 // derivatives of the incremental potential at the initial state.
 int check_command(const CheckOptions& options);
 
 struct ListOptions {
-  std::string kind, name;                         // empty: all
+  std::string kind, name;  // empty: all
   // Files to write instead of the list.
   std::string reference, schema, compare_schema, batch_schema, calibrate_schema, plot_schema;
   // Components of these are listed too.
@@ -160,8 +160,8 @@ int describe_command(const ListOptions& options);
 struct LawOptions {
   // A scene or the file of an adhesion, and keys of it ("a.b=c").
   std::vector<std::string> words;
-  std::string type;                // type of an adhesion, instead of a file
-  std::string output;              // folder of pictures and tables; empty: no files
+  std::string type;    // type of an adhesion, instead of a file
+  std::string output;  // folder of pictures and tables; empty: no files
   // With units; empty: not given.
   std::string young, contact_distance, barrier_stiffness, speed, pressure;
   std::vector<std::string> plugins;
@@ -174,7 +174,7 @@ struct MeshOptions {
   std::string operation;
   // Files and parameters of the operation ("edge_length=5 mm"), in any order.
   std::vector<std::string> words;
-  std::string output;               // the file to write; empty for `info`
+  std::string output;  // the file to write; empty for `info`
   // `sdf`: object of an experiment; empty if the file is a level set.
   std::string object;
 };

@@ -23,8 +23,8 @@ inline const CLI::Validator number_above_zero(
     [](std::string& text) {
       double number = 0;
       const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-      const bool good = status == std::errc() && stop == text.data() + text.size() && number > 0 &&
-                        number < 1e6;
+      const bool good =
+          status == std::errc() && stop == text.data() + text.size() && number > 0 && number < 1e6;
       return good ? std::string() : fmt::format("expects a number above zero, got '{}'", text);
     },
     "POSITIVE");

@@ -51,8 +51,8 @@ class Assembler {
   struct Group {
     std::vector<const Term*> terms;
     std::vector<PlacedBatch> batches;
-    std::vector<const Term*> batch_terms;  // the term of each batch
-    std::vector<int> first_gradient, first_hessian;  // per term
+    std::vector<const Term*> batch_terms;               // the term of each batch
+    std::vector<int> first_gradient, first_hessian;     // per term
     std::vector<double> gradient_slots, hessian_slots;  // of the stencils, then of the reduced ones
     size_t own_gradient_slots = 0;
     ReducedStencils reduced;
@@ -90,7 +90,7 @@ class Assembler {
   std::vector<std::pair<const Term*, const GlobalModeSource*>> mode_sources_;
   Group static_, dynamic_;
   std::unique_ptr<BlockPattern> pattern_;
-  std::vector<int> component_;  // of each unknown block, see BlockMatrix
+  std::vector<int> component_;                            // of each unknown block, see BlockMatrix
   std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
 

@@ -38,7 +38,7 @@ struct FormulaOf {
                 "core/term.hpp says how many vertices a stencil may have");
   static_assert(Scalars >= 0 && Scalars <= Arity);
   static constexpr int arity = Arity, scalars = Scalars;
-  static constexpr bool stored = true;     // redefine as false for dissipation
+  static constexpr bool stored = true;  // redefine as false for dissipation
   template <class T>
   using Positions = std::array<Eigen::Matrix<T, 3, 1>, Arity>;
 };
@@ -85,13 +85,16 @@ class FormulaTerm : public Term {
   std::vector<StencilBatch> batches() const override { return {batch()}; }
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override {
-    for_each(count(), [&](int s) {
-      double* const slopes = gradient + 3 * arity * static_cast<size_t>(s);
-      if (!hessian) return write<Dual<false>>(s, x, slopes, nullptr);
-      double* const curvatures = hessian + 9 * hessian_blocks(arity) * static_cast<size_t>(s);
-      write<Dual<true>>(s, x, slopes, curvatures);
-      project_slots(batch(), curvatures, projection);
-    }, 16);
+    for_each(
+        count(),
+        [&](int s) {
+          double* const slopes = gradient + 3 * arity * static_cast<size_t>(s);
+          if (!hessian) return write<Dual<false>>(s, x, slopes, nullptr);
+          double* const curvatures = hessian + 9 * hessian_blocks(arity) * static_cast<size_t>(s);
+          write<Dual<true>>(s, x, slopes, curvatures);
+          project_slots(batch(), curvatures, projection);
+        },
+        16);
   }
 
  private:

@@ -14,8 +14,8 @@ namespace tack {
 /// One batch of a term and the position of its first slots.
 struct PlacedBatch {
   StencilBatch batch;
-  int gradient_slot = 0;  // in 3-vectors
-  int hessian_slot = 0;   // in 3x3 blocks
+  int gradient_slot = 0;   // in 3-vectors
+  int hessian_slot = 0;    // in 3x3 blocks
   bool of_blocks = false;  // its `vertices` are unknown blocks
 };
 

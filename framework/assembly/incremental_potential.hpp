@@ -43,9 +43,13 @@ class IncrementalPotential : public Objective {
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
   /// Forward to the assembler, with the stencil forces of that gradient.
   template <class Act>
-  void for_each_stencil_force(const Act& act) const { assembler_.for_each_stencil_force(act); }
+  void for_each_stencil_force(const Act& act) const {
+    assembler_.for_each_stencil_force(act);
+  }
   template <class Act>
-  void for_each_lasting_stencil(const Act& act) const { assembler_.for_each_lasting_stencil(act); }
+  void for_each_lasting_stencil(const Act& act) const {
+    assembler_.for_each_lasting_stencil(act);
+  }
   /// Returns the largest component of the inertial force of a block at the current point [N].
   double inertial_force(int block) const;
 
@@ -78,7 +82,7 @@ class IncrementalPotential : public Objective {
   double value_ = 0, noise_ = 0;
   bool value_known_ = false, gradient_known_ = false;
   int value_count_ = 0;
-  VecX first_x_;  // of the first evaluation of the step; empty before it
+  VecX first_x_;                      // of the first evaluation of the step; empty before it
   std::vector<double> first_values_;  // per term
   VecX gradient_;
   BlockMatrix matrix_;

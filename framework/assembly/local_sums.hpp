@@ -36,7 +36,7 @@ class LocalSums {
  private:
   struct Chunk {
     const StencilRanges* ranges;
-    int number;            // of the batch
+    int number;  // of the batch
     StencilBatch batch;
     int first, last;       // stencils of the batch
     size_t gradient_slot;  // of the first [3-vectors]
@@ -54,7 +54,7 @@ class LocalSums {
   std::vector<Chunk> chunks_;
   // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is fixed
   std::vector<int> sum_of_;
-  std::vector<double> sums_;   // 9 each
+  std::vector<double> sums_;  // 9 each
   std::vector<BlockKey> targets_;
   std::vector<int> start_, source_;  // target k gathers sums_ source_[start_[k] .. start_[k+1])
 };

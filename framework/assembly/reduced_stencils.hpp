@@ -15,7 +15,7 @@ class ReducedStencils {
  public:
   /// Reduces these batches. Own slots begin at gradient_slot and hessian_slot.
   void assign_slots(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot,
-             int hessian_slot);
+                    int hessian_slot);
   const std::vector<PlacedBatch>& batches() const { return batches_; }  // of blocks
   int gradient_end() const { return gradient_end_; }  // behind the last slot of its own
   int hessian_end() const { return hessian_end_; }

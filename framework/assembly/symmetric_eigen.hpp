@@ -23,8 +23,8 @@ class SymmetricEigen {
     diagonalize();
   }
 
-  const Vector& values() const { return d_; }    // in no order
-  const Matrix& vectors() const { return v_; }   // columns, orthonormal
+  const Vector& values() const { return d_; }   // in no order
+  const Matrix& vectors() const { return v_; }  // columns, orthonormal
 
  private:
   // Reflections i = N-1 ... 1, each scaled against underflow; d_ holds the reflection's vector

@@ -41,11 +41,11 @@ struct BatchConfig {
   std::vector<std::string> set;
   std::vector<std::unique_ptr<const Variation>> vary;
   std::vector<BatchStatistic> statistics;
-  std::vector<BatchPlot> plots;  // further pictures of `tack plot`
-  int threads = 1;                        // per case
-  int jobs = 0;                           // side by side; 0: as the cores allow
-  std::optional<double> memory;           // GB, of a case
-  std::optional<double> time_limit;       // s, of a case
+  std::vector<BatchPlot> plots;      // further pictures of `tack plot`
+  int threads = 1;                   // per case
+  int jobs = 0;                      // side by side; 0: as the cores allow
+  std::optional<double> memory;      // GB, of a case
+  std::optional<double> time_limit;  // s, of a case
   SlurmConfig slurm;
   void fields(Fields& f);
 

@@ -19,7 +19,7 @@ struct BatchCase {
   std::string scene;                          // resolved, as YAML
   // Checksum of the scene, the files that it reads and the program.
   std::string digest;
-  double duration = 0;                        // s, simulated
+  double duration = 0;  // s, simulated
 };
 
 struct BatchPlan {

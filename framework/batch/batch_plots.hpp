@@ -32,7 +32,7 @@ struct BatchPlot {
   std::string bars, per;           // columns of results.csv: a bar of `bars`, or of bars / per
   std::vector<std::string> bases;  // of the cases with a bar; empty: all with a number
   std::vector<Published> published;
-  std::string source;              // source of the published values: names their bars
+  std::string source;  // source of the published values: names their bars
   void fields(Fields& f);
 };
 

@@ -29,8 +29,8 @@ class BatchProgress {
   size_t cases_, open_, ended_ = 0, failed_ = 0;
   int jobs_, live_width_;
   bool quiet_;
-  int lines_ = 0;       // of the block on the terminal
-  double shown_ = -1;   // s
+  int lines_ = 0;      // of the block on the terminal
+  double shown_ = -1;  // s
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 

@@ -36,8 +36,8 @@ class CaseRun {
   CaseState before_;  // times and memory of earlier processes of a resumed run
   CaseState state_;
   bool resumed_ = false, timed_out_ = false;
-  double state_written_at_ = 0;        // s of its life at the last write of its state
-  double killed_at_ = -1;  // s of its life at which it is killed; negative: not interrupted
+  double state_written_at_ = 0;  // s of its life at the last write of its state
+  double killed_at_ = -1;        // s of its life at which it is killed; negative: not interrupted
   ChildProcess process_;
 };
 

@@ -8,12 +8,12 @@
 namespace tack {
 
 enum class CaseStatus {
-  waiting,              // or ran in another form: other scene, files or program
-  running,              // or killed together with the batch
+  waiting,  // or ran in another form: other scene, files or program
+  running,  // or killed together with the batch
   done,
   expectation_failed,
   simulation_failed,
-  refused,              // bad input, noticed by the run itself
+  refused,  // bad input, noticed by the run itself
   crashed,
   timed_out,
   interrupted
@@ -26,12 +26,12 @@ bool failed(CaseStatus status);  // finished with another status than done
 
 struct CaseState {
   CaseStatus status = CaseStatus::waiting;
-  std::string digest;       // checksum of the case when it ran
-  std::string error;        // why it failed
+  std::string digest;  // checksum of the case when it ran
+  std::string error;   // why it failed
   // Time of the process; of a resumed case, summed over its processes. So is cpu_seconds.
   double wall_seconds = 0;
-  double cpu_seconds = 0;   // CPU time of all threads
-  double memory_mb = 0;     // peak resident memory
+  double cpu_seconds = 0;  // CPU time of all threads
+  double memory_mb = 0;    // peak resident memory
 };
 
 // Reads a state; waiting if the file is missing or damaged.

@@ -21,9 +21,9 @@ class ChildProcess {
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&& other) noexcept;  // kills its old process
 
-  bool ended();            // does not wait
-  void send(int signal);   // no effect on an ended process
-  double seconds() const;  // since its start, or until its end
+  bool ended();                // does not wait
+  void send(int signal);       // no effect on an ended process
+  double seconds() const;      // since its start, or until its end
   double cpu_seconds() const;  // CPU time of all its threads so far, or in total
 
   // Exit code of an ended process, and the signal that ended it; 0 if none did.

@@ -12,8 +12,8 @@ namespace tack {
 
 struct ResolvedCase {
   LoadedExperiment loaded;
-  Value resolved;      // with units as comments
-  std::string scene;   // the scene as YAML
+  Value resolved;     // with units as comments
+  std::string scene;  // the scene as YAML
   // Checksum of the scene, the files that it reads, the program and its libraries.
   std::string digest;
 };

@@ -39,25 +39,25 @@ struct Body {
   std::vector<Triangle> triangles;
   // Explicit triangles of the mesh that are no faces of its tets: shells.
   std::vector<Triangle> sheet;
-  double thickness = 0;             // of the sheet [m]; 0: none
-  std::vector<Edge> edges;          // rods: explicit edges of the mesh
-  std::vector<int> points;          // particles: explicit points of the mesh
+  double thickness = 0;               // of the sheet [m]; 0: none
+  std::vector<Edge> edges;            // rods: explicit edges of the mesh
+  std::vector<int> points;            // particles: explicit points of the mesh
   std::optional<RodSection> section;  // of the edges
   double radius = 0;                  // of the points [m]; 0: none
   std::shared_ptr<RodFrames> rod;     // of edges with twists (rod/rod_frames.hpp); else null
   // The four frame vertices of an affine body (affine/frame.hpp).
   std::vector<int> frame;
-  double volume = 0;       // of an affine body [m^3]
-  double stiffness = 0;    // of an affine body [Pa]
+  double volume = 0;     // of an affine body [m^3]
+  double stiffness = 0;  // of an affine body [Pa]
   // Finer contact surface (refined_surface.hpp): its vertices outside of the mesh and its
   // triangles; else empty.
   std::vector<int> surface_vertices;
   std::vector<Triangle> surface_triangles;
   // Vertices outside of the mesh, ascending: frame, surface and twists.
   std::vector<int> extra_vertices;
-  MeshDigest digest;              // of the mesh before it was placed
-  bool from_file = false;         // the mesh was read from a file, or processed
-  std::vector<std::string> notes;       // messages of mesh processing
+  MeshDigest digest;               // of the mesh before it was placed
+  bool from_file = false;          // the mesh was read from a file, or processed
+  std::vector<std::string> notes;  // messages of mesh processing
 };
 
 }  // namespace tack

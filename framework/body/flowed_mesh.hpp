@@ -16,8 +16,8 @@ struct FlowedMesh {
   // Vertices at the rest positions of their material, in the scene [m]; tets with positive volumes
   // at the present positions.
   Mesh mesh;
-  std::vector<Triangle> surface;          // in the order of the first mesh of the run
-  std::vector<TetReference> references;   // of each tet
+  std::vector<Triangle> surface;         // in the order of the first mesh of the run
+  std::vector<TetReference> references;  // of each tet
 };
 
 using FlowedMeshes = std::map<std::string, FlowedMesh>;  // by object

@@ -41,8 +41,8 @@ struct Bond {
   int site_count = 3;         // vertices of the site, 3 or 1; those of the opposite triangle follow
   std::array<int, most> vertices{};
   std::array<double, most> c{};
-  double area = 0;        // m^2
-  double rest = 0;        // distance of the unstressed site from the opposite triangle's plane [m]
+  double area = 0;  // m^2
+  double rest = 0;  // distance of the unstressed site from the opposite triangle's plane [m]
   // Per side: the site's, then the opposite one.
   std::array<double, 2> lever{0, 0};  // l_S [m]
   std::array<double, 2> side{1, 1};   // -1: n_S is opposite to the normal by the order of vertices
@@ -61,9 +61,9 @@ struct Bond {
 
 /// Opening and slip of a bond since its surfaces bonded.
 struct Opening {
-  double d;  // m; negative if the surfaces are closer than when they bonded
-  double s;  // |u|^2 [m^2]
-  Vec3 u;    // m
+  double d;                   // m; negative if the surfaces are closer than when they bonded
+  double s;                   // |u|^2 [m^2]
+  Vec3 u;                     // m
   std::array<Vec3, 2> tilts;  // b_S
 };
 
@@ -96,7 +96,9 @@ inline Opening opening_of(const Bond& bond, const VecX& x) {
   const Vec3& n = bond.normal;
   const double d = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
   const double u[3] = {r[0] - d * n[0], r[1] - d * n[1], r[2] - d * n[2]};
-  return {d, u[0] * u[0] + u[1] * u[1] + u[2] * u[2], Vec3(u[0], u[1], u[2]),
+  return {d,
+          u[0] * u[0] + u[1] * u[1] + u[2] * u[2],
+          Vec3(u[0], u[1], u[2]),
           {Vec3(tilt[0][0], tilt[0][1], tilt[0][2]), Vec3(tilt[1][0], tilt[1][1], tilt[1][2])}};
 }
 

@@ -22,6 +22,6 @@ Vec3 site_position(const Bond& bond, const VecX& x);
 /// Moves the attachment point and its lever towards the site, so that the fraction `kept` of the
 /// slip and of a positive opening is left. The frame of the bond must be that of x.
 void move_attachment(Bond& bond, const SurfaceTopology& topology, const CollisionMesh& mesh,
-                  const VecX& x, double kept);
+                     const VecX& x, double kept);
 
 }  // namespace tack

@@ -9,8 +9,8 @@ namespace tack {
 
 /// State of a bond at a point of its path.
 struct BondPoint {
-  double time = 0;               // s
-  double opening = 0, slip = 0;  // m
+  double time = 0;                 // s
+  double opening = 0, slip = 0;    // m
   double traction = 0, shear = 0;  // along the normal and along the slip [Pa]
   double intensity = 1;
   double stored = 0;      // J/m^2
@@ -24,7 +24,7 @@ struct BondStep {
 
 /// Returns the states of a new bond at the ends of the steps; the path ends where the bond is gone.
 std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep>& path,
-                                   bool on_contact = false);
+                                  bool on_contact = false);
 
 /// Pulls a new bond straight to each of the turning points, in about `points` equal steps. turns:
 /// distances from the site [m]; angle: 0 along the normal, pi/2 tangential [rad]; speed:

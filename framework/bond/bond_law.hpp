@@ -62,8 +62,8 @@ struct BondState {
 
 /// Value and derivatives of a law.
 struct BondSample {
-  double value = 0;                  // phi [J/m^2]
-  double by_d = 0, by_s = 0;         // normal traction [Pa]; tangential traction / (2 |u|) [Pa/m]
+  double value = 0;           // phi [J/m^2]
+  double by_d = 0, by_s = 0;  // normal traction [Pa]; tangential traction / (2 |u|) [Pa/m]
   double by_dd = 0, by_ds = 0, by_ss = 0;
 };
 
@@ -124,20 +124,16 @@ class BondLawOf : public BondLaw {
  public:
   std::unique_ptr<BondLaw> clone() const override { return std::make_unique<Law>(law()); }
   AdhesionTraits traits() const override {
-    return {.reversible = false,
-            .history_dependent = width() > 0,
-            .normal = true,
-            .tangential = true};
+    return {
+        .reversible = false, .history_dependent = width() > 0, .normal = true, .tangential = true};
   }
   int width() const override {
     using HistoryVariables = typename Law::HistoryVariables;
     return std::is_empty_v<HistoryVariables> ? 0 : sizeof(HistoryVariables) / sizeof(double);
   }
   void initialize(bool on_contact, double* history) const override {
-    if constexpr (requires { law().begin(on_contact); })
-      store(law().begin(on_contact), history);
-    else
-      store(typename Law::HistoryVariables{}, history);
+    if constexpr (requires { law().begin(on_contact); }) store(law().begin(on_contact), history);
+    else store(typename Law::HistoryVariables{}, history);
   }
   void add_samples(int n, const double* d, const double* s, const double* history, double h,
                    BondSample* out) const override {
@@ -176,8 +172,7 @@ class BondLawOf : public BondLaw {
   double intensity_of(const double* history) const override {
     if constexpr (requires { law().intensity(load(history)); })
       return law().intensity(load(history));
-    else
-      return 1;
+    else return 1;
   }
   BondChange advance(const BondState& state, double* history) const override {
     const auto clipped = [](BondState p) {

@@ -35,8 +35,7 @@ class BondTerm : public Term {
   bool dynamic() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
-  void mark_debonding(const VecX& from, const VecX& to,
-                       std::vector<char>& vertices) const override;
+  void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;
 
   /// Sets the contact pressure at each bond of the list in this step [Pa], for steppers that know
   /// it; otherwise the barrier gives it.
@@ -96,7 +95,7 @@ class BondTerm : public Term {
   BondList stored_;
   bool begun_ = false;   // the run has: bonds of the start are made
   bool begins_ = false;  // a step
-  double h_ = 0;  // 0 between steps
+  double h_ = 0;         // 0 between steps
   std::vector<int> unbonded_;
   std::vector<double> pressures_;  // empty: those of the barrier
   std::vector<Block> blocks_;

@@ -38,7 +38,8 @@ void write_calibration(const CalibrationFolder& folder, const CalibrationRecord&
 
 // Draws, for each experiment, the measured points with the best run, and the misfit of every point.
 // Returns the error messages.
-std::vector<std::string> draw_calibration(const CalibrationFolder& folder, const Calibration& calibration,
+std::vector<std::string> draw_calibration(const CalibrationFolder& folder,
+                                          const Calibration& calibration,
                                           const FittedScenes& scenes);
 
 }  // namespace tack

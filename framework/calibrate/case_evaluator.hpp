@@ -43,7 +43,7 @@ class CaseEvaluator : public Evaluator {
   const BatchCase* case_of(int run, const DesignPoint& values, bool derivatives);
   bool needs_run(const BatchCase& one);
   void request_cases(PointQueue& queue, PointQueue::Request& request,
-             std::vector<const BatchCase*>& new_cases);
+                     std::vector<const BatchCase*>& new_cases);
   void answer_completed(PointQueue& queue);
   PointEvaluation evaluation_of(const PendingRequest& pending) const;
   void serve_here(PointQueue& queue);

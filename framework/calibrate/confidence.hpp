@@ -47,8 +47,7 @@ struct ResidualStatistics {
 // Computes the statistics. series: number of successive residuals of each experiment; empty: one
 // series.
 ResidualStatistics residual_statistics(const std::vector<double>& residuals, size_t parameters,
-                                       bool noise_known,
-                                       const std::vector<size_t>& series = {});
+                                       bool noise_known, const std::vector<size_t>& series = {});
 
 struct Confidence {
   double noise = 1;  // s; of residuals
@@ -71,8 +70,8 @@ inline constexpr double determined_sigma_max = 0.25;
 // Computes the confidence at the best point `values`. `noise_known`: residuals are in units of the
 // noise. `series`: as for residual_statistics.
 Confidence find_confidence(const std::vector<FittedParameter>& parameters,
-                         const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
-                         const std::vector<double>& residuals, bool noise_known,
-                         const std::vector<size_t>& series = {});
+                           const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
+                           const std::vector<double>& residuals, bool noise_known,
+                           const std::vector<size_t>& series = {});
 
 }  // namespace tack

@@ -32,14 +32,14 @@ using EvaluateAll = std::function<std::vector<PointEvaluation>(const std::vector
 // derivatives in `middle` get central differences of width `step`; one-sided at a bound, and where
 // one of the two runs failed.
 Derivatives derivatives_at(const std::vector<FittedParameter>& parameters,
-                           const std::vector<double>& u, double step,
-                           const PointEvaluation& middle, const EvaluateAll& evaluate);
+                           const std::vector<double>& u, double step, const PointEvaluation& middle,
+                           const EvaluateAll& evaluate);
 
 // Compares the derivatives with the evaluations whose parameters are all within `radius` (in u),
 // and fills in `missed`. Curves with sudden breaks have steps, which sensitivities of runs do not
 // see.
 void measure_accuracy(const std::vector<const PointEvaluation*>& others,
-                  const std::vector<FittedParameter>& parameters, const PointEvaluation& middle,
-                  double radius, Derivatives& d);
+                      const std::vector<FittedParameter>& parameters, const PointEvaluation& middle,
+                      double radius, Derivatives& d);
 
 }  // namespace tack

@@ -19,8 +19,8 @@ struct FittedParameter {
   // Per experiment and key: the unit of the number in the scene file, for parameters whose text has
   // one; "" otherwise.
   std::vector<std::vector<std::string>> units;
-  std::string unit;                            // SI; "" until it is known, "1" of a plain number
-  double from = 0, to = 1, start = 0;          // SI
+  std::string unit;                    // SI; "" until it is known, "1" of a plain number
+  double from = 0, to = 1, start = 0;  // SI
   bool log = false;
 
   double u(double value) const;

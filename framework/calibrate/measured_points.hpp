@@ -10,12 +10,12 @@
 namespace tack {
 
 struct MeasuredPoints {
-  std::string name;        // of the experiment
-  std::string x, y;        // columns of probes.csv
+  std::string name;            // of the experiment
+  std::string x, y;            // columns of probes.csv
   std::string x_unit, y_unit;  // SI
   MeasuredCurve curve;
   bool noise_known = false;
-  double scale = 1;   // s of point_evaluation.hpp, in the unit of y
+  double scale = 1;  // s of point_evaluation.hpp, in the unit of y
   double weight = 1;
 
   // Returns the run's y at each measured point. For points that the run does not pass, takes the

@@ -31,8 +31,8 @@ class AdhesionResolution {
 
  private:
   struct LawImpulse {
-    double all = 0, coarse = 0;  // N s
-    double size = 0;             // N s m: coarse impulse times sufficient size
+    double all = 0, coarse = 0;   // N s
+    double size = 0;              // N s m: coarse impulse times sufficient size
     int object = -1, other = -1;  // the first pair with it
   };
   struct Element {
@@ -45,7 +45,7 @@ class AdhesionResolution {
 
   const SceneConfig& scene_;
   const World& world_;
-  std::vector<char> adheres_;   // per law
+  std::vector<char> adheres_;         // per law
   std::vector<LawImpulse> impulses_;  // per law
 };
 

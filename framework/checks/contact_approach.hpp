@@ -53,9 +53,9 @@ class ContactApproach {
  private:
   using Objects = std::pair<int, int>;  // ascending
   struct Pressed {
-    double force = 0;                // N
+    double force = 0;                 // N
     double barrier = 0, elastic = 0;  // approach [m]
-    double distance = 0;             // in which the barrier acts [m]
+    double distance = 0;              // in which the barrier acts [m]
   };
   bool is_examined(const Objects& objects) const;
   std::map<Objects, std::vector<PressedPoint>> zones(const VecX& x) const;

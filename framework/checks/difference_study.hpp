@@ -20,7 +20,7 @@ struct DifferenceStudy {
   double error = 0;       // of the worst component that can be judged, relative to its scale
   double resolution = 0;  // relative resolution: the 95th percentile over components
   int components = 0, unclear = 0;  // those at a kink, or drowned in rounding, cannot be judged
-  bool wrong = false;     // some component is off by far more than differences leave open
+  bool wrong = false;               // some component is off by far more than differences leave open
 
   void merge(const DifferenceStudy& other);  // the worse of both
 };

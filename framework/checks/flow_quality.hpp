@@ -29,10 +29,10 @@ class FlowQuality {
   struct Flowing {
     const FieldRecord* strain;
     int body;
-    std::vector<double> at_rest;  // per tet: its mean ratio
+    std::vector<double> at_rest;                      // per tet: its mean ratio
     double lowest = 1, plastic_strain = 0, time = 0;  // -, of that tet, s
     int tet = -1;
-    Vec3 place = Vec3::Zero();    // m
+    Vec3 place = Vec3::Zero();  // m
   };
   const World& world_;
   std::vector<Flowing> all_;

@@ -42,9 +42,9 @@ std::string size_text(const World& world, int body);
 // The two scales of a body that moves.
 struct BodyScale {
   int body = 0;
-  double side = 0;         // the middle side of its box [m]
-  double distance = 0;     // the contact distance over it; 0 without contact
-  double sag = 0;          // the pressure of its weight at its base over Young's modulus; or 0
+  double side = 0;      // the middle side of its box [m]
+  double distance = 0;  // the contact distance over it; 0 without contact
+  double sag = 0;       // the pressure of its weight at its base over Young's modulus; or 0
 };
 
 std::vector<BodyScale> body_scales(const SceneConfig& scene, const World& world);

@@ -11,9 +11,9 @@ namespace tack {
 
 struct SolverEntry {
   std::string name;
-  Value solver;   // overrides of the scene's solver block, as written
-  Value stepper;  // overrides of its time.stepper
-  Value time;     // overrides of the rest of its time
+  Value solver;                            // overrides of the scene's solver block, as written
+  Value stepper;                           // overrides of its time.stepper
+  Value time;                              // overrides of the rest of its time
   std::optional<double> own_step() const;  // s: the step of `time`
   void fields(Fields& f);
 };
@@ -30,18 +30,18 @@ struct BaseEntry {
 struct CompareConfig {
   std::string name;
   std::string about;
-  std::vector<std::string> plugins;   // absolute paths; loaded
-  std::string base;                   // absolute path of an experiment; empty: none
-  std::vector<std::string> set;       // "a.b=c", for the base
+  std::vector<std::string> plugins;  // absolute paths; loaded
+  std::string base;                  // absolute path of an experiment; empty: none
+  std::vector<std::string> set;      // "a.b=c", for the base
   std::vector<BaseEntry> bases;
   std::vector<std::string> problems;  // absolute paths
   std::vector<SolverEntry> solvers;
-  std::vector<double> tolerances;     // m/s
-  std::vector<double> time_steps;     // s; empty: that of the scene
-  int steps = 0;                      // for the base; 0: to its end
+  std::vector<double> tolerances;  // m/s
+  std::vector<double> time_steps;  // s; empty: that of the scene
+  int steps = 0;                   // for the base; 0: to its end
   int repeat = 3;
-  double reference_tolerance = 1e-10;           // m/s
-  std::optional<double> reference_time_step;    // s
+  double reference_tolerance = 1e-10;         // m/s
+  std::optional<double> reference_time_step;  // s
   void fields(Fields& f);
 };
 

@@ -53,9 +53,7 @@ inline bool same_task(const CompareRow& a, const CompareRow& b) {
   return a.problem == b.problem && a.tolerance == b.tolerance && a.time_step == b.time_step;
 }
 // Returns true if a is as fast as b, up to the spread of the repetitions.
-inline bool as_fast(const CompareRow& a, const CompareRow& b) {
-  return a.wall_min <= b.wall_max;
-}
+inline bool as_fast(const CompareRow& a, const CompareRow& b) { return a.wall_min <= b.wall_max; }
 
 struct ReferenceRow {
   std::string problem;

@@ -37,11 +37,11 @@ CompareCase experiment_case(const std::string& path, const std::vector<std::stri
 CompareCase problem_case(const std::string& path);
 
 struct TrialSettings {
-  Value solver;           // overrides of the scene's solver
-  double tolerance = 0;   // m/s
-  double step_size = 0;   // s
-  Value stepper = {};     // overrides of the scene's stepper
-  Value time = {};        // overrides of the rest of the scene's time
+  Value solver;          // overrides of the scene's solver
+  double tolerance = 0;  // m/s
+  double step_size = 0;  // s
+  Value stepper = {};    // overrides of the scene's stepper
+  Value time = {};       // overrides of the rest of the scene's time
 };
 
 struct TrialResult {
@@ -55,8 +55,8 @@ struct TrialResult {
   // Maxima over the steps, for steppers that let surfaces pass through each other; penetration in
   // m.
   double penetration = 0, crossing_pairs = 0;
-  VecX x;                 // 3n [m]
-  double energy = 0;      // at the end of a run [J]
+  VecX x;             // 3n [m]
+  double energy = 0;  // at the end of a run [J]
   std::vector<double> probes;
 };
 

@@ -40,7 +40,7 @@ struct Field {
   Shape shape;
   Bounds bounds;
   bool mandatory = false;
-  bool filled = false;  ///< a list must not be empty
+  bool filled = false;    ///< a list must not be empty
   bool one_line = false;  ///< a text must not have line breaks or other control characters
   std::optional<std::vector<std::string>> variables;  ///< of a text that is a formula
 

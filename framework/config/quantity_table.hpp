@@ -16,7 +16,7 @@ namespace tack {
 struct QuantityColumn {
   std::string name;  // in the file, case-insensitive
   Unit unit;
-  std::string key;   // scene key that chooses another name, for messages
+  std::string key;  // scene key that chooses another name, for messages
 };
 
 struct QuantityTable {

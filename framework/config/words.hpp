@@ -11,7 +11,7 @@ std::string with_article(std::string_view noun);  // "a pressure (Pa)", "an angl
 std::string plural(std::string_view noun);        // "lengths", "energies", "works of adhesion"
 
 std::string listed(const std::vector<std::string>& names);  // "a", "a and b", "a, b and c"
-std::string counted(long count, std::string_view noun);  // "1 case", "24 cases"
-std::string duration_text(double seconds);               // "12s", "2m05s", "1h02m"
+std::string counted(long count, std::string_view noun);     // "1 case", "24 cases"
+std::string duration_text(double seconds);                  // "12s", "2m05s", "1h02m"
 
 }  // namespace tack

@@ -44,7 +44,7 @@ struct PairRole {
   bool carries_pressure = false;
   int safety_barrier = -1;          // law of safety-barrier pairs; -1: none
   double safety_barrier_range = 0;  // m
-  double clipped_range = 0;  // of adhesion that is integrated by clipping [m]
+  double clipped_range = 0;         // of adhesion that is integrated by clipping [m]
   // Pressure only while this side is the secondary side by overlap (integration_sides.hpp).
   bool by_overlap = false;
   bool only_if_finer = false;  // pressure only if this side has the finer surface

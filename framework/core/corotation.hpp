@@ -43,9 +43,9 @@ class Corotation {
 
   int position_count_;
   double translation_;  // 1 if u includes the translation, else 0
-  Column s_, y_, u_;  // s and y relative to their means
+  Column s_, y_, u_;    // s and y relative to their means
   Mat3 r_;
-  Mat3 inverse_;      // of A; 0 about an axis about which the rotation is arbitrary
+  Mat3 inverse_;  // of A; 0 about an axis about which the rotation is arbitrary
 };
 
 }  // namespace tack

@@ -60,9 +60,7 @@ class DofMap {
     Mat3 projection;
     bool scalar;
   };
-  const std::vector<PartlyFixedBlock>& partly_fixed_blocks() const {
-    return partly_fixed_blocks_;
-  }
+  const std::vector<PartlyFixedBlock>& partly_fixed_blocks() const { return partly_fixed_blocks_; }
 
   const std::vector<int>& dependents() const { return dependents_; }  // ascending
   /// Returns the free and fixed vertices on which dependent vertex k depends, with weights.

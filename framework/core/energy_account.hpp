@@ -13,8 +13,8 @@ namespace tack {
 /// Energy balance of a group of bodies (stepping/group_balance.hpp).
 struct GroupAccount {
   double kinetic = 0, gravity = 0, elastic = 0, contact = 0;  // J
-  double dissipated = 0;  // so far [J]
-  ReferenceEnergy reference_energy;  // so far
+  double dissipated = 0;                                      // so far [J]
+  ReferenceEnergy reference_energy;                           // so far
   bool met_another = false;  // a contact stencil joined another group: the energy is unknown
 };
 
@@ -26,7 +26,7 @@ struct EnergyAccount {
   // Dissipated so far, by name (EnergyFlows::Published::account) [J].
   std::vector<std::pair<std::string, double>> dissipated;
   double loads = 0;  // work of the loads so far [J]
-  VecX gradient;  // 3n: of elastic and contact energy [N]; empty without prescribed motion
+  VecX gradient;     // 3n: of elastic and contact energy [N]; empty without prescribed motion
 
   double numerical_gain = 0;         // numerical energy gain since the first step [J]
   double numerical_gain_low = 0;     // its smallest value since the last reported gain [J]

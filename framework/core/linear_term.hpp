@@ -12,11 +12,9 @@ class LinearTerm : public Term, public ResidualView {
  public:
   using Term::Term;
 
-  void set_force(VecX force) { force_ = std::move(force); }              // N, 3n
+  void set_force(VecX force) { force_ = std::move(force); }  // N, 3n
   /// Sets the configuration of zero potential (3n) [m]
-  void set_reference(VecX reference) {
-    reference_ = std::move(reference);
-  }
+  void set_reference(VecX reference) { reference_ = std::move(reference); }
   const VecX& force() const { return force_; }
   const VecX& reference() const { return reference_; }
 

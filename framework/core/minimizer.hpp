@@ -17,14 +17,14 @@ namespace tack {
 
 /// Reason why a minimisation ended.
 enum class MinimizerStatus {
-  converged,          // the stopping norm is below the tolerance
-  iteration_limit,    // max_iterations used up
-  line_search_failed, // no step along a descent direction decreases the objective
-  blocked,            // the feasible step shrank to nothing
+  converged,           // the stopping norm is below the tolerance
+  iteration_limit,     // max_iterations used up
+  line_search_failed,  // no step along a descent direction decreases the objective
+  blocked,             // the feasible step shrank to nothing
   factorization_failed,
-  not_finite,         // value or gradient is not a number
+  not_finite,  // value or gradient is not a number
   interrupted,
-  time_limit,         // OutOfTime was thrown (deadline.hpp)
+  time_limit,  // OutOfTime was thrown (deadline.hpp)
 };
 /// Returns the status in words.
 std::string_view to_string(MinimizerStatus status);
@@ -67,9 +67,9 @@ struct MinimizerResult {
   MinimizerStatus status = MinimizerStatus::converged;
   int iterations = 0;
   int linear_solves = 0;
-  long linear_iterations = 0;  // of iterative linear solvers
+  long linear_iterations = 0;       // of iterative linear solvers
   int line_search_evaluations = 0;  // values in line searches, or in an external minimiser
-  double residual = 0;  // the last stopping norm, in units of the tolerance
+  double residual = 0;              // the last stopping norm, in units of the tolerance
 
   /// Adds the work of an earlier minimisation of the same step.
   void add_work(const MinimizerResult& other) {
@@ -101,11 +101,11 @@ class Minimizer : public Component {
 
   void fields(Fields& f) override;
   Stopping stopping() const { return stopping_; }
-  double velocity_tolerance() const { return tolerance_.value_or(0.01); }     // m/s
-  double force_tolerance() const { return force_tolerance_; }                // relative
+  double velocity_tolerance() const { return tolerance_.value_or(0.01); }         // m/s
+  double force_tolerance() const { return force_tolerance_; }                     // relative
   double balance_tolerance() const { return balance_tolerance_.value_or(0.01); }  // relative
-  std::optional<double> force_floor() const { return force_floor_; }         // N
-  double acceleration_tolerance() const { return acceleration_tolerance_; }  // m/s^2
+  std::optional<double> force_floor() const { return force_floor_; }              // N
+  double acceleration_tolerance() const { return acceleration_tolerance_; }       // m/s^2
 
   std::optional<double> time_limit() const { return time_limit_; }  // s of wall time
   bool checks_iterates() const { return check_iterates_; }
@@ -135,8 +135,8 @@ class Minimizer : public Component {
 
  private:
   Stopping stopping_ = Stopping::velocity;
-  std::optional<double> tolerance_;    // m/s
-  std::optional<double> force_floor_;  // N
+  std::optional<double> tolerance_;          // m/s
+  std::optional<double> force_floor_;        // N
   std::optional<double> balance_tolerance_;  // relative
   double force_tolerance_ = 1e-4;
   double acceleration_tolerance_ = 1;  // m/s^2

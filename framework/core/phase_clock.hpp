@@ -16,13 +16,25 @@ namespace tack {
 class TermTimes;
 
 /// Phases of a step.
-enum class Phase { other, assembly, projection, factorize, solve, broad_phase, narrow_phase, ccd,
-                   line_search, check, io, count };
+enum class Phase {
+  other,
+  assembly,
+  projection,
+  factorize,
+  solve,
+  broad_phase,
+  narrow_phase,
+  ccd,
+  line_search,
+  check,
+  io,
+  count
+};
 
 inline constexpr int phase_count = static_cast<int>(Phase::count);
 inline constexpr std::array<std::string_view, phase_count> phase_names = {
-    "other", "assembly", "projection", "factorize", "solve", "broad_phase", "narrow_phase", "ccd",
-    "line_search", "check", "io"};
+    "other",        "assembly", "projection",  "factorize", "solve", "broad_phase",
+    "narrow_phase", "ccd",      "line_search", "check",     "io"};
 
 /// Clock of a run: seconds per phase, time limits, times of terms.
 class PhaseClock {

@@ -69,7 +69,7 @@ constexpr bool is_stored(EnergyKind kind) { return kind != EnergyKind::of_step; 
 /// An energy of a term.
 struct EnergyRecord {
   std::string name;  // its column is energy_<name>; energies of one name add up
-  EnergyKind kind = EnergyKind::of_objects;  // equal for all energies of one term
+  EnergyKind kind = EnergyKind::of_objects;         // equal for all energies of one term
   std::function<double(const VecX& x)> value = {};  // J
   const Term* term = nullptr;  // the publishing term: its energies add up to its value
 };
@@ -96,7 +96,7 @@ struct FlowColumn {
 
 /// Energy that a step feeds, moves or dissipates.
 struct FlowRecord {
-  std::string name;  // of the source
+  std::string name;                 // of the source
   std::vector<FlowColumn> columns;  // columns of one name add up
   /// Writes the amount of each column for the step to x [J]. Called before the step is committed,
   /// so that lagged quantities are still those of the step.
@@ -118,7 +118,7 @@ struct FieldRecord {
   std::function<VecX(const VecX& x)> values = {};
   bool of_elements = false;
   bool summed = false;
-  const Term* term = nullptr;  // the publishing term
+  const Term* term = nullptr;              // the publishing term
   const std::vector<Tet>* tets = nullptr;  // elements instead of the stencils of the term
 
   void combine(double value, double& with) const;
@@ -127,15 +127,15 @@ struct FieldRecord {
 /// Cauchy stress of one term alone, per stencil; the stencils are one batch of tets or triangles.
 struct StressRecord {
   std::function<std::vector<Mat3>(const VecX& x)> values = {};  // Pa
-  const Term* term = nullptr;  // the publishing term
+  const Term* term = nullptr;                                   // the publishing term
   const std::vector<Tet>* tets = nullptr;  // elements instead of the stencils of the term
 };
 
 /// Tets that remeshing may exchange between steps, and the quantities to transfer
 /// (framework/remesh).
 struct ExchangeableTets {
-  std::string body;                        // name of the body
-  const std::vector<Tet>* tets = nullptr;  // all tets of the body
+  std::string body;                                              // name of the body
+  const std::vector<Tet>* tets = nullptr;                        // all tets of the body
   std::function<std::vector<double>()> volumes = {};             // stress-free volumes [m^3]
   std::function<std::vector<Mat3>(const VecX& x)> elastic = {};  // elastic deformation gradients
                                                                  // of an isotropic material

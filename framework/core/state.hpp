@@ -24,7 +24,7 @@ struct State {
 
   // The step before, for two-step integrators; valid while the step size stays the same, or adapts.
   VecX x_before, v_before;
-  double h_before = 0;  // s; 0: there is none
+  double h_before = 0;             // s; 0: there is none
   double contact_time_before = 0;  // time in which contact acted in it [s]; 0: unknown
 
   // Accelerations by dynamic terms (Term::dynamic), now and in the step before (3n) [m/s^2]; empty:

@@ -88,7 +88,7 @@ class Term : public StepParticipant {
   /// grows with its opening at `from` and has passed its peak at `to`. The starting iterate of a
   /// step does not go that far (predicted_motion.hpp). All participants of the step are at `from`.
   virtual void mark_debonding(const VecX& /*from*/, const VecX& /*to*/,
-                               std::vector<char>& /*vertices*/) const {}
+                              std::vector<char>& /*vertices*/) const {}
 
   /// Returns true if the value is a stored energy, false if it represents dissipation of a step.
   virtual bool stores() const { return true; }

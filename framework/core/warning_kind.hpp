@@ -7,6 +7,7 @@
 
 // Entries: key, whether the kind recurs from step to step, meaning. docs/results.md lists the same
 // keys and meanings.
+// clang-format off
 #define TACK_WARNING_KINDS(entry)                                                                  \
   /* keys of the scene */                                                                          \
   entry(retired_key, false, "a key of the scene has been renamed; its former name is still read")  \
@@ -75,6 +76,7 @@
   entry(failed_points, false, "points of the search failed")                                       \
   /* others */                                                                                     \
   entry(unspecified, false, "a checkpoint has the warning under a kind that is unknown")
+// clang-format on
 
 namespace tack {
 

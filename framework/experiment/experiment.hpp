@@ -20,7 +20,7 @@ namespace tack {
 struct Experiment : SceneConfig {
   std::string name;
   std::string about;
-  std::vector<std::string> plugins;  // absolute paths; loaded
+  std::vector<std::string> plugins;            // absolute paths; loaded
   std::map<std::string, Quantity> parameters;  // already substituted in all other values
   TimeConfig time;
   std::unique_ptr<const Minimizer> solver = Registry<Minimizer>::make("projected_newton");

@@ -10,8 +10,8 @@
 namespace tack {
 
 struct LawSource {
-  std::string file, type;              // file of a scene or an adhesion; or the type of an adhesion
-  std::vector<std::string> settings;   // "a.b=c": overrides of the scene or the adhesion
+  std::string file, type;             // file of a scene or an adhesion; or the type of an adhesion
+  std::vector<std::string> settings;  // "a.b=c": overrides of the scene or the adhesion
   // [m, Pa, Pa]. The first two are refused for a scene, which has its own.
   std::optional<double> contact_distance, barrier_stiffness, young;
 };

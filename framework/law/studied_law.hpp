@@ -18,7 +18,7 @@ struct StudiedLaw {
   std::shared_ptr<const BondLaw> bond;
   PairLaw pair;  // law of the gap: barrier and adhesion; for bonds, the barrier alone
   double contact_distance = 0;  // m
-  double young = 0;  // Young's modulus of the softer side [Pa]; 0: unknown
+  double young = 0;             // Young's modulus of the softer side [Pa]; 0: unknown
 
   const AdhesionLaw& law() const { return gap ? static_cast<const AdhesionLaw&>(*gap) : *bond; }
 };

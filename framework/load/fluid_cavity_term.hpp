@@ -14,7 +14,7 @@ namespace tack {
 class FluidCavityTerm : public VolumeTerm {
  public:
   FluidCavityTerm(std::string label, OrientedSurface surface, const VecX& rest,
-              const StoredContent& content);
+                  const StoredContent& content);
 
   // Sets the leak rate at x in addition to that of the content [1/s].
   void set_leak(std::function<double(const VecX& x)> rate) { leak_ = std::move(rate); }

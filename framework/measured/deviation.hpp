@@ -18,7 +18,7 @@ enum class DeviationScale { point, peak };
 struct Deviation {
   size_t compared = 0;  // points that the run has passed; the others count nowhere
   double mean = 0, bias = 0, rms = 0, worst = 0;
-  size_t worst_at = 0;  // index of the point
+  size_t worst_at = 0;                 // index of the point
   double work = 0, measured_work = 0;  // unit of y times unit of x
 };
 

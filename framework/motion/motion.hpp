@@ -43,8 +43,8 @@ class Motion : public Component {
   Mat3 fixed_directions() const;
 
   // Writes the prescribed positions at time t [s] into the rows of x; rest, reference: 3n [m].
-  virtual void set_positions(std::span<const int> vertices, const VecX& rest,
-                             const VecX& reference, double t, VecX& x) const = 0;
+  virtual void set_positions(std::span<const int> vertices, const VecX& rest, const VecX& reference,
+                             double t, VecX& x) const = 0;
   // Returns the times of discontinuities [s] other than `from` and `until`. Adaptive steps end
   // there.
   virtual std::vector<double> corners() const { return {}; }

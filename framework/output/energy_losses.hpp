@@ -51,7 +51,7 @@ struct EnergyLosses {
   // Returns a warning for each cause that gained or lost more than is tolerated, the largest first.
   // They are by group if there are several groups with these names and none has met another.
   std::vector<Warning> warnings(const TimeIntegrator& rule,
-                            const std::vector<std::string>& group_names = {}) const;
+                                const std::vector<std::string>& group_names = {}) const;
 
   // Calls act(name, cause) for each.
   template <class Losses, class Act>

@@ -14,7 +14,7 @@ struct World;
 
 struct FrameFieldInfo {
   std::string name, unit, doc;
-  bool of_elements;  // per element; false: per vertex
+  bool of_elements;    // per element; false: per vertex
   int components = 1;  // components of fields of elements
 };
 

@@ -9,9 +9,9 @@
 namespace tack {
 
 struct GradientConfig {
-  std::string key;                // dotted path, as of --set
-  std::string as;                 // name in results; empty: the path
-  std::optional<double> step;     // step of the parameter; unset: a millionth of it
+  std::string key;             // dotted path, as of --set
+  std::string as;              // name in results; empty: the path
+  std::optional<double> step;  // step of the parameter; unset: a millionth of it
   const std::string& name() const { return as.empty() ? key : as; }
   void fields(Fields& f);
 };

@@ -86,7 +86,7 @@ struct RunSummary {
   int intersections = 0;
   int inverted_tets = 0;
   std::map<std::string, double> stepper;  // step metrics (StepMetric)
-  EnergyFlows flows;  // sums [J]
+  EnergyFlows flows;                      // sums [J]
   int damped_steps = 0;  // steps repeated with implicit Euler, because energy would have grown
   // Steps smaller than the scene's, because larger ones gained or lost energy.
   int refined_steps = 0;

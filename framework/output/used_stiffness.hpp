@@ -17,8 +17,8 @@ struct UsedStiffness {
     double stiffness = 0;                // Pa: the barrier's key `stiffness`
   };
   struct Affine {
-    std::string object;  // first object with this stiffness
-    int objects = 0;     // number of such objects
+    std::string object;    // first object with this stiffness
+    int objects = 0;       // number of such objects
     double stiffness = 0;  // Pa
   };
   std::vector<Barrier> barriers;

@@ -20,7 +20,7 @@ struct PairCost {
 };
 
 struct TermCost {
-  std::string name;  // "neo_hookean of 'block'"
+  std::string name;     // "neo_hookean of 'block'"
   double elements = 0;  // stencils; of contact and friction the mean over the steps
   TermTime time;
   double seconds() const { return time.seconds[0] + time.seconds[1] + time.seconds[2]; }
@@ -64,13 +64,13 @@ struct ContactRange {
 struct Profile {
   int steps = 0;
   long iterations = 0;
-  int most_iterations = 0;  // of a step
+  int most_iterations = 0;                         // of a step
   long line_search_evaluations = 0, searches = 0;  // searches: of candidates
   int failed_solves = 0;
   long lag_iterations = 0;
   PhaseClock::Seconds phases{};
   std::vector<PairCost> pairs;  // most expensive first
-  ContactSeconds uncharged;      // of contact, while no pair had candidates
+  ContactSeconds uncharged;     // of contact, while no pair had candidates
   std::vector<TermCost> terms;  // most expensive first
   double gather_seconds = 0;    // assembly, without the terms
   LinearCost linear;

@@ -61,8 +61,8 @@ class Profiler {
     ContactSeconds seconds;
   };
   std::map<ObjectIds, Pair> pairs_;
-  ContactSeconds charged_;    // contact times at the last call of charge_pairs
-  ContactSeconds uncharged_;  // contact times of no pair
+  ContactSeconds charged_;        // contact times at the last call of charge_pairs
+  ContactSeconds uncharged_;      // contact times of no pair
   int uncharged_iterations_ = 0;  // since that call
   StepCuts cuts_;
   CutStep cut_;  // the most truncated one of the present step

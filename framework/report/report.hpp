@@ -19,10 +19,10 @@ struct ReportSettings {
   std::vector<std::filesystem::path> folders;  // runs; or one comparison, batch or calibration
   // empty: report.html in the folder; for several folders, in the working directory
   std::filesystem::path output;
-  int frames = 0;  // limit; 0: 200, or fewer if a page would get too large
-  std::vector<std::string> cases;              // cases of a batch whose runs are included
-  std::filesystem::path page;                  // empty: the page next to the program
-  std::string version, commit;                 // of the program
+  int frames = 0;                  // limit; 0: 200, or fewer if a page would get too large
+  std::vector<std::string> cases;  // cases of a batch whose runs are included
+  std::filesystem::path page;      // empty: the page next to the program
+  std::string version, commit;     // of the program
 };
 
 struct WrittenReport {

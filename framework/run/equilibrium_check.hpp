@@ -14,7 +14,7 @@
 namespace tack {
 
 struct EquilibriumCheck {
-  std::string error;              // the run cannot do its first step; empty: it may
+  std::string error;  // the run cannot do its first step; empty: it may
   std::vector<Warning> warnings;
 };
 

@@ -15,10 +15,10 @@ struct GradientCheck {
   double number, step;  // SI; the runs have number - step and number + step
   // At times where all runs have samples and all values are finite.
   std::vector<double> times, gradients, differences;
-  double largest = 0;   // largest absolute difference quotient
-  size_t worst = 0;     // index of the largest error
-  double median_error = 0;    // median error
-  double cost = 0;      // user time of steps with the gradient over that without
+  double largest = 0;       // largest absolute difference quotient
+  size_t worst = 0;         // index of the largest error
+  double median_error = 0;  // median error
+  double cost = 0;          // user time of steps with the gradient over that without
   std::vector<Warning> warnings;
 
   double error(size_t i) const {

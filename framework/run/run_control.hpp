@@ -20,12 +20,12 @@ class RunControl {
     int iterations = 0;         // its iterations
     int contacts = 0;
     double min_gap = std::numeric_limits<double>::infinity();  // m
-    int iteration = 0;          // of the present step; 0: none yet
-    double residual = 0;        // after that iteration, in units of the tolerance
-    bool paused = false;        // a pause was requested
-    bool waiting = false;       // the run waits
-    bool stopped = false;       // a stop was requested
-    bool over = false;          // the run has ended; nothing is written any more
+    int iteration = 0;                                         // of the present step; 0: none yet
+    double residual = 0;   // after that iteration, in units of the tolerance
+    bool paused = false;   // a pause was requested
+    bool waiting = false;  // the run waits
+    bool stopped = false;  // a stop was requested
+    bool over = false;     // the run has ended; nothing is written any more
   };
 
   void begin(double start, double end, int step);

@@ -18,7 +18,8 @@ class Simulation {
  public:
   /// Builds the world. warn: gets failed solves and other warnings. Throws InputError as
   /// BuiltExperiment does.
-  explicit Simulation(LoadedExperiment loaded, WarningFunction warn = [](const Warning&) {});
+  explicit Simulation(
+      LoadedExperiment loaded, WarningFunction warn = [](const Warning&) {});
 
   const BuiltExperiment& built() const { return built_; }
   BuiltExperiment& built() { return built_; }

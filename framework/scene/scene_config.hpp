@@ -57,7 +57,7 @@ struct ObjectConfig {
   std::optional<ShellConfig> shell;
   std::optional<RodConfig> rod;
   std::optional<ParticleConfig> particle;
-  double contact_offset = 0;  // m
+  double contact_offset = 0;        // m
   std::unique_ptr<BodyModel> body;  // null: vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;
@@ -98,7 +98,7 @@ struct PairConfig {
 struct ContactConfig {
   enum class Weights { area, pair };
   enum class Integral { lagged, clipped };
-  double contact_distance = 1e-3;  // m
+  double contact_distance = 1e-3;        // m
   std::optional<double> safety_barrier;  // range of safety barriers, in contact distances
   Weights weights = Weights::area;
   Integral integral = Integral::lagged;

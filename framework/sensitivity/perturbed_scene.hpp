@@ -62,8 +62,8 @@ class PerturbedScene {
   // Displacement from the end of the run's step to the end of this one, in the unknowns: of the
   // present step and of the last three accepted ones.
   VecX displacement_, last_, before_, older_;
-  VecX end_;           // 3n: end of the present step
-  double rate_ = 1;    // convergence rate of the corrections with the present Hessian
+  VecX end_;         // 3n: end of the present step
+  double rate_ = 1;  // convergence rate of the corrections with the present Hessian
   double h_ = 0, h_last_ = 0;
   int unknowns_ = -1, unknowns_last_ = -1;
   int unconverged_ = 0, jumps_ = 0;

@@ -20,6 +20,6 @@ namespace tack {
 // largest displacement and the number. Does nothing without contact.overclosure_adjustment. Throws
 // InputError, at the later object, with two objects that still overlap and the reason.
 std::vector<std::string> adjust_overclosures(const SceneConfig& scene, const Value& root,
-                                  std::vector<Mesh>& meshes);
+                                             std::vector<Mesh>& meshes);
 
 }  // namespace tack

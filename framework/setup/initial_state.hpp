@@ -18,7 +18,7 @@ struct World;
 struct StateObject {
   // Vertices of its mesh in order, then those without mesh (Body::extra_vertices).
   std::vector<int> vertices;
-  MeshDigest mesh;            // before mesh placement
+  MeshDigest mesh;  // before mesh placement
 };
 
 // Returns every object of a world, by name, and interactions that have unknowns, which have no

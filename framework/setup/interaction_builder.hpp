@@ -31,7 +31,7 @@ class InteractionBuilder {
   const VecX& rest() const { return world_.rest; }
   const VecX& mass() const { return world_.mass; }
 
-  int body(const std::string& object) const;                 ///< index of a body
+  int body(const std::string& object) const;  ///< index of a body
   /// Bodies of an object, a group or "*", ascending.
   std::vector<int> bodies(const std::string& name) const;
   std::vector<int> vertices(const ObjectVertices& of) const;  ///< global, ascending, at least one
@@ -46,7 +46,7 @@ class InteractionBuilder {
   Unknowns unknowns() { return Unknowns(world_, acting_.name); }
   /// Makes vertices dependent from time `from` until `until` [s]. No motion may prescribe them.
   void make_dependent(Dependences dependences, double from = 0,
-           double until = std::numeric_limits<double>::infinity());
+                      double until = std::numeric_limits<double>::infinity());
   /// Adds a joint: relations that hold exactly and throughout (joint_relations.hpp). Sets its
   /// name. At least one of its bodies must be affine and free to move.
   void add(Joint joint);

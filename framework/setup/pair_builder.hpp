@@ -34,9 +34,9 @@ class PairBuilder {
  private:
   struct LawIds {
     int pressure, safety_barrier;
-    int summary = -1;  // of world.adhesion; -1: without adhesion
-    int bond = -1;     // of the bond table; -1: without bonds
-    int clipped = -1;  // of the clipped laws; -1: adhesion, if any, is part of `pressure`
+    int summary = -1;        // of world.adhesion; -1: without adhesion
+    int bond = -1;           // of the bond table; -1: without bonds
+    int clipped = -1;        // of the clipped laws; -1: adhesion, if any, is part of `pressure`
     int codimensional = -1;  // of rods and particles
   };
   // Integration side of a pair.

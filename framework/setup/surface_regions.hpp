@@ -34,7 +34,7 @@ class SurfaceRegions {
   const SceneConfig& scene_;
   const PairConfigs& configs_;
   const World& world_;
-  int next_ = 0;                              // first free bit
+  int next_ = 0;                                 // first free bit
   std::vector<RegionSet> vertex_regions_;        // empty without regions
   std::vector<std::array<RegionSet, 2>> sides_;  // per entry
 };

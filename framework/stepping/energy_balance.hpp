@@ -84,8 +84,8 @@ class EnergyBalance {
   const World& world_;
   const Minimizer& solver_;
   GroupBalance groups_;
-  EnergyAccount start_;         // at the start of the step
-  double released_ = 0;         // energy added by released or fixed vertices [J]
+  EnergyAccount start_;            // at the start of the step
+  double released_ = 0;            // energy added by released or fixed vertices [J]
   std::optional<double> contact_;  // contact energy at the start, with the areas of the step [J]
   EnergyFlows dissipated_;         // set by end()
   double jerk_ = 0;                // EnergyFlows::jerk [J]

@@ -33,20 +33,20 @@ struct EnergyFlows {
 
   double loads = 0, prescribed_motion = 0;  // external work
   std::vector<Published> published;
-  double areas = 0, numerics = 0;     // dissipated
+  double areas = 0, numerics = 0;  // dissipated
   // Work of the prescribed motion by the forces at the end of the step, less `prescribed_motion`.
   double jerk = 0;
-  double noise = 0;   // possible change by the tolerance of the solver
+  double noise = 0;  // possible change by the tolerance of the solver
   // Reference energy: the largest moved energy of the run so far (core/reference_energy.hpp), with
   // the kinetic energy of this step, less that of bodies in free flight.
   double reference_energy = 0;
   double moving = 0;  // kinetic part of the reference energy
   // True with contact at the start or end of the step, or energy between objects at its end.
   bool in_contact = false;
-  bool damped = false;      // repeated with the fallback integrator to avoid a gain
-  bool refined = false;     // shorter than the scene's step, to conserve energy
+  bool damped = false;            // repeated with the fallback integrator to avoid a gain
+  bool refined = false;           // shorter than the scene's step, to conserve energy
   std::vector<GroupFlow> groups;  // of the step alone; empty: all bodies are one group
-  bool gained = false;      // noticeable numerical gain
+  bool gained = false;            // noticeable numerical gain
 
   // Returns whether the numerical gain by re-evaluated contact areas exceeds that by time
   // integration.

@@ -13,8 +13,8 @@ namespace tack {
 
 class FixedVertices {
  public:
-  FixedVertices(const PrescribedMotion& prescribed_motion,
-                const MultiPointConstraints& constraints, const VecX& rest)
+  FixedVertices(const PrescribedMotion& prescribed_motion, const MultiPointConstraints& constraints,
+                const VecX& rest)
       : prescribed_motion_(prescribed_motion), constraints_(constraints), rest_(rest) {}
 
   // Activates the motions and timed constraints at `middle`, the middle of the step [s]. Returns

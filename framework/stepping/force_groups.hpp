@@ -64,7 +64,7 @@ class ForceGroups {
   // Per body group:
   std::vector<char> lastingly_supported_;  // whether a lasting stencil has a fixed vertex
   std::vector<char> touches_fixed_;        // whether any stencil that transmits a force has one
-  std::vector<double> mass_, load_;                          // the largest [kg, N]
+  std::vector<double> mass_, load_;        // the largest [kg, N]
   // The largest forces at the last measure() [N]; stencil_: of elements and dynamic terms.
   std::vector<double> element_, dynamic_, inertia_, stencil_;
   ConcurrentDisjointSets contact_sets_;
@@ -73,7 +73,7 @@ class ForceGroups {
   std::vector<double> reference_force_, largest_mass_;
   std::vector<char> supported_;
   char unsupported_ = 0;  // whether a contact group is not supported
-  VecX load_force_;  // per vertex (3n) [N]
+  VecX load_force_;       // per vertex (3n) [N]
 };
 
 }  // namespace tack

@@ -65,7 +65,7 @@ class GroupBalance {
 // Returns the kinetic energies of the motion of a body as a whole at the start and the end of a
 // step of size h, if nothing but gravity acts on it: no vertex is fixed, and its mean velocity
 // changes by g h to within `tolerance` [m/s]. Zeros otherwise.
-std::array<double, 2> ballistic_energies(const World& world, int body, const State& state,
-                                         double h, double tolerance);
+std::array<double, 2> ballistic_energies(const World& world, int body, const State& state, double h,
+                                         double tolerance);
 
 }  // namespace tack

@@ -18,9 +18,9 @@ namespace tack {
 
 struct MovingComponent {
   int object = 0;
-  double width = 0;  // diameter of a particle [m]
-  Aabb box;           // AABB of the positions before the step [m]
-  Aabb displacement;  // AABB of the displacements in the step [m]
+  double width = 0;          // diameter of a particle [m]
+  Aabb box;                  // AABB of the positions before the step [m]
+  Aabb displacement;         // AABB of the displacements in the step [m]
   Vec3 mean = Vec3::Zero();  // mean displacement of its vertices [m]
   double deviation = 0;      // root mean square deviation from the mean [m]
 

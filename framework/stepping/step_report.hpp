@@ -15,27 +15,27 @@
 namespace tack {
 
 struct StepReport {
-  int step = 0;          // accepted steps so far, this one included
-  double time = 0;       // at the end of the step [s]
-  double step_size = 0;  // h [s]; smaller than the scene's after a cutback
-  int cutbacks = 0;      // failed solves of this step
-  int repeats = 0;       // solves whose error was too large
+  int step = 0;                 // accepted steps so far, this one included
+  double time = 0;              // at the end of the step [s]
+  double step_size = 0;         // h [s]; smaller than the scene's after a cutback
+  int cutbacks = 0;             // failed solves of this step
+  int repeats = 0;              // solves whose error was too large
   std::optional<double> error;  // of the step, if sizes are adaptive (step_control.hpp) [m]
   MinimizerResult solve;
   bool converged = false;
   double affine_strain = 0;     // largest strain of any affine body
   double unbalanced_force = 0;  // largest force residual at a vertex [N]
   double tolerated_force = 0;   // its limit [N]
-  int contacts = 0;         // active stencils
+  int contacts = 0;             // active stencils
   int candidates = 0;
   double min_distance = 0;  // between primitives that may touch [m]; infinity without candidates
   double min_gap = 0;       // between primitives of different objects [m]
   int broad_phase_builds = 0;
   std::vector<NamedEnergy> energies;  // by name, kinetic energy included
   EnergyFlows flows;
-  int lag_iterations = 0;        // solves with updated lagged forces; 0 without friction
-  double friction_residual = 0;  // change by another update, relative to the largest force
-  bool lag_converged = true;     // false: contact.lagging.until was not reached
+  int lag_iterations = 0;           // solves with updated lagged forces; 0 without friction
+  double friction_residual = 0;     // change by another update, relative to the largest force
+  bool lag_converged = true;        // false: contact.lagging.until was not reached
   std::vector<StepMetric> metrics;  // of the stepper
   // Counts of the exact check in the solves of this step; a solve with any is rejected.
   int intersections = 0;

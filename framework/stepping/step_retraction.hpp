@@ -9,7 +9,7 @@ namespace tack {
 
 // Sets the retraction of a problem. World and potential must outlive the problem.
 inline void set_retraction(const World& world, const StepPotential& potential,
-                       MinimizerProblem& problem) {
+                           MinimizerProblem& problem) {
   if (!world.affine) return;
   problem.retract = [&](const VecX& from, VecX& p, double loss) {
     return world.affine->retract(potential.dofs(), from, p, loss / potential.scale());

@@ -70,9 +70,9 @@ struct Validation {
   std::string fault;   // reason to reject the result; "" if it may be accepted
   std::string remedy;  // advice to users against the fault
   int intersections = 0, inverted_tets = 0;  // counts found, for records
-  int substeps = 2;          // number of substeps after a rejection; a power of two
-  std::string warning = "";  // about a result that may be accepted
-  bool tolerable = false;    // the result may be accepted at the smallest step size, with a warning
+  int substeps = 2;                          // number of substeps after a rejection; a power of two
+  std::string warning = "";                  // about a result that may be accepted
+  bool tolerable = false;  // the result may be accepted at the smallest step size, with a warning
 };
 
 // Observers of a solve.

@@ -17,9 +17,9 @@ struct AdaptiveConfig {
 };
 
 struct TimeConfig {
-  double step = 0.01;     // s; of adaptive steps, the first
+  double step = 0.01;  // s; of adaptive steps, the first
   std::optional<AdaptiveConfig> adaptive;
-  double duration = 1;    // s
+  double duration = 1;               // s
   std::optional<double> wall_limit;  // s of wall time
   int max_cutbacks = 8;
   std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");

@@ -18,8 +18,8 @@ class TimeIntegrator : public Component {
   static constexpr const char* kind_doc = "Turns a time step into a minimisation.";
 
   struct Prediction {
-    VecX x;             // x~ (3n)
-    double scale = 1;   // beta h^2 [s^2]; 1 when quasi-static
+    VecX x;                        // x~ (3n)
+    double scale = 1;              // beta h^2 [s^2]; 1 when quasi-static
     double contact_scale = scale;  // of dynamic terms
     bool inertia = true;
     TermScales scales() const { return {scale, contact_scale}; }
@@ -57,7 +57,7 @@ class TimeIntegrator : public Component {
   // Corrects velocities and accelerations of vertices with prescribed motion, if update() would
   // carry velocities over from step to step. fixed: these vertices.
   virtual void update_fixed(const State& /*old*/, const VecX& /*x*/, double /*h*/,
-                           const std::vector<int>& /*fixed*/, VecX& /*v*/, VecX& /*a*/) const {}
+                            const std::vector<int>& /*fixed*/, VecX& /*v*/, VecX& /*a*/) const {}
 };
 
 }  // namespace tack

@@ -41,8 +41,8 @@ class TunnellingCheck {
 
  private:
   struct Search;
-  std::optional<std::array<int, 2>> find_components(
-      const VecX& x, const VecX& y, const std::vector<std::array<int, 2>>& pairs);
+  std::optional<std::array<int, 2>> find_components(const VecX& x, const VecX& y,
+                                                    const std::vector<std::array<int, 2>>& pairs);
 
   const World& world_;
   MovingComponents components_;

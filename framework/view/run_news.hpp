@@ -41,8 +41,8 @@ class RunNews {
   std::optional<FrameSeriesBuilder> follower_;
   std::vector<PvdFile::Frame> list_;
   std::filesystem::file_time_type list_time_{};  // time stamp of the list file
-  std::uintmax_t list_bytes_ = 0;    // its size: two lists may have one time stamp
-  double seconds_per_frame_ = 0.01;  // average time to read a frame
+  std::uintmax_t list_bytes_ = 0;                // its size: two lists may have one time stamp
+  double seconds_per_frame_ = 0.01;              // average time to read a frame
 };
 
 }  // namespace tack

@@ -9,8 +9,8 @@
 namespace tack {
 
 struct Containment {
-  int body, vertex;     // the object inside, and a vertex of its surface inside (global)
-  int solid, tet;       // the solid, and its tetrahedron that contains the vertex (from 0)
+  int body, vertex;  // the object inside, and a vertex of its surface inside (global)
+  int solid, tet;    // the solid, and its tetrahedron that contains the vertex (from 0)
 };
 
 // Returns the first surface vertex in a tetrahedron of another object, for objects that may collide

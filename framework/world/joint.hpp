@@ -17,7 +17,7 @@ struct Joint {
 
   std::string name;
   std::vector<Relation> relations;
-  std::vector<int> bodies;  // joined bodies, the object of the joint first
+  std::vector<int> bodies;        // joined bodies, the object of the joint first
   std::vector<int> own_vertices;  // massless vertices of the joint, which may become dependent
   // Vertices of its object at which the joint acts; its torque is reported about the first.
   std::vector<int> attachment_points;

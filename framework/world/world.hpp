@@ -39,11 +39,11 @@ struct World {
   ~World();
 
   std::vector<Body> bodies;
-  VecX rest;              ///< 3n [m]: mesh vertices of the bodies, then vertices without mesh
-  std::vector<int> extra_object;  ///< per vertex without mesh: its body; -1: none
+  VecX rest;  ///< 3n [m]: mesh vertices of the bodies, then vertices without mesh
+  std::vector<int> extra_object;       ///< per vertex without mesh: its body; -1: none
   std::vector<UnknownGroup> unknowns;  ///< requests of the vertices without mesh, ascending
-  VecX mass;              ///< n [kg]
-  VecX gravitational_mass;     ///< n [kg]; 0 for scalar dofs
+  VecX mass;                           ///< n [kg]
+  VecX gravitational_mass;             ///< n [kg]; 0 for scalar dofs
   /// Motions beside those of the scene: relative motions in space, motions of prescribed unknowns.
   std::vector<std::unique_ptr<Motion>> own_motions;
   PrescribedMotion prescribed_motion;  ///< motion of vertices by time
@@ -57,7 +57,7 @@ struct World {
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
   std::vector<ActingInteraction> interactions;  ///< in the order of the scene
-  const OrthogonalityTerm* affine = nullptr;  ///< among elastic_terms; null without affine bodies
+  const OrthogonalityTerm* affine = nullptr;    ///< among elastic_terms; null without affine bodies
   std::vector<std::unique_ptr<DampingTerm>> damping_terms;
   GravityTerm gravity_term;
   LoadTerm load_term;
@@ -69,13 +69,14 @@ struct World {
   std::unique_ptr<ContactTerm> contact_term;
   /// Null unless a pair adheres by a traction-separation law over overlap areas.
   std::unique_ptr<OverlapBoundaryTerm> overlap_boundary_term;
-  std::unique_ptr<ClippedAdhesionTerm> clipped_adhesion;  ///< null unless contact.integral is clipped
-  std::unique_ptr<BondTerm> bonds;         ///< null if no pair adheres by bonds
-  std::unique_ptr<FrictionTerm> friction;  ///< null without tangential forces
-  std::vector<const Term*> terms;  ///< all terms above that the scene uses
+  std::unique_ptr<ClippedAdhesionTerm>
+      clipped_adhesion;                      ///< null unless contact.integral is clipped
+  std::unique_ptr<BondTerm> bonds;           ///< null if no pair adheres by bonds
+  std::unique_ptr<FrictionTerm> friction;    ///< null without tangential forces
+  std::vector<const Term*> terms;            ///< all terms above that the scene uses
   std::unique_ptr<RemeshedEnergy> remeshed;  ///< null unless objects may be remeshed
-  StepParticipants participants;  ///< contact and the terms
-  Records records;                ///< published by the terms, or by a stepper in place of them
+  StepParticipants participants;             ///< contact and the terms
+  Records records;  ///< published by the terms, or by a stepper in place of them
   std::vector<AdhesionSummary> adhesion;
   /// Step metrics that the stepper reports of the last step.
   std::vector<StepMetric> step_metrics;
@@ -88,7 +89,7 @@ struct World {
   /// Returns the index of a body. Throws InputError with the nearest name, after `who` ("probe
   /// 'gap': "), if there is none.
   int index_of(const std::string& name, const std::string& who = "") const;
-  int body_of(int vertex) const;                  ///< body of a global vertex; -1: an interaction
+  int body_of(int vertex) const;  ///< body of a global vertex; -1: an interaction
   /// Returns the centre of mass at x (3n) [m]; without mass, the mean of the vertices.
   Vec3 centre_of_mass(int body, const VecX& x) const;
   std::vector<int> vertices_of(int body) const;  ///< of its mesh, then those without mesh

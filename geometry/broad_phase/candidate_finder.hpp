@@ -54,9 +54,9 @@ class CandidateFinder {
   Primitives<2> edges_, codim_edges_;
   Primitives<3> triangles_;
   NearbyObjects nearby_;
-  ChangedPrimitives changed_;           // of the last find_changed
-  CandidateIndices new_candidates_;     // of the last find_changed
-  Candidates changed_pairs_, merged_;   // its pairs of changed objects; buffer for the merged lists
+  ChangedPrimitives changed_;          // of the last find_changed
+  CandidateIndices new_candidates_;    // of the last find_changed
+  Candidates changed_pairs_, merged_;  // its pairs of changed objects; buffer for the merged lists
 };
 
 }  // namespace tack

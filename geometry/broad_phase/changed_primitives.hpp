@@ -18,8 +18,9 @@ struct ChangedPrimitives {
     objects = which;
     const auto mark_all = [&](std::vector<char>& flags, size_t n, const auto& vertex_of) {
       flags.resize(n);
-      for_each(static_cast<int>(n),
-               [&](int i) { flags[i] = objects[mesh.vertex_object[vertex_of(i)]]; }, 8192);
+      for_each(
+          static_cast<int>(n), [&](int i) { flags[i] = objects[mesh.vertex_object[vertex_of(i)]]; },
+          8192);
     };
     mark_all(vertices, mesh.vertex_object.size(), [](int v) { return v; });
     mark_all(edges, mesh.edges.size(), [&](int e) { return mesh.edges[e][0]; });

@@ -18,9 +18,8 @@ class DisplacementBounds {
   template <class DisplacementOf>
   DisplacementBounds(const CollisionMesh& mesh, const DisplacementOf& displacement_of)
       : mesh_(mesh), vertices_(mesh.vertex_object.size()) {
-    for_each(static_cast<int>(mesh.vertices.size()), [&](int i) {
-      vertices_[mesh.vertices[i]] = displacement_of(mesh.vertices[i]);
-    });
+    for_each(static_cast<int>(mesh.vertices.size()),
+             [&](int i) { vertices_[mesh.vertices[i]] = displacement_of(mesh.vertices[i]); });
   }
 
   // Bounds of a global vertex, an edge and a triangle [m].

@@ -26,8 +26,8 @@ class NearbyObjects {
 
  private:
   const CollisionMesh& mesh_;
-  std::vector<int> group_of_object_;    // the rigid group of all its surface vertices, or -1
-  std::vector<Aabb> boxes_;             // per object
+  std::vector<int> group_of_object_;  // the rigid group of all its surface vertices, or -1
+  std::vector<Aabb> boxes_;           // per object
   // Per rigid group: objects outside it whose AABBs overlap its own.
   std::vector<std::vector<int>> near_;
 };

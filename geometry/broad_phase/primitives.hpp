@@ -38,10 +38,13 @@ struct Primitives {
   void refresh_tree(const std::vector<Aabb>& vertex_boxes, const std::vector<double>& inflation,
                     const std::vector<char>& of = {}) {
     std::vector<Aabb> boxes(vertices.size());
-    for_each(static_cast<int>(boxes.size()), [&](int i) {
-      for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);
-      if (!inflation.empty()) boxes[i].inflate(inflation[objects[i]]);
-    }, 2048);
+    for_each(
+        static_cast<int>(boxes.size()),
+        [&](int i) {
+          for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);
+          if (!inflation.empty()) boxes[i].inflate(inflation[objects[i]]);
+        },
+        2048);
     std::vector<char> active = movable;
     if (!of.empty())
       for (std::size_t i = 0; i < active.size(); ++i) active[i] &= of[objects[i]];

@@ -13,7 +13,7 @@ struct AdaptiveCurve {
   static constexpr int most_knots = 4096;
 
   CubicCurve curve;
-  double error = 0;  // largest difference found, over the largest value
+  double error = 0;                     // largest difference found, over the largest value
   double worst_from = 0, worst_to = 0;  // knots of the interval where it was found
 };
 

@@ -15,24 +15,15 @@ auto reduce_edge_edge(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0, const V
                       EdgeEdgeType type) {
   using enum EdgeEdgeType;
   switch (type) {
-    case EA0_EB0:
-      return embed<4, 0, 2>(Kernels::point_point(ea0, eb0));
-    case EA0_EB1:
-      return embed<4, 0, 3>(Kernels::point_point(ea0, eb1));
-    case EA1_EB0:
-      return embed<4, 1, 2>(Kernels::point_point(ea1, eb0));
-    case EA1_EB1:
-      return embed<4, 1, 3>(Kernels::point_point(ea1, eb1));
-    case EA_EB0:
-      return embed<4, 2, 0, 1>(Kernels::point_line(eb0, ea0, ea1));
-    case EA_EB1:
-      return embed<4, 3, 0, 1>(Kernels::point_line(eb1, ea0, ea1));
-    case EA0_EB:
-      return embed<4, 0, 2, 3>(Kernels::point_line(ea0, eb0, eb1));
-    case EA1_EB:
-      return embed<4, 1, 2, 3>(Kernels::point_line(ea1, eb0, eb1));
-    case EA_EB:
-      break;
+    case EA0_EB0: return embed<4, 0, 2>(Kernels::point_point(ea0, eb0));
+    case EA0_EB1: return embed<4, 0, 3>(Kernels::point_point(ea0, eb1));
+    case EA1_EB0: return embed<4, 1, 2>(Kernels::point_point(ea1, eb0));
+    case EA1_EB1: return embed<4, 1, 3>(Kernels::point_point(ea1, eb1));
+    case EA_EB0: return embed<4, 2, 0, 1>(Kernels::point_line(eb0, ea0, ea1));
+    case EA_EB1: return embed<4, 3, 0, 1>(Kernels::point_line(eb1, ea0, ea1));
+    case EA0_EB: return embed<4, 0, 2, 3>(Kernels::point_line(ea0, eb0, eb1));
+    case EA1_EB: return embed<4, 1, 2, 3>(Kernels::point_line(ea1, eb0, eb1));
+    case EA_EB: break;
   }
   return Kernels::line_line(ea0, ea1, eb0, eb1);
 }
@@ -53,9 +44,8 @@ inline StencilGradient<12> edge_edge_gradient(const Vec3& ea0, const Vec3& ea1, 
   return edge_edge_gradient(ea0, ea1, eb0, eb1, edge_edge_type(ea0, ea1, eb0, eb1));
 }
 
-StencilDerivatives<12> edge_edge_derivatives(const Vec3& ea0, const Vec3& ea1,
-                                             const Vec3& eb0, const Vec3& eb1,
-                                             EdgeEdgeType type);
+StencilDerivatives<12> edge_edge_derivatives(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0,
+                                             const Vec3& eb1, EdgeEdgeType type);
 inline StencilDerivatives<12> edge_edge_derivatives(const Vec3& ea0, const Vec3& ea1,
                                                     const Vec3& eb0, const Vec3& eb1) {
   return edge_edge_derivatives(ea0, ea1, eb0, eb1, edge_edge_type(ea0, ea1, eb0, eb1));

@@ -33,7 +33,7 @@ inline StencilGradient<12> line_line_gradient(const Vec3& ea0, const Vec3& ea1, 
   return squared_length<4>(line_line_weights(plane), plane.residual);
 }
 
-StencilDerivatives<12> line_line_derivatives(const Vec3& ea0, const Vec3& ea1,
-                                             const Vec3& eb0, const Vec3& eb1);
+StencilDerivatives<12> line_line_derivatives(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0,
+                                             const Vec3& eb1);
 
 }  // namespace tack

@@ -13,9 +13,9 @@ namespace tack {
 
 struct FrameArray {
   std::string name;
-  std::string unit;    // SI; empty: none or unknown
+  std::string unit;  // SI; empty: none or unknown
   int components = 1;
-  VecX values;         // components * vertices, or * cells
+  VecX values;  // components * vertices, or * cells
 };
 
 struct FrameFile {

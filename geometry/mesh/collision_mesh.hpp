@@ -18,8 +18,8 @@ struct CollisionMesh {
   // Rigid group per global vertex: vertices of one group (>= 0) keep their distances; -1: in no
   // group. Empty: no groups except the vertices that never move.
   std::vector<int> vertex_group;
-  std::vector<int> codim_edges;      // indices into edges: those in no triangle (rods), ascending
-  std::vector<int> codim_points;     // global ids of vertices in no edge (particles), ascending
+  std::vector<int> codim_edges;   // indices into edges: those in no triangle (rods), ascending
+  std::vector<int> codim_points;  // global ids of vertices in no edge (particles), ascending
 };
 
 // Returns the largest object id plus one.

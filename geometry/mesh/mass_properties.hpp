@@ -7,9 +7,9 @@
 namespace tack {
 
 struct MassProperties {
-  double volume = 0;               // m^3
-  Vec3 centroid = Vec3::Zero();    // m
-  Mat3 moments = Mat3::Zero();     // integral of (x - centroid) (x - centroid)^T [m^5]
+  double volume = 0;             // m^3
+  Vec3 centroid = Vec3::Zero();  // m
+  Mat3 moments = Mat3::Zero();   // integral of (x - centroid) (x - centroid)^T [m^5]
 };
 
 // Returns the mass properties. Throws InputError if there are neither tets nor triangles, or if the

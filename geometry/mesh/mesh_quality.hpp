@@ -21,9 +21,9 @@ struct EdgeLengths {
   double shortest = 0, mean = 0, longest = 0;  // [m], over every edge once
 };
 
-AngleHistogram dihedral_angles(const Mesh& mesh);   // of the tets
-AngleHistogram triangle_angles(const Mesh& mesh);   // of the explicit triangles
-EdgeLengths edge_lengths(const Mesh& mesh);         // of tets and triangles
+AngleHistogram dihedral_angles(const Mesh& mesh);  // of the tets
+AngleHistogram triangle_angles(const Mesh& mesh);  // of the explicit triangles
+EdgeLengths edge_lengths(const Mesh& mesh);        // of tets and triangles
 
 // Largest ratio of circumradius to shortest edge of the tets (0.612 for a regular tet), and its
 // tet.

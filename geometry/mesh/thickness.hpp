@@ -24,7 +24,7 @@ class Thickness {
   double thickness() const { return area_ > 0 ? 2 * volume_ / area_ : 0; }
 
  private:
-  std::optional<Vec3> origin_;  // reduces round-off far from the origin
+  std::optional<Vec3> origin_;    // reduces round-off far from the origin
   double volume_ = 0, area_ = 0;  // m^3, m^2
 };
 

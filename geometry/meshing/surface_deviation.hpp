@@ -6,8 +6,8 @@
 namespace tack {
 
 struct SurfaceDeviation {
-  double largest = 0;  // [m]
-  double rms = 0;      // over the area [m]
+  double largest = 0;            // [m]
+  double rms = 0;                // over the area [m]
   Vec3 position = Vec3::Zero();  // position of the largest distance on the first surface [m]
 };
 

@@ -23,9 +23,10 @@ inline void require_at_least(const char* shape, const char* what, int value, int
 
 inline void require_even(const char* shape, const char* what, int value) {
   if (value % 2 == 0) return;
-  throw InputError(fmt::format("{}: {} is {}, but has to be even (the mesh is symmetric about its "
-                               "centre): use {} or {}",
-                               shape, what, value, value - 1, value + 1));
+  throw InputError(
+      fmt::format("{}: {} is {}, but has to be even (the mesh is symmetric about its "
+                  "centre): use {} or {}",
+                  shape, what, value, value - 1, value + 1));
 }
 
 // Limits the number of vertices: coordinates are indexed by int, and more would not fit in memory.

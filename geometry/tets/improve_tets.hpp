@@ -11,10 +11,10 @@
 namespace tack {
 
 struct ImprovedTets {
-  std::vector<Vec3> vertices;  // [m]: surface vertices in their old order, then interior ones
-  std::vector<int> from;       // per vertex: old index; -1: new or moved
-  std::vector<Tet> tets;       // kept tets in their old order, then new ones
-  std::vector<int> kept;       // per tet: old index; -1: new
+  std::vector<Vec3> vertices;    // [m]: surface vertices in their old order, then interior ones
+  std::vector<int> from;         // per vertex: old index; -1: new or moved
+  std::vector<Tet> tets;         // kept tets in their old order, then new ones
+  std::vector<int> kept;         // per tet: old index; -1: new
   double before = 0, after = 0;  // lowest mean ratio (mean_ratio.hpp)
 };
 

@@ -17,7 +17,9 @@ class Problem {
   // start: feasible unknowns at which the minimisation begins (3m). The objective is an
   // IncrementalPotential of the world, which must outlive the step.
   Problem(MinimizerProblem problem, const World& world, VecX start)
-      : problem_(std::move(problem)), world_(world), start_(std::move(start)) { judge_.begin(); }
+      : problem_(std::move(problem)), world_(world), start_(std::move(start)) {
+    judge_.begin();
+  }
 
   void end() { problem_.reset(); }
   // Clears stored results, because the state shared with the simulation has moved.

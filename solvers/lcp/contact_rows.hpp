@@ -22,13 +22,13 @@ struct ContactRow {
   std::array<int, 4> vertices;
   // sum_i c_i x_i is the vector from the feature to the point; 0 for unused entries
   std::array<double, 4> coefficients;
-  int own;  // number of leading vertices that are the point's: 1, or 2 of an edge
-  Vec3 normal;                         // unit, towards the side that the point belongs to
+  int own;          // number of leading vertices that are the point's: 1, or 2 of an edge
+  Vec3 normal;      // unit, towards the side that the point belongs to
   double distance;  // signed, along the normal, less the offsets of both objects [m]
-  double gap;                          // gap that the constraint keeps [m]
+  double gap;       // gap that the constraint keeps [m]
   double mu;
-  int object, opposite;                // object of the point, and object of the feature
-  Vec3 force;  // force on the point: of the last step, once solved of this step [N]
+  int object, opposite;  // object of the point, and object of the feature
+  Vec3 force;            // force on the point: of the last step, once solved of this step [N]
   int stored;  // index in StoredContacts::points (own = 1) or StoredContacts::edges; -1: none
 
   Vec3 moved(const VecX& displacement) const {  // displacement: 3n [m]

@@ -13,8 +13,8 @@ namespace tack {
 class Delassus {
  public:
   struct Block {
-    int first = 0;         // first row
-    Eigen::MatrixXd w;     // W among the rows of the block
+    int first = 0;      // first row
+    Eigen::MatrixXd w;  // W among the rows of the block
     int rows() const { return static_cast<int>(w.rows()); }
     int end() const { return first + rows(); }
   };

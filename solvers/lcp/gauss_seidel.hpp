@@ -18,9 +18,9 @@ namespace tack {
 // A unit of one row (normal) or three rows (normal, then two tangents).
 struct RowUnit {
   int first = 0, rows = 1;
-  int contact = -1, bond = -1;      // index of the contact or of the bond; -1: not one
-  Vec3 free = Vec3::Zero();         // u* [m/s]
-  Vec3 start = Vec3::Zero();        // g, or d and s [m]
+  int contact = -1, bond = -1;  // index of the contact or of the bond; -1: not one
+  Vec3 free = Vec3::Zero();     // u* [m/s]
+  Vec3 start = Vec3::Zero();    // g, or d and s [m]
   double mu = 0;
   bool resists_compression = false;  // of bonds
 

@@ -13,11 +13,11 @@
 namespace tack {
 
 struct LcpSettings {
-  double margin = 0;      // gap that surfaces keep [m]
-  double tolerance = 0;   // limit of the change of a velocity in the last sweep [m/s]
-  int sweeps = 0;         // limit per step
-  int dense_rows = 0;     // limit of the rows of a dense block
-  double recovery = 0;    // fraction of a missing gap that is restored per step
+  double margin = 0;     // gap that surfaces keep [m]
+  double tolerance = 0;  // limit of the change of a velocity in the last sweep [m/s]
+  int sweeps = 0;        // limit per step
+  int dense_rows = 0;    // limit of the rows of a dense block
+  double recovery = 0;   // fraction of a missing gap that is restored per step
 };
 
 class LcpStep {

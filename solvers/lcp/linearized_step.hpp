@@ -47,7 +47,7 @@ class LinearizedStep {
   DofMap all_;
   std::unique_ptr<StepPotential> of_all_;
   VecX x_fixed_;  // 3n: prescribed vertices at the end of the step, others at its start
-  VecX free_;    // p without impulses
+  VecX free_;     // p without impulses
   double h_ = 0;
 };
 

@@ -29,9 +29,7 @@ class Rows {
         add_block(entry.index, entry.weight * along);
     }
   }
-  void finish() {
-    start_.push_back(static_cast<int>(entries_.size()));
-  }
+  void finish() { start_.push_back(static_cast<int>(entries_.size())); }
 
   // times: J v of one row. add_transposed: column += factor J^T.
   template <class Vector>

@@ -14,21 +14,21 @@ namespace tack {
 // A point and its nearest position on a triangle, edge or vertex.
 struct NearPoint {
   int point;
-  int triangle;                  // that contains the nearest position
-  int count;                     // number of corners: 3 in a triangle, 2 on an edge, 1 at a vertex
-  std::array<int, 3> corners;    // global vertices
-  std::array<double, 3> weights; // barycentric
-  double distance;               // m
-  Vec3 normal;                   // unit, from the nearest position to the point
+  int triangle;                   // that contains the nearest position
+  int count;                      // number of corners: 3 in a triangle, 2 on an edge, 1 at a vertex
+  std::array<int, 3> corners;     // global vertices
+  std::array<double, 3> weights;  // barycentric
+  double distance;                // m
+  Vec3 normal;                    // unit, from the nearest position to the point
   double facing;  // cosine of normal and surface normal; 0 at a boundary, which has no sides
 };
 
 // Two edges whose nearest positions are inside both.
 struct NearEdges {
-  int a, b;                      // edges of the mesh
-  Vec2 at;  // per edge, the position is (1 - at) * first vertex + at * second vertex
-  double distance;               // m
-  Vec3 normal;                   // unit, from b to a
+  int a, b;         // edges of the mesh
+  Vec2 at;          // per edge, the position is (1 - at) * first vertex + at * second vertex
+  double distance;  // m
+  Vec3 normal;      // unit, from b to a
   // Cosine of -normal with the surface normal at a, of normal with that at b.
   double facing_a, facing_b;
 };
@@ -41,8 +41,7 @@ class SurfaceFeatures {
   // Appends the features nearer than `search_radius` [m] among candidates first .. last - 1, which
   // have one point and one object.
   void near_point(const Candidates& candidates, int first, int last, const VecX& x,
-                  double search_radius,
-                  std::vector<NearPoint>& out) const;
+                  double search_radius, std::vector<NearPoint>& out) const;
   // Returns false if the nearest positions are not inside both edges, or the edges are nearly
   // parallel.
   bool near_edges(int a, int b, const VecX& x, NearEdges& out) const;

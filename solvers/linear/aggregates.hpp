@@ -16,9 +16,9 @@ struct Aggregates {
 
   int count() const { return static_cast<int>(start.size()) - 1; }
 
-  std::vector<int> of;         // group of each column; -1: its component is too small to be divided
-  std::vector<int> start{0};   // first index in `column` of each group, and the end
-  std::vector<int> column;     // ascending within a group
+  std::vector<int> of;        // group of each column; -1: its component is too small to be divided
+  std::vector<int> start{0};  // first index in `column` of each group, and the end
+  std::vector<int> column;    // ascending within a group
 };
 
 }  // namespace tack

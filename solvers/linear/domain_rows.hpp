@@ -30,11 +30,11 @@ struct DomainRows {
   // First row of each group of separators, and the end; groups follow the domains.
   std::vector<int> group_start;
   std::vector<int> row_start;
-  std::vector<int> column;        // of each entry of a row, ascending: the diagonal comes last
-  std::vector<Source> source;     // of each entry
-  std::vector<int> below_start;   // entries below the diagonal of each column
-  std::vector<int> below_row;     // their rows, ascending
-  std::vector<int> below_entry;   // their indices in `column`
+  std::vector<int> column;       // of each entry of a row, ascending: the diagonal comes last
+  std::vector<Source> source;    // of each entry
+  std::vector<int> below_start;  // entries below the diagonal of each column
+  std::vector<int> below_row;    // their rows, ascending
+  std::vector<int> below_entry;  // their indices in `column`
 
  private:
   void separate(const BlockMatrix& matrix, const std::vector<int>& cuts);

@@ -54,9 +54,9 @@ class MatrixSweeps {
   // the column's domain that stands for the row of a separator. source_: twice the block's index in
   // the matrix, plus one if it is transposed.
   std::vector<int> start_, target_, source_, diagonal_;
-  std::vector<int> slot_start_, slot_row_;      // of each domain
+  std::vector<int> slot_start_, slot_row_;     // of each domain
   std::vector<int> later_start_, later_slot_;  // of each separator
-  std::vector<double> inverse_;                 // D^-1, nine each
+  std::vector<double> inverse_;                // D^-1, nine each
   // Four numbers per row and slot; the fourth is padding.
   std::vector<double> z_, p_, lower_, product_;
   std::vector<double> partial_;

@@ -34,11 +34,11 @@ class MultifrontalFactor {
   void backward_subtree(size_t i);
 
   const SupernodeTree* tree_ = nullptr;
-  VecX scale_;                   // diagonal of D, before the permutation
-  Buffer values_;                // panels; small triangles on the diagonal are stored inverted
+  VecX scale_;     // diagonal of D, before the permutation
+  Buffer values_;  // panels; small triangles on the diagonal are stored inverted
   std::ptrdiff_t capacity_ = 0;
-  std::vector<Buffer> updates_;  // Schur complements not yet added to the parent
-  std::vector<T> x_;             // permuted right side, then solution
+  std::vector<Buffer> updates_;       // Schur complements not yet added to the parent
+  std::vector<T> x_;                  // permuted right side, then solution
   std::vector<std::vector<T>> work_;  // one per subtree, and one for the top
 };
 

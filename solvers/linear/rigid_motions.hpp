@@ -32,25 +32,25 @@ class RigidMotions {
   bool factorize();
 
   Aggregates aggregates_;
-  std::vector<int> component_;         // BlockMatrix::component when the aggregates were built
+  std::vector<int> component_;  // BlockMatrix::component when the aggregates were built
   std::uint64_t version_ = 0;
   // Per aggregate: columns are axes, scaled so that a vertex moves by 1 as by a translation; or
   // zero.
   std::vector<Mat3> rotations_;
-  Eigen::Matrix3Xd arms_;         // per column: vector from the centre of its aggregate
+  Eigen::Matrix3Xd arms_;  // per column: vector from the centre of its aggregate
   // Sums Z_r^T A Z_c over the blocks of an aggregate's columns whose rows belong to another
   // aggregate; those of column aggregate c begin at sum_start_[c].
   struct Sum {
-    int row;      // aggregate of the rows
-    int mirror;   // index of the sum with both aggregates exchanged
+    int row;     // aggregate of the rows
+    int mirror;  // index of the sum with both aggregates exchanged
     Mat6 value;
   };
   std::vector<int> sum_start_;
   std::vector<Sum> sums_;
-  std::vector<int> sum_of_;       // per block of the matrix; -1: none
-  Sparse coarse_;                 // lower triangle of Z^T A Z
+  std::vector<int> sum_of_;  // per block of the matrix; -1: none
+  Sparse coarse_;            // lower triangle of Z^T A Z
   Eigen::SimplicialLLT<Sparse, Eigen::Lower> factor_;
-  VecX moments_;                  // six numbers per aggregate
+  VecX moments_;  // six numbers per aggregate
 };
 
 }  // namespace tack

@@ -22,12 +22,12 @@ struct SupernodeTree {
   int below(int s) const { return height(s) - columns(s); }
   const int* rows_below(int s) const { return rows.data() + row_start[s] + columns(s); }
 
-  int size = 0;                     // unknowns
-  std::vector<int> permutation;     // new -> old
-  std::vector<int> first;           // first column of each node
-  std::vector<int> row_start, rows; // rows of each node, ascending, its own columns first
-  std::vector<int> position;        // aligned with rows: index of a row in the parent's rows
-  std::vector<int> parent;          // -1: a root; parents follow their children
+  int size = 0;                      // unknowns
+  std::vector<int> permutation;      // new -> old
+  std::vector<int> first;            // first column of each node
+  std::vector<int> row_start, rows;  // rows of each node, ascending, its own columns first
+  std::vector<int> position;         // aligned with rows: index of a row in the parent's rows
+  std::vector<int> parent;           // -1: a root; parents follow their children
   std::vector<int> child_start, children;
   // First entry of each node's columns (height x columns), and the end.
   std::vector<std::ptrdiff_t> panel;

@@ -18,6 +18,7 @@ class ConvergenceJudge {
   void begin();  // begins a minimisation
   // Returns true if the objective's present point has converged. result.residual is the last norm.
   bool converged(const MinimizerProblem& problem, MinimizerResult& result);
+
  private:
   // Returns the stopping norm, with a solve for the Newton direction if the norm needs it; infinity
   // if the clamped Hessian is singular.

@@ -54,7 +54,7 @@ class DescentMinimizer : public Minimizer {
   MinimizerStatus advance(const MinimizerProblem& problem, const VecX& p, VecX& q,
                           MinimizerResult& result);
   bool advance_with_retraction(const MinimizerProblem& problem, const VecX& p, VecX& q,
-                    MinimizerResult& result);
+                               MinimizerResult& result);
   void conjugate(const MinimizerProblem& problem, const VecX& q, VecX& p, bool within);
   void extend(const MinimizerProblem& problem, const VecX& p, double first_slope, double before,
               VecX& q, MinimizerResult& result);
@@ -63,11 +63,11 @@ class DescentMinimizer : public Minimizer {
   VecX gradient_before_, q_before_;  // at the last iteration of this minimisation
   // Hessians of this minimisation are too stiff, since some step, and no step was truncated
   bool too_stiff_ = false;
-  bool truncated_ = false;        // the last step was truncated
+  bool truncated_ = false;  // the last step was truncated
   // Force residual too large after the last step, which was below the tolerance.
   bool unbalanced_ = false;
-  bool accelerated_ = false;  // this step is conjugate to the last one, and extrapolated
-  double feasible_length_ = 0;           // feasible length of this step, in units of its direction
+  bool accelerated_ = false;    // this step is conjugate to the last one, and extrapolated
+  double feasible_length_ = 0;  // feasible length of this step, in units of its direction
   ConvergenceJudge judge_;
   Stagnation stagnation_;
 };

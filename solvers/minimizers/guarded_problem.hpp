@@ -51,7 +51,9 @@ class GuardedProblem {
   void stop(MinimizerStatus status) { status_ = status; }
   /// Stores an exception: external code need not pass exceptions on. rethrow() throws it.
   void fail(std::exception_ptr failure) { failure_ = failure; }
-  void rethrow() const { if (failure_) std::rethrow_exception(failure_); }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
 
   /// Returns true after too many consecutive failed trials: the method should restart.
   bool makes_no_progress() const;
@@ -72,13 +74,13 @@ class GuardedProblem {
   VecX& q_;
   MinimizerResult& result_;
 
-  VecX centre_, scale_;      // c [m]; rho D^-1/2 [m]
-  double rho_squared_ = 1;   // kg m^2
-  double longest_ = 0;       // largest displacement of a coordinate in a trial [m]
+  VecX centre_, scale_;     // c [m]; rho D^-1/2 [m]
+  double rho_squared_ = 1;  // kg m^2
+  double longest_ = 0;      // largest displacement of a coordinate in a trial [m]
   double accepted_value_ = 0, accepted_noise_ = 0, accepted_f_ = 0;
   VecX accepted_gradient_;
 
-  VecX trial_;        // the last evaluated point
+  VecX trial_;                    // the last evaluated point
   double feasible_fraction_ = 0;  // feasible fraction of the path to it
   double trial_f_ = 0;
   bool trial_usable_ = false;

@@ -21,10 +21,10 @@ class ResidualModel {
   // A stencil with the blocks of unknowns that move its vertices.
   struct Stencil {
     int arity, residuals, blocks;
-    size_t first;           // index of its first residual
+    size_t first;  // index of its first residual
     // Index of its Jacobian by vertices: residuals x (3 arity), row-major.
     size_t first_of_vertices;
-    size_t first_jacobian;     // index of its Jacobian by blocks: residuals x (3 blocks), row-major
+    size_t first_jacobian;  // index of its Jacobian by blocks: residuals x (3 blocks), row-major
     // Indices of its blocks, and of the weights of each vertex on all blocks.
     size_t first_block, first_weight;
   };
@@ -52,10 +52,10 @@ class ResidualModel {
   LeastSquares squares_;
   std::vector<Stencil> stencils_;
   std::vector<std::pair<size_t, size_t>> view_start_;  // per view: its first residual and entry
-  VecX q_, x_, root_mass_, target_;  // m; m; kg^1/2; m
-  std::vector<int> blocks_;          // blocks of all stencils
+  VecX q_, x_, root_mass_, target_;                    // m; m; kg^1/2; m
+  std::vector<int> blocks_;                            // blocks of all stencils
   std::vector<double> weights_;
-  std::vector<int> constrained_;     // per block: index among the partly fixed blocks, or -1
+  std::vector<int> constrained_;  // per block: index among the partly fixed blocks, or -1
   std::vector<double> r_, of_vertices_, jacobian_;
 };
 

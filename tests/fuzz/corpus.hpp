@@ -12,7 +12,7 @@ struct Sample {
   std::string content;         // whole
   std::vector<std::vector<std::string>> commands;  // that read it, in turn
   std::filesystem::path directory;                 // that they run in
-  bool must_refuse = false;    // any damage has to be noticed: exit code 2
+  bool must_refuse = false;                        // any damage has to be noticed: exit code 2
 };
 
 // KIND: meshes, scenes, states. Fills the scratch folder. Throws std::runtime_error if it cannot.

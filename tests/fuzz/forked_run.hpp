@@ -10,9 +10,9 @@ namespace tack {
 
 struct ForkedResult {
   int exit_code = -1;
-  int signal = 0;      // that ended it
-  bool hung = false;   // ended by us, after the limit
-  std::string printed; // output and errors
+  int signal = 0;       // that ended it
+  bool hung = false;    // ended by us, after the limit
+  std::string printed;  // output and errors
 };
 
 // Runs `tack arguments...` in a working directory, with at most `seconds` of processor time, ten

@@ -50,14 +50,14 @@ class PulledBond {
     }
   }
 
-  double traction() const { return sample_.by_d; }            // Pa
-  double across() const { return before_[1]; }                // Pa
-  double peak() const { return peak_; }                       // of pull() [Pa]
+  double traction() const { return sample_.by_d; }  // Pa
+  double across() const { return before_[1]; }      // Pa
+  double peak() const { return peak_; }             // of pull() [Pa]
   double peak_across() const { return peak_across_; }
-  double work() const { return work_; }                       // J/m^2
+  double work() const { return work_; }  // J/m^2
   // The force at the end of each step times its displacement.
   double work_of_ends() const { return work_of_ends_; }
-  double dissipated() const { return dissipated_; }           // J/m^2
+  double dissipated() const { return dissipated_; }  // J/m^2
   double stored() const { return change_.gone ? 0 : law_.stored(d_, u_ * u_, history_.data()); }
   double intensity() const { return law_.intensity_of(history_.data()); }
   double* history() { return history_.data(); }

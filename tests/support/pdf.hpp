@@ -9,9 +9,9 @@
 namespace tack {
 
 struct PdfPage {
-  double width = 0, height = 0;      // pt
-  std::vector<double> text_sizes;    // pt, of each piece of text that is shown
-  std::vector<double> line_widths;   // pt, of each line that is drawn
+  double width = 0, height = 0;     // pt
+  std::vector<double> text_sizes;   // pt, of each piece of text that is shown
+  std::vector<double> line_widths;  // pt, of each line that is drawn
   int images = 0;
   int fonts = 0, embedded_fonts = 0, type3_fonts = 0;
   // All text of the file, with one character for each that is shown in a single byte.

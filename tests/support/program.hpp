@@ -27,12 +27,12 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  void interrupt();      // as Ctrl-C does
-  void terminate();      // as `kill` does
-  void hang_up();        // as the end of its terminal does
-  bool has_child() const;  // whether it has forked a process that runs
+  void interrupt();                       // as Ctrl-C does
+  void terminate();                       // as `kill` does
+  void hang_up();                         // as the end of its terminal does
+  bool has_child() const;                 // whether it has forked a process that runs
   int threads_open_to(int signal) const;  // that do not block it
-  void kill();           // as `kill -9` does
+  void kill();                            // as `kill -9` does
   ProgramResult wait();  // kills it after four minutes, with sanitizers after eighty
 
  private:

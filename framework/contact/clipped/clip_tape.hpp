@@ -14,19 +14,19 @@
 namespace tack {
 
 struct ClipNode {
-  Vec3 at;         // x, y, g [m]
-  Vec3 slope;      // derivative of the integral by `at`
-  int from = -1;   // ends of the segment that was cut; -1: a node of its own
+  Vec3 at;        // x, y, g [m]
+  Vec3 slope;     // derivative of the integral by `at`
+  int from = -1;  // ends of the segment that was cut; -1: a node of its own
   int to = -1;
-  int line = -1;   // that cut it; -1: a level
-  double t = 0;    // at = (1 - t) from + t to
+  int line = -1;                      // that cut it; -1: a level
+  double t = 0;                       // at = (1 - t) from + t to
   double rate_from = 0, rate_to = 0;  // derivatives of t by the distances of both ends [1/m]
 };
 
 struct ClipLine2 {
-  Vec2 begin, end;   // m
-  Vec2 inward;       // unit normal to the left
-  double length;     // m
+  Vec2 begin, end;              // m
+  Vec2 inward;                  // unit normal to the left
+  double length;                // m
   Vec2 slope_begin, slope_end;  // derivative of the integral by the two points
 
   ClipLine2() = default;

@@ -1,9 +1,9 @@
 // Adhesion between the surfaces of different objects, integrated by clipping (clipped_pair.hpp):
 //     E = sum over triangles t_a of a, t_b of b of E(t_a, t_b).
-// It is a function of the positions alone: no area, side or normal is kept from the start of a step.
-// Object b, whose planes are used, is chosen once: the one with the larger surface at rest, if equal
-// the one with the larger cells. The closest distance of an edge or corner of a to a face of b is
-// measured along the normal of that face.
+// It is a function of the positions alone: no area, side or normal is kept from the start of a
+// step. Object b, whose planes are used, is chosen once: the one with the larger surface at rest,
+// if equal the one with the larger cells. The closest distance of an edge or corner of a to a face
+// of b is measured along the normal of that face.
 //
 // Contact pressure is not part of it: the barrier acts between close pairs of primitives as without
 // adhesion (contact_term.hpp).
@@ -69,9 +69,10 @@ class ClippedAdhesionTerm : public Term {
   ClippedLaws laws_;
   SurfaceTopology topology_;
   std::vector<int> first_at_edge_, triangles_at_edge_;  // of each edge of the mesh
-  std::vector<double> surface_area_;  // per object, at rest [m^2]
-  std::vector<std::array<double, 3>> heights_;  // per triangle and edge, at rest [m]; 0: no boundary
-  long version_ = -1;  // of the candidates from which the pairs were found
+  std::vector<double> surface_area_;                    // per object, at rest [m^2]
+  std::vector<std::array<double, 3>>
+      heights_;                      // per triangle and edge, at rest [m]; 0: no boundary
+  long version_ = -1;                // of the candidates from which the pairs were found
   std::vector<TrianglePair> pairs_;  // sorted
   std::vector<ActivePair> active_;   // in the order of the pairs
   mutable std::vector<int> batch_vertices_;

@@ -11,7 +11,6 @@
 
 namespace tack {
 
-
 // Of two objects, the one whose normals and planes are used (b of clipped_pair.hpp).
 enum class ClippedPlanes { of_larger, of_coarser, of_first, of_second };
 
@@ -29,8 +28,7 @@ class ClippedLaws {
   static constexpr double strip_per_range = 0.5;
 
   explicit ClippedLaws(ObjectClasses classes)
-      : classes_(std::move(classes)),
-        index_(classes_.entries(), -1),
+      : classes_(std::move(classes)), index_(classes_.entries(), -1),
         planes_(classes_.entries(), ClippedPlanes::of_larger) {}
 
   bool empty() const { return laws_.empty(); }
@@ -46,7 +44,7 @@ class ClippedLaws {
   // Sets the law between a and b, and whose planes are used; first: a.
   void set(int a, int b, int law, ClippedPlanes planes) {
     const bool swapped = planes == ClippedPlanes::of_first || planes == ClippedPlanes::of_second;
-    const ClippedPlanes from_b = !swapped ? planes
+    const ClippedPlanes from_b = !swapped                            ? planes
                                  : planes == ClippedPlanes::of_first ? ClippedPlanes::of_second
                                                                      : ClippedPlanes::of_first;
     index_[classes_.index(a, b)] = index_[classes_.index(b, a)] = law;

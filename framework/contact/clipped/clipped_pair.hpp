@@ -34,9 +34,9 @@ using GapBands = std::vector<double>;
 GapBands gap_bands(const PairLaw& law);
 
 struct ClippedPair {
-  std::array<Vec3, 3> a, b;              // corners, counter-clockwise seen from outside [m]
-  std::array<bool, 3> boundary_a{};      // edge i: from corner i to the next
-  std::array<double, 3> strip_b{};       // width of the strip of each edge of b [m]; 0: no boundary
+  std::array<Vec3, 3> a, b;          // corners, counter-clockwise seen from outside [m]
+  std::array<bool, 3> boundary_a{};  // edge i: from corner i to the next
+  std::array<double, 3> strip_b{};   // width of the strip of each edge of b [m]; 0: no boundary
 };
 
 struct ClippedIntegral {
@@ -58,10 +58,10 @@ class ClipIntegrator {
   struct Frame;
   struct Point {  // of the quadrature
     std::array<int, 3> nodes;
-    Vec3 share;    // barycentric coordinates within these nodes
-    double weight; // fraction of the area of the three nodes
-    double area;   // of the three nodes [m^2]
-    Vec3 at;       // x, y, g [m]
+    Vec3 share;     // barycentric coordinates within these nodes
+    double weight;  // fraction of the area of the three nodes
+    double area;    // of the three nodes [m^2]
+    Vec3 at;        // x, y, g [m]
     double rho;
     Vec2 rho_slope;  // 1/m
   };

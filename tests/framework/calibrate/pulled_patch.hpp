@@ -83,10 +83,7 @@ class ModelEvaluator : public Evaluator {
   // model itself may be noisy.
   ModelEvaluator(Model model, std::vector<double> data, double scale, Model smooth,
                  std::vector<std::string> without)
-      : model_(std::move(model)),
-        smooth_(std::move(smooth)),
-        data_(std::move(data)),
-        scale_(scale),
+      : model_(std::move(model)), smooth_(std::move(smooth)), data_(std::move(data)), scale_(scale),
         without_(std::move(without)) {}
   std::vector<std::string> without_derivatives() override { return without_; }
 

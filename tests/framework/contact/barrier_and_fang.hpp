@@ -1,4 +1,5 @@
-// Contact of a scene with a barrier and Fang's adhesion, and the values of these laws at a distance.
+// Contact of a scene with a barrier and Fang's adhesion, and the values of these laws at a
+// distance.
 #pragma once
 
 #include <fmt/format.h>

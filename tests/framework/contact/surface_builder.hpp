@@ -52,9 +52,13 @@ struct SurfaceBuilder {
   // Adds a rectangle in a plane of constant z, with its normal along z, or against z.
   int add_rectangle(std::array<int, 2> cells, int object, const Vec3& corner, double width,
                     double depth, bool up = true, bool sheet = false) {
-    return add_grid(up ? cells : std::array{cells[1], cells[0]}, object, [=](double u, double v) {
-      return Vec3(corner + (up ? Vec3(width * u, depth * v, 0) : Vec3(width * v, depth * u, 0)));
-    }, sheet);
+    return add_grid(
+        up ? cells : std::array{cells[1], cells[0]}, object,
+        [=](double u, double v) {
+          return Vec3(corner +
+                      (up ? Vec3(width * u, depth * v, 0) : Vec3(width * v, depth * u, 0)));
+        },
+        sheet);
   }
   // Adds the six faces of a box with outward normals, two triangles each.
   void add_box(const Vec3& lo, const Vec3& hi, int object) {
@@ -62,9 +66,12 @@ struct SurfaceBuilder {
     for (int i = 0; i < 8; ++i)
       add_vertex({i & 1 ? hi.x() : lo.x(), i & 2 ? hi.y() : lo.y(), i & 4 ? hi.z() : lo.z()},
                  object);
-    for (const auto& [a, b, c, d] :
-         {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2},
-          {1, 3, 7, 5}}) {
+    for (const auto& [a, b, c, d] : {std::array{0, 2, 3, 1},
+                                     {4, 5, 7, 6},
+                                     {0, 1, 5, 4},
+                                     {2, 6, 7, 3},
+                                     {0, 4, 6, 2},
+                                     {1, 3, 7, 5}}) {
       add_triangle({first + a, first + b, first + c});
       add_triangle({first + a, first + c, first + d});
     }

@@ -20,8 +20,7 @@ struct HandMadeWorld {
       Body& body = world.bodies.emplace_back();
       body.name = std::string(1, static_cast<char>('a' + object));
       const auto& of = surface.mesh.vertex_object;
-      body.first_vertex =
-          static_cast<int>(std::find(of.begin(), of.end(), object) - of.begin());
+      body.first_vertex = static_cast<int>(std::find(of.begin(), of.end(), object) - of.begin());
       body.vertex_count = static_cast<int>(std::count(of.begin(), of.end(), object));
     }
     PairTable pairs(objects);
@@ -32,8 +31,8 @@ struct HandMadeWorld {
         pairs.set_edge(a, b, role);
         pairs.set_codimensional(a, b, role);
       }
-    world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(pairs),
-                                                    colliding, clock);
+    world.contact =
+        std::make_unique<ContactSystem>(std::move(surface), std::move(pairs), colliding, clock);
   }
 
   PhaseClock clock;
