@@ -31,7 +31,7 @@ TEST_CASE("a run gets its folder; inner folders are made on first use") {
   CHECK(run.root() / RunFolder::frame(12) == run.frames() / "frame_000012.vtu");
 }
 
-TEST_CASE("an earlier run is moved aside") {
+TEST_CASE("a run folder moves an earlier run aside") {
   const TemporaryFolder folder;
   const fs::path root = folder.path() / "tape";
   for (int i = 0; i < 3; ++i) {
