@@ -309,7 +309,7 @@ TEST_CASE("following loads report wrong parameters", "[loads]") {
   CHECK_THAT(refused(sheet, "{type: chamber, content: {type: gas}}"), has("boundary that nothing closes"));
   CHECK_THAT(refused(block, "{type: chamber, content: {type: gas}}"), has("wrong side of the faces of solids"));
   CHECK_THAT(refused(balloon, "{type: chamber, content: {type: gas, ambient: 0}}"), has("pressure at rest"));
-  CHECK_THAT(refused(balloon, "{type: pressure, value: 1, select: {type: indices, vertices: [0]}}"), has("whole triangle"));
+  CHECK_THAT(refused(balloon, "{type: pressure, value: 1, select: {type: indices, vertices: [0]}}"), has("complete triangle"));
   CHECK_THAT(refused(balloon, "{type: pressure, value: 1}, {type: chamber, content: {type: gas}}"), has("another name"));
   CHECK_THAT(refused(balloon, "{type: pressure, value: 1 m}"), has("pressure"));
   CHECK_THAT(refused(block, "{type: torque, value: 1, select: {type: indices, vertices: [0]}}"), has("lies on its axis"));

@@ -45,9 +45,9 @@ TEST_CASE("without a selection an energy acts on all elements") {
 
 TEST_CASE("selections without an element, and vertices that they leave without mass, are refused by name") {
   CHECK_THROWS_WITH(TestScene(bar("[{type: neo_hookean, young: 1e5, select: {type: face, direction: [1, 0, 0]}}]")),
-                    Catch::Contains("'bar'") && Catch::Contains("no whole element"));
+                    Catch::Contains("'bar'") && Catch::Contains("no complete element"));
   CHECK_THROWS_WITH(TestScene(bar("[{type: neo_hookean, young: 1e5, select: {type: indices, vertices: [0]}}]")),
-                    Catch::Contains("test.yaml:") && Catch::Contains("'bar'") && Catch::Contains("no whole element"));
+                    Catch::Contains("test.yaml:") && Catch::Contains("'bar'") && Catch::Contains("no complete element"));
   CHECK_THROWS_WITH(TestScene(bar("[{type: neo_hookean, young: 1e5, select: {type: tag, name: left}}]")), Catch::Contains("has no mass"));
 }
 

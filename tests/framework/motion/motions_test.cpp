@@ -190,7 +190,7 @@ TEST_CASE("impossible carriers are refused") {
   check_error(chain(shoulder, "type: fixed, carrier: uper", fixed), "motion 0 (fixed) of 'lower': its carrier 'uper' is no object; did you mean 'upper'?");
   check_error(chain("type: fixed, carrier: lower", elbow, fixed), "is carried by itself in the end");
   check_error(chain("type: formula, x: t", elbow, fixed), "object 'upper' has no single rigid motion of all its vertices from 0 s to the end");
-  check_error(chain(shoulder + ", until: 1", elbow, fixed), "object 'upper' has no one motion");
+  check_error(chain(shoulder + ", until: 1", elbow, fixed), "object 'upper' has no single rigid motion");
   check_error(chain(shoulder, elbow + ", along: [1, 0, 0]", fixed), "remove `along` or `across`");
 }
 

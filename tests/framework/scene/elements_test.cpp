@@ -70,7 +70,7 @@ TEST_CASE("elements: energies with a selection act on complete composite tets", 
   // A selection that contains no complete composite tet selects none.
   CHECK_THROWS_WITH(TestScene(objects(object("composite", "", "{type: box, size: [2, 1, 1], cells: [2, 1, 1]}",
                                              "[{type: neo_hookean, young: 1e5, select: {type: box, min: [-2, -2, -2], max: [-0.4, 2, 2]}}]"))),
-                    Contains("no whole element"));
+                    Contains("no complete element"));
 }
 
 TEST_CASE("elements: objects without tets, affine bodies and energies for linear tets only are refused", "[elements]") {
