@@ -263,7 +263,7 @@ TEST_CASE("replaced forces of a term appear in probes, reactions and the balance
   for (const NamedEnergy& energy : report.energies)
     if (energy.name == "barrier") CHECK(energy.value == 0.25);
 
-  CHECK_THROWS_WITH(records.replace(ForceRecord{"glue"}), Catch::Contains("nothing publishes a force named 'glue'"));
+  CHECK_THROWS_WITH(records.replace(ForceRecord{"glue"}), Catch::Contains("no term publishes a force named 'glue'"));
   CHECK_THROWS_WITH(records.add(FlowRecord{"glue", {{"lost"}}}), Catch::Contains("does not begin with 'dissipated_'"));
   CHECK_THROWS_WITH(records.add(FieldRecord{"glue"}), Catch::Contains("not registered"));
 }

@@ -290,7 +290,7 @@ TEST_CASE("parameters without sensitivities are refused", "[sensitivity]") {
   const Simulation asked(scene(drawn));
   GradientConfig config;
   config.key = "time.step";
-  CHECK_THAT(Gradients::reason_without(asked.built(), config), Catch::StartsWith("'time.step' is a key of the run"));
+  CHECK_THAT(Gradients::reason_without(asked.built(), config), Catch::StartsWith("'time.step' is a setting of the run"));
   config.key = "objects.block.energies.0.young";
   CHECK(Gradients::reason_without(asked.built(), config).empty());
   Simulation simulation(scene(drawn + "output: {gradients: [{key: objects.block.energies.0.poisson, step: 1e-6}]}\n"));

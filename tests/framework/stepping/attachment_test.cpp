@@ -106,7 +106,7 @@ TEST_CASE("impossible attachments are refused") {
   CHECK_THROWS_WITH(error(beam("right", 0.2, 2, 0.3, "attach: [{to: right}]")), Contains("itself"));
   CHECK_THROWS_WITH(error(beam("right", 0.2, 2, 0.3, "motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}], "
                                                      "attach: [{select: {type: face, direction: [-1, 0, 0]}, to: left}]")),
-                    Contains("held by a motion"));
+                    Contains("prescribed by a motion"));
   CHECK_THROWS_WITH(error(beam("right", 0.2, 2, 0.3, "attach: [{select: {type: face, direction: [-1, 0, 0]}, to: left}]"),
                           "attach: [{select: {type: face, direction: [1, 0, 0]}, to: right}]"),
                     Contains("circle"));
