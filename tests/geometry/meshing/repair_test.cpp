@@ -111,7 +111,7 @@ TEST_CASE("flipped triangles are listed and reoriented", "[meshing]") {
   CHECK(d.flipped.size() == 6);
   CHECK_THAT(check_solid(with_flipped(), 1, 1), Contains("turned 2 triangles to face as their neighbours: 3, 17"));
   CHECK(find_defects(inside_out()).inside_out());
-  CHECK_THAT(check_solid(inside_out(), 1, 1), Contains("found inside out") && Contains("turned 1 parts"));
+  CHECK_THAT(check_solid(inside_out(), 1, 1), Contains("found inside out") && Contains("turned 1 components"));
 }
 
 TEST_CASE("duplicated, collapsed and degenerate triangles are listed and removed", "[meshing]") {
