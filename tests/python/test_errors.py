@@ -60,7 +60,7 @@ class Errors(unittest.TestCase):
             tack.Simulation(falling, set={"objects.cube.energies.0.yong": "1 MPa"})
         with self.assertRaises(ValueError):
             tack.Simulation("nowhere.yaml")
-        with self.assertRaisesRegex(tack.InputError, "neither a run"):
+        with self.assertRaisesRegex(tack.InputError, "is not a results folder"):
             tack.read(source / "docs")
 
     def test_a_locale_with_commas_changes_nothing(self):
