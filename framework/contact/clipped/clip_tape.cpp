@@ -19,7 +19,7 @@ Vec2 ClipLine2::add_slope(const Vec3& at, double by_distance) {
 }
 
 template <class Distance>
-void ClipTape::cut(const ClipPiece& piece, int line, double tolerance, const Distance& distance,
+void ClipTape::cut(const ClipPiece& piece, int line, double threshold, const Distance& distance,
                    ClipPiece& beyond, ClipPiece* within) {
   beyond.clear();
   if (within) within->clear();
@@ -31,13 +31,13 @@ void ClipTape::cut(const ClipPiece& piece, int line, double tolerance, const Dis
     const double here = next;
     const ClipCorner2 corner = piece[i], after = piece[(i + 1) % corners];
     next = i + 1 < corners ? distance(nodes[after.node].at) : first;
-    const bool in = here > tolerance, next_in = next > tolerance;
+    const bool in = here > threshold, next_in = next > threshold;
     if (in) beyond.push_back(corner);
     else if (within) within->push_back(corner);
     if (in == next_in) continue;
-    // An end within the tolerance lies on the line: the segment is never extended.
-    const double at_here = in ? here : std::min(here, 0.0);
-    const double at_next = next_in ? next : std::min(next, 0.0);
+    // A tie lies on the line: the segment is never extended.
+    const double at_here = in ? std::max(here, 0.0) : std::min(here, 0.0);
+    const double at_next = next_in ? std::max(next, 0.0) : std::min(next, 0.0);
     const double difference = at_here - at_next;
     const double t = at_here / difference;
     ClipNode crossing{nodes[corner.node].at + t * (nodes[after.node].at - nodes[corner.node].at), Vec3::Zero()};
@@ -57,9 +57,9 @@ void ClipTape::cut(const ClipPiece& piece, int line, double tolerance, const Dis
 }
 
 void ClipTape::cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,
-                           ClipPiece& beyond, ClipPiece* within) {
+                           bool ties_beyond, ClipPiece& beyond, ClipPiece* within) {
   const ClipLine2& by = lines[line];
-  cut(piece, line, tolerance, [&](const Vec3& at) { return by.distance(at) - distance; }, beyond, within);
+  cut(piece, line, ties_beyond ? -tolerance : tolerance, [&](const Vec3& at) { return by.distance(at) - distance; }, beyond, within);
 }
 
 void ClipTape::cut_by_level(const ClipPiece& piece, double level, ClipPiece& above, ClipPiece& below) {

@@ -59,9 +59,10 @@ class ClipTape {
   }
   // Cuts a piece where the distance from a line is `distance`. Overwrites `beyond` with the side of
   // larger distances and `within` (null: not wanted) with the other; a side of fewer than three
-  // corners is empty. Nodes whose distance is at most `tolerance` larger count as within.
+  // corners is empty. Nodes nearer to the cut than `tolerance` are ties: they lie beyond it if
+  // `ties_beyond`, else within.
   void cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,
-                   ClipPiece& beyond, ClipPiece* within);
+                   bool ties_beyond, ClipPiece& beyond, ClipPiece* within);
   // Cuts a piece at a gap.
   void cut_by_level(const ClipPiece& piece, double level, ClipPiece& above, ClipPiece& below);
   // Passes the slopes of all nodes back to those without a segment, and to the lines.
@@ -69,7 +70,7 @@ class ClipTape {
 
  private:
   template <class Distance>
-  void cut(const ClipPiece& piece, int line, double tolerance, const Distance& distance,
+  void cut(const ClipPiece& piece, int line, double threshold, const Distance& distance,
            ClipPiece& beyond, ClipPiece* within);
 };
 

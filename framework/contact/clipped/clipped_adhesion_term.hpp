@@ -31,7 +31,7 @@ class ClippedAdhesionTerm : public Term {
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
-  // With Projection::none the Hessian is the central difference of the gradient.
+  // With Projection::none the Hessian is a difference of the gradient, of fourth order.
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
   void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;

@@ -14,9 +14,13 @@ namespace {
 
 // Cosines between which the weight of a pair falls to zero: two surfaces at more than 81 degrees.
 constexpr double facing_cosine_min = 0.02, facing_cosine_full = 0.15;
-// Distance from a line of b, per length of b's first edge, at which a point counts as on the line:
-// round-off of coordinates decides nothing where edges coincide.
+// Distance from a line of b, per length of that edge, at which a point counts as on the line.
+// Points on a line belong to one of its two triangles, so that where edges coincide, round-off
+// decides nothing and nothing is lost.
 constexpr double on_line_ratio = 1e-8;
+// Spread of gaps or distances beyond a cut, per width of the band or strip, below which a piece is
+// not cut: crossings of nearly parallel sides have no accurate derivatives.
+constexpr double cut_ratio_min = 1e-6;
 
 struct QuadraturePoint {
   Vec3 share;
@@ -111,10 +115,9 @@ bool ClipIntegrator::clip(const ClippedPair& pair, Frame& frame) {
   tape_.clear();
   // Seen from outside of b, the corners of a are clockwise.
   piece_ = {{tape_.add(frame.a[2]), 1}, {tape_.add(frame.a[1]), 0}, {tape_.add(frame.a[0]), 2}};
-  const double tolerance = on_line_ratio * frame.b[1].x();
   for (int k = 0; k < 3; ++k) {
     tape_.lines[k] = ClipLine2(frame.b[k].head<2>(), frame.b[(k + 1) % 3].head<2>());
-    tape_.cut_by_line(piece_, k, 0, tolerance, within_, nullptr);
+    tape_.cut_by_line(piece_, k, 0, on_line_ratio * tape_.lines[k].length, pair.owns_b[k], within_, nullptr);
     piece_.swap(within_);
     if (piece_.empty()) return false;
   }
@@ -128,7 +131,8 @@ void ClipIntegrator::cut_strips(const ClippedPair& pair) {
     if (!(pair.strip_b[k] > 0)) continue;
     other_pieces_.clear();
     for (const ClipPiece& piece : pieces_) {
-      tape_.cut_by_line(piece, k, pair.strip_b[k], 0, piece_, &within_);
+      tape_.cut_by_line(piece, k, pair.strip_b[k], cut_ratio_min * pair.strip_b[k], true, piece_,
+                        &within_);
       if (!piece_.empty()) other_pieces_.push_back(piece_);
       if (!within_.empty()) other_pieces_.push_back(within_);
     }
@@ -148,11 +152,12 @@ void ClipIntegrator::cut_bands(const GapBands& bands) {
       high = std::max(high, gap);
     }
     for (std::size_t i = 0; i < bands.size() && !piece.empty() && high > bands.front(); ++i) {
-      if (high <= bands[i]) {
+      const double least = i > 0 ? cut_ratio_min * (bands[i] - bands[i - 1]) : 0;
+      if (high <= bands[i] + least) {
         other_pieces_.push_back(piece);
         break;
       }
-      if (low >= bands[i]) continue;
+      if (low >= bands[i] - least) continue;
       tape_.cut_by_level(piece, bands[i], piece_, within_);
       if (i > 0 && !within_.empty()) other_pieces_.push_back(within_);
       piece.swap(piece_);

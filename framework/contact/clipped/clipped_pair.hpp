@@ -36,7 +36,9 @@ GapBands gap_bands(const PairLaw& law);
 struct ClippedPair {
   std::array<Vec3, 3> a, b;          // corners, counter-clockwise seen from outside [m]
   std::array<bool, 3> boundary_a{};  // edge i: from corner i to the next
-  std::array<double, 3> strip_b{};   // width of the strip of each edge of b [m]; 0: no boundary
+  // Edge i: whether points on its line belong to this triangle, not to its neighbour there.
+  std::array<bool, 3> owns_b{true, true, true};
+  std::array<double, 3> strip_b{};  // width of the strip of each edge of b [m]; 0: no boundary
 };
 
 struct ClippedIntegral {

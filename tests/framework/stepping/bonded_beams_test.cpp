@@ -144,8 +144,8 @@ Growth mixed_mode_bending(Beams beams, double lever, int steps = 25) {
   beams.second = beams.half, beams.pushed = beams.half + lever;
   Growth g = follow(beams, 0.85 * beams.lever_displacement(beams.crack), beams.lever_displacement(beams.until), steps, [&](double load, double end, double middle) {
     const Modes one = beams.loads(), loads{load * one.opening, load * one.shear};
-    const Modes g = beams.rates(loads, beams.lengths(loads, {end, end / 4 - middle}));
-    return std::pair(g.sum() / beams.toughness(g.mixity()), g.mixity());
+    const Modes rates = beams.rates(loads, beams.lengths(loads, {end, end / 4 - middle}));
+    return std::pair(rates.sum() / beams.toughness(rates.mixity()), rates.mixity());
   });
   g.largest_load /= beams.sharp_load(beams.crack);
   return g;
