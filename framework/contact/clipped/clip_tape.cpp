@@ -1,6 +1,7 @@
 #include "framework/contact/clipped/clip_tape.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tack {
 
@@ -18,35 +19,33 @@ Vec2 ClipLine2::add_slope(const Vec3& at, double by_distance) {
   return by_distance * inward;
 }
 
-template <class Distance>
-void ClipTape::cut(const ClipPiece& piece, int line, double threshold, const Distance& distance,
-                   ClipPiece& beyond, ClipPiece* within) {
+template <class Side>
+void ClipTape::cut(const ClipPiece& piece, int line, const Side& side, ClipPiece& beyond, ClipPiece* within) {
   beyond.clear();
   if (within) within->clear();
   const int corners = static_cast<int>(piece.size());
   if (corners < 3) return;
-  double next = distance(nodes[piece[0].node].at);
-  const double first = next;
+  std::pair<bool, double> next = side(nodes[piece[0].node]);
+  const std::pair<bool, double> first = next;
   for (int i = 0; i < corners; ++i) {
-    const double here = next;
+    const auto [in, here] = next;
     const ClipCorner2 corner = piece[i], after = piece[(i + 1) % corners];
-    next = i + 1 < corners ? distance(nodes[after.node].at) : first;
-    const bool in = here > threshold, next_in = next > threshold;
+    next = i + 1 < corners ? side(nodes[after.node]) : first;
     if (in) beyond.push_back(corner);
     else if (within) within->push_back(corner);
-    if (in == next_in) continue;
-    // A tie lies on the line: the segment is never extended.
-    const double at_here = in ? std::max(here, 0.0) : std::min(here, 0.0);
-    const double at_next = next_in ? std::max(next, 0.0) : std::min(next, 0.0);
-    const double difference = at_here - at_next;
-    const double t = at_here / difference;
+    if (in == next.first) continue;
+    const double difference = here - next.second;
+    const double t = difference == 0 ? 0 : here / difference;
     ClipNode crossing{nodes[corner.node].at + t * (nodes[after.node].at - nodes[corner.node].at), Vec3::Zero()};
     crossing.from = corner.node;
     crossing.to = after.node;
     crossing.line = line;
+    crossing.ties = nodes[corner.node].ties & nodes[after.node].ties;
     crossing.t = t;
-    crossing.rate_from = -at_next / (difference * difference);
-    crossing.rate_to = at_here / (difference * difference);
+    if (difference != 0) {
+      crossing.rate_from = -next.second / (difference * difference);
+      crossing.rate_to = here / (difference * difference);
+    }
     nodes.push_back(crossing);
     const int node = static_cast<int>(nodes.size()) - 1;
     beyond.push_back({node, in ? -1 : corner.side});
@@ -56,14 +55,33 @@ void ClipTape::cut(const ClipPiece& piece, int line, double threshold, const Dis
   if (within && within->size() < 3) within->clear();
 }
 
-void ClipTape::cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,
-                           bool ties_beyond, ClipPiece& beyond, ClipPiece* within) {
+namespace {
+
+std::pair<bool, double> side_of(bool beyond, double distance) {
+  return {beyond, beyond ? std::max(distance, 0.0) : std::min(distance, 0.0)};
+}
+
+}  // namespace
+
+void ClipTape::keep_inside(const ClipPiece& piece, int line, bool owns, ClipPiece& inside) {
   const ClipLine2& by = lines[line];
-  cut(piece, line, ties_beyond ? -tolerance : tolerance, [&](const Vec3& at) { return by.distance(at) - distance; }, beyond, within);
+  cut(piece, line, [&](const ClipNode& node) {
+    const double distance = by.distance(node.at);
+    return side_of((node.ties >> line & 1) != 0 ? owns : distance > 0, distance);
+  }, inside, nullptr);
+}
+
+void ClipTape::cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,
+                           ClipPiece& beyond, ClipPiece& within) {
+  const ClipLine2& by = lines[line];
+  cut(piece, line, [&](const ClipNode& node) {
+    const double from_cut = by.distance(node.at) - distance;
+    return side_of(from_cut > -tolerance, from_cut);
+  }, beyond, &within);
 }
 
 void ClipTape::cut_by_level(const ClipPiece& piece, double level, ClipPiece& above, ClipPiece& below) {
-  cut(piece, -1, 0, [&](const Vec3& at) { return at.z() - level; }, above, &below);
+  cut(piece, -1, [&](const ClipNode& node) { return side_of(node.at.z() > level, node.at.z() - level); }, above, &below);
 }
 
 void ClipTape::pass_back() {

@@ -18,7 +18,9 @@ struct ClipNode {
   Vec3 slope;     // derivative of the integral by `at`
   int from = -1;  // ends of the segment that was cut; -1: a node of its own
   int to = -1;
-  int line = -1;                      // that cut it; -1: a level
+  int line = -1;  // that cut it; -1: a level
+  // A bit per line: the node is so near to it that round-off would decide on which side it lies.
+  unsigned ties = 0;
   double t = 0;                       // at = (1 - t) from + t to
   double rate_from = 0, rate_to = 0;  // derivatives of t by the distances of both ends [1/m]
 };
@@ -57,21 +59,25 @@ class ClipTape {
     nodes.push_back({at, Vec3::Zero()});
     return static_cast<int>(nodes.size()) - 1;
   }
+  // Cuts a piece by a line of the second triangle and keeps what lies inside. Ties with the line
+  // (ClipNode::ties) lie inside if `owns`.
+  void keep_inside(const ClipPiece& piece, int line, bool owns, ClipPiece& inside);
   // Cuts a piece where the distance from a line is `distance`. Overwrites `beyond` with the side of
-  // larger distances and `within` (null: not wanted) with the other; a side of fewer than three
-  // corners is empty. Nodes nearer to the cut than `tolerance` are ties: they lie beyond it if
-  // `ties_beyond`, else within.
+  // larger distances and `within` with the other; a side of fewer than three corners is empty.
+  // Nodes nearer to the cut than `tolerance` lie beyond it.
   void cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,
-                   bool ties_beyond, ClipPiece& beyond, ClipPiece* within);
+                   ClipPiece& beyond, ClipPiece& within);
   // Cuts a piece at a gap.
   void cut_by_level(const ClipPiece& piece, double level, ClipPiece& above, ClipPiece& below);
   // Passes the slopes of all nodes back to those without a segment, and to the lines.
   void pass_back();
 
  private:
-  template <class Distance>
-  void cut(const ClipPiece& piece, int line, double threshold, const Distance& distance,
-           ClipPiece& beyond, ClipPiece* within);
+  // Calls side(node): whether it lies beyond, and its distance from the cut, which is of that sign
+  // or zero.
+  template <class Side>
+  void cut(const ClipPiece& piece, int line, const Side& side, ClipPiece& beyond,
+           ClipPiece* within);
 };
 
 }  // namespace tack

@@ -14,8 +14,8 @@ namespace {
 
 // Cosines between which the weight of a pair falls to zero: two surfaces at more than 81 degrees.
 constexpr double facing_cosine_min = 0.02, facing_cosine_full = 0.15;
-// Distance from a line of b, per length of that edge, at which a point counts as on the line.
-// Points on a line belong to one of its two triangles, so that where edges coincide, round-off
+// Distance of a corner of a from a line of b, per length of that edge, at which it counts as on the
+// line. It then belongs to one of the two triangles there, so that where edges coincide, round-off
 // decides nothing and nothing is lost.
 constexpr double on_line_ratio = 1e-8;
 // Spread of gaps or distances beyond a cut, per width of the band or strip, below which a piece is
@@ -29,17 +29,26 @@ struct QuadraturePoint {
 // Exact for degree two: the midpoints of the edges.
 const std::array<QuadraturePoint, 3> midpoints{
     {{{0.5, 0.5, 0}, 1.0 / 3}, {{0, 0.5, 0.5}, 1.0 / 3}, {{0.5, 0, 0.5}, 1.0 / 3}}};
-// Exact for degree five (Radon 1948).
-constexpr double near_ = 0.101286507323456, near_far = 0.797426985353087;
-constexpr double mid_ = 0.470142064105115, mid_far = 0.059715871789770;
-constexpr double near_weight = 0.125939180544827, mid_weight = 0.132394152788506;
-const std::array<QuadraturePoint, 7> seven_points{{{{1.0 / 3, 1.0 / 3, 1.0 / 3}, 0.225},
-                                                   {{near_far, near_, near_}, near_weight},
-                                                   {{near_, near_far, near_}, near_weight},
-                                                   {{near_, near_, near_far}, near_weight},
-                                                   {{mid_far, mid_, mid_}, mid_weight},
-                                                   {{mid_, mid_far, mid_}, mid_weight},
-                                                   {{mid_, mid_, mid_far}, mid_weight}}};
+// Exact for degree eight (Dunavant 1985): rho of two strips times an even gap. A rule of lower
+// degree makes the energy jump where pieces are divided in another way.
+std::array<QuadraturePoint, 16> sixteen_points() {
+  std::array<QuadraturePoint, 16> all{{{Vec3::Constant(1.0 / 3), 0.144315607677787}}};
+  int count = 1;
+  for (const auto& [far, near_by, weight] : {std::array{0.081414823414554, 0.459292588292723, 0.095091634267285},
+                                             std::array{0.658861384496480, 0.170569307751760, 0.103217370534718},
+                                             std::array{0.898905543365938, 0.050547228317031, 0.032458497623198}})
+    for (int k = 0; k < 3; ++k) {
+      Vec3 share = Vec3::Constant(near_by);
+      share[k] = far;
+      all[count++] = {share, weight};
+    }
+  const std::array<double, 3> distinct{0.008394777409958, 0.263112829634638, 0.728492392955404};
+  for (int k = 0; k < 3; ++k)
+    for (const int turn : {1, 2})
+      all[count++] = {Vec3(distinct[k], distinct[(k + turn) % 3], distinct[(k + 2 * turn) % 3]), 0.027230314174435};
+  return all;
+}
+const std::array<QuadraturePoint, 16> points_in_strips = sixteen_points();
 
 struct FacingFactor {
   double value, slope;  // F(c), dF/dc
@@ -117,7 +126,11 @@ bool ClipIntegrator::clip(const ClippedPair& pair, Frame& frame) {
   piece_ = {{tape_.add(frame.a[2]), 1}, {tape_.add(frame.a[1]), 0}, {tape_.add(frame.a[0]), 2}};
   for (int k = 0; k < 3; ++k) {
     tape_.lines[k] = ClipLine2(frame.b[k].head<2>(), frame.b[(k + 1) % 3].head<2>());
-    tape_.cut_by_line(piece_, k, 0, on_line_ratio * tape_.lines[k].length, pair.owns_b[k], within_, nullptr);
+    for (ClipNode& node : tape_.nodes)
+      if (std::abs(tape_.lines[k].distance(node.at)) < on_line_ratio * tape_.lines[k].length) node.ties |= 1u << k;
+  }
+  for (int k = 0; k < 3; ++k) {
+    tape_.keep_inside(piece_, k, pair.owns_b[k], within_);
     piece_.swap(within_);
     if (piece_.empty()) return false;
   }
@@ -131,8 +144,7 @@ void ClipIntegrator::cut_strips(const ClippedPair& pair) {
     if (!(pair.strip_b[k] > 0)) continue;
     other_pieces_.clear();
     for (const ClipPiece& piece : pieces_) {
-      tape_.cut_by_line(piece, k, pair.strip_b[k], cut_ratio_min * pair.strip_b[k], true, piece_,
-                        &within_);
+      tape_.cut_by_line(piece, k, pair.strip_b[k], cut_ratio_min * pair.strip_b[k], piece_, within_);
       if (!piece_.empty()) other_pieces_.push_back(piece_);
       if (!within_.empty()) other_pieces_.push_back(within_);
     }
@@ -175,7 +187,7 @@ void ClipIntegrator::add_points(const ClippedPair& pair) {
     bool in_strip = false;
     for (int k = 0; k < 3; ++k) in_strip |= tape_.lines[k].distance(middle) < pair.strip_b[k];
     const std::span<const QuadraturePoint> rule =
-        in_strip ? std::span<const QuadraturePoint>(seven_points) : std::span<const QuadraturePoint>(midpoints);
+        in_strip ? std::span<const QuadraturePoint>(points_in_strips) : std::span<const QuadraturePoint>(midpoints);
     for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
       Point point{{piece[0].node, piece[i].node, piece[i + 1].node}, {}, 0, 0, {}, 1, Vec2::Zero()};
       const Vec3 &p = tape_.nodes[point.nodes[0]].at, &q = tape_.nodes[point.nodes[1]].at,

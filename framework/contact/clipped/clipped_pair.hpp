@@ -6,8 +6,8 @@
 // f(c) = c for c >= 0.15, 0 for c <= 0.02, and twice differentiable between.
 //
 // Exact for phi of degree two between the levels (GapBands) and rho = 1; the quadrature is of
-// degree two there, of degree five within strips. The gradient is that of the quadrature, round-off
-// apart. Net force and moment are zero.
+// degree two there, of degree eight within strips. The gradient is that of the quadrature,
+// round-off apart. Net force and moment are zero.
 //
 // The Hessian is positive semi-definite: the curvature of phi where it is positive, and the
 // boundary edges of a in a strip of b. Curvatures of the clip itself are left out: those of

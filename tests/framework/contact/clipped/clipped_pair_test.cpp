@@ -269,6 +269,19 @@ TEST_CASE("the energy has no jumps where edges come to coincide", "[clipped]") {
   }
 }
 
+TEST_CASE("the energy has no jumps where corners come to coincide", "[clipped]") {
+  const PairLaw law = tent_law();
+  const Plate b = plate(0, 0, 0, 10, 2, true);
+  // Moves along a diagonal through exact alignment; differences of the second order are those of a
+  // smooth function.
+  const auto energy = [&](double shift) { return between(plate(shift, 0.7 * shift, 0.2, 10, 3, false), b, 0.25, law).energy; };
+  for (const double at : {-3e-7, -4e-8, -1e-9, 0.0, 1e-9, 4e-8, 3e-7})
+    for (const double step : {1e-12, 1e-9, 3e-8}) {
+      INFO("at " << at << ", step " << step);
+      CHECK(std::abs(energy(at + step) - energy(at)) < 1e-11 + 100 * step * (std::abs(at) + step) / 0.25);
+    }
+}
+
 TEST_CASE("edges that coincide give no large gradients", "[clipped]") {
   const PairLaw law = tent_law();
   ClipIntegrator integrator;
