@@ -81,7 +81,7 @@ void add_solid_energies() {
     if (!solid_term(name, box)) continue;
     for (const auto& [suffix, order] : {std::pair{"value", Order::value}, {"gradient", Order::gradient},
                                         {"hessian_clamped", Order::hessian}}) {
-      const auto run = [name, order](benchmark::State& state) { solid(state, name, order); };
+      const auto run = [name, order = order](benchmark::State& state) { solid(state, name, order); };
       in_milliseconds(benchmark::RegisterBenchmark(fmt::format("{}/{}", name, suffix).c_str(), run));
     }
   }
