@@ -106,7 +106,7 @@ class Rotate : public SteadyMotion {
 };
 
 // x = c + R(axis, angle(t)) (reference - c).
-class Hinge : public Motion {
+class HingeMotion : public Motion {
  public:
   void fields(Fields& f) override {
     f.vector("axis", axis_, units::none, "direction of the axis; rotations about it are right-handed").required();
@@ -206,7 +206,7 @@ class Keyframes : public Motion {
 
 TACK_REGISTER(Motion, Translate, "translate", "Moves vertices along a line at constant velocity.", "");
 TACK_REGISTER(Motion, Rotate, "rotate", "Rotates vertices about an axis at constant angular velocity.", "");
-TACK_REGISTER(Motion, Hinge, "hinge", "Rotates vertices about an axis by prescribed angles: the lid of a box, an arm of a chain.", "");
+TACK_REGISTER(Motion, HingeMotion, "hinge", "Rotates vertices about an axis by prescribed angles: the lid of a box, an arm of a chain.", "");
 TACK_REGISTER(Motion, Keyframes, "keyframes",
               "Moves vertices rigidly through keyframes, along straight paths.", "");
 

@@ -58,7 +58,7 @@ class Reaction : public VectorProbe {
 
 // Moment of reactions about a point, including that of prescribed twists of rods: for an edge with
 // both ends among the vertices, r f along its tangent, with the force f on the arc r theta.
-class Torque : public VectorProbe {
+class TorqueProbe : public VectorProbe {
  public:
   void fields(Fields& f) override {
     VectorProbe::fields(f);
@@ -93,7 +93,7 @@ class Torque : public VectorProbe {
   std::vector<int> edges_;  // of that rod
 };
 
-TACK_REGISTER(Probe, Torque, "torque", "Reaction moment on vertices with prescribed motion and on the twist of edges between them [N m].", "");
+TACK_REGISTER(Probe, TorqueProbe, "torque", "Reaction moment on vertices with prescribed motion and on the twist of edges between them [N m].", "");
 TACK_REGISTER(Probe, Reaction, "reaction", "Reaction force on vertices with prescribed motion [N].", "");
 
 }  // namespace

@@ -1,9 +1,16 @@
 #include "framework/contact/clipped/clip_tape.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tack {
+namespace {
+
+// Distance from a line, per its length, below which round-off decides on which side a crossing lies.
+constexpr double round_off = 1e-12;
+
+}  // namespace
 
 ClipLine2::ClipLine2(const Vec2& from, const Vec2& to)
     : begin(from), end(to), slope_begin(Vec2::Zero()), slope_end(Vec2::Zero()) {
@@ -67,7 +74,8 @@ void ClipTape::keep_inside(const ClipPiece& piece, int line, bool owns, ClipPiec
   const ClipLine2& by = lines[line];
   cut(piece, line, [&](const ClipNode& node) {
     const double distance = by.distance(node.at);
-    return side_of((node.ties >> line & 1) != 0 ? owns : distance > 0, distance);
+    const bool tie = (node.ties >> line & 1) != 0 || std::abs(distance) < round_off * by.length;
+    return side_of(tie ? owns : distance > 0, distance);
   }, inside, nullptr);
 }
 

@@ -256,6 +256,18 @@ TEST_CASE("a boundary along lines of the other mesh has the whole boundary force
   }
 }
 
+TEST_CASE("plates that lie exactly on each other do not push each other sideways", "[clipped]") {
+  const PairLaw law = tent_law();
+  // At the origin coordinates are exact; elsewhere round-off acts.
+  for (const double from : {0.0, 0.1234567, -77.7})
+    for (const auto& [cells_a, cells_b] : {std::pair{1, 1}, {4, 4}, {4, 5}, {2, 9}}) {
+      INFO(cells_a << " and " << cells_b << " cells at " << from);
+      const Vec3 force = between(plate(from, 2 * from, 0.2, 10, cells_a, false), plate(from, 2 * from, 0, 10, cells_b, true), 0.25, law).force_on_a;
+      CHECK(std::abs(force.x()) < 1e-9);
+      CHECK(std::abs(force.y()) < 1e-9);
+    }
+}
+
 TEST_CASE("the energy has no jumps where edges come to coincide", "[clipped]") {
   const PairLaw law = tent_law();
   const Plate b = plate(0, 0, 0, 10, 4, true);
