@@ -258,14 +258,22 @@ TEST_CASE("a boundary along lines of the other mesh has the whole boundary force
 
 TEST_CASE("plates that lie exactly on each other do not push each other sideways", "[clipped]") {
   const PairLaw law = tent_law();
-  // At the origin coordinates are exact; elsewhere round-off acts.
-  for (const double from : {0.0, 0.1234567, -77.7})
-    for (const auto& [cells_a, cells_b] : {std::pair{1, 1}, {4, 4}, {4, 5}, {2, 9}}) {
-      INFO(cells_a << " and " << cells_b << " cells at " << from);
-      const Vec3 force = between(plate(from, 2 * from, 0.2, 10, cells_a, false), plate(from, 2 * from, 0, 10, cells_b, true), 0.25, law).force_on_a;
-      CHECK(std::abs(force.x()) < 1e-9);
-      CHECK(std::abs(force.y()) < 1e-9);
-    }
+  const auto moved = [](Plate all, const Mat3& rotation, const Vec3& shift) {
+    for (std::array<Vec3, 3>& triangle : all.triangles)
+      for (Vec3& corner : triangle) corner = rotation * corner + shift;
+    return all;
+  };
+  // In any other frame than the first, round-off acts on coordinates.
+  for (const double angle : {0.0, 0.3, 1.1, 2.5})
+    for (const double far : {0.0, 0.1234567, -77.7})
+      for (const auto& [cells_a, cells_b] : {std::pair{1, 1}, {4, 4}, {4, 5}, {2, 9}}) {
+        INFO(cells_a << " and " << cells_b << " cells, turned by " << angle << ", shifted by " << far);
+        const Mat3 rotation = Eigen::AngleAxisd(angle, Vec3(1, -2, 0.7).normalized()).toRotationMatrix();
+        const Vec3 shift = far * Vec3(1, 2, -0.4), normal = rotation.col(2);
+        const Vec3 force = between(moved(plate(0, 0, 0.2, 10, cells_a, false), rotation, shift),
+                                   moved(plate(0, 0, 0, 10, cells_b, true), rotation, shift), 0.25, law).force_on_a;
+        CHECK((force - force.dot(normal) * normal).norm() < 1e-6);
+      }
 }
 
 TEST_CASE("the energy has no jumps where edges come to coincide", "[clipped]") {
