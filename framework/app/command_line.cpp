@@ -1,4 +1,4 @@
-// Commands, options and help texts. Only this file and number_options.hpp include CLI11.
+// Commands, options and help texts: with help_formatter.hpp and number_options.hpp, all that includes CLI11.
 #include "framework/app/command_line.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +9,7 @@
 
 #include "framework/app/command_set.hpp"
 #include "framework/app/commands.hpp"
+#include "framework/app/help_formatter.hpp"
 #include "framework/app/number_options.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/contact/adhesion_law.hpp"
@@ -19,23 +20,6 @@
 
 namespace tack {
 namespace {
-
-// The placeholder of a required file. CLI11 may not require it: `--set` may have swallowed it.
-constexpr const char* file_word = "file";
-
-// Prints the required file as FILE, not [file].
-class HelpFormatter : public CLI::Formatter {
- public:
-  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
-    return is_file(*option) ? "FILE" : CLI::Formatter::make_option_name(option, is_positional);
-  }
-  std::string make_option_usage(const CLI::Option* option) const override {
-    return is_file(*option) ? "FILE" : CLI::Formatter::make_option_usage(option);
-  }
-
- private:
-  static bool is_file(const CLI::Option& option) { return option.get_positional() && option.get_name(true) == file_word; }
-};
 
 void add_scene_options(CLI::App& command, SceneOptions& options, const std::string& kind = "scene") {
   command.add_option(file_word, options.file, kind + " file (YAML)")->type_name("YAML");
@@ -48,9 +32,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options, const std::stri
 void settle(SceneOptions& options) {
   if (!options.file.empty()) return;
   std::vector<std::string>& values = options.overrides;
-  const auto file = std::find_if(values.begin(), values.end(), [](const std::string& value) {
-    return value.find('=') == std::string::npos;
-  });
+  const auto file = std::find_if(values.begin(), values.end(), [](const std::string& value) { return value.find('=') == std::string::npos; });
   if (file == values.end()) throw CLI::RequiredError("FILE");
   options.file = *file;
   values.erase(file);
