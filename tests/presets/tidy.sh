@@ -2,7 +2,7 @@
 # tidy.sh ROOT [REGEX]: clang-tidy, with the checks of .clang-tidy, of the whole tree, or of the files whose path below ROOT matches. Configures build/tidy and
 # compiles nothing; the whole tree is read folder by folder, as it is compiled. Skipped without clang-tidy.
 set -euo pipefail
-root=$1 regex=${2-}
+root=$(realpath "$1") regex=${2-}
 for tool in clang++ clang-tidy ninja; do command -v "$tool" >/dev/null || { echo "skipped: there is no $tool: ./tack test nightly installs it"; exit 77; }; done
 cd "$root"
 unity=ON
