@@ -3,28 +3,12 @@
 #include <cmath>
 
 #include "framework/contact/contact_term.hpp"
+#include "framework/contact/law_debonding.hpp"
 #include "framework/contact/stencil_distance.hpp"
 #include "framework/core/concurrent_maximum.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
-namespace {
-
-// Negative tangent over secant stiffness from which a law softens, above rounding errors.
-constexpr double softening = 1e-6;
-
-bool softens(const PairLaw& law, double distance) {
-  const LawSample s = law.at(distance);
-  return s.slope > 0 && s.curvature * (distance - law.offset()) < -softening * s.slope;
-}
-
-// Returns whether the law passes its peak from `distance` to `end`: it does not soften at the first,
-// and softens or is out of range at the second, which is larger.
-bool passes_peak(const PairLaw& law, double range, double distance, double end) {
-  return end > distance && distance < range && (!(end < range) || softens(law, end)) && !softens(law, distance);
-}
-
-}  // namespace
 
 void ContactTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
   std::vector<double> range;  // of the adhesion of each law; 0: none [m]

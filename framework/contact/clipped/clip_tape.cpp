@@ -12,14 +12,14 @@ constexpr double round_off = 1e-12;
 
 }  // namespace
 
-ClipLine2::ClipLine2(const Vec2& from, const Vec2& to)
+PlaneLine::PlaneLine(const Vec2& from, const Vec2& to)
     : begin(from), end(to), slope_begin(Vec2::Zero()), slope_end(Vec2::Zero()) {
   const Vec2 along = to - from;
   length = along.norm();
   inward = Vec2(-along.y(), along.x()) / length;
 }
 
-Vec2 ClipLine2::add_slope(const Vec3& at, double by_distance) {
+Vec2 PlaneLine::add_slope(const Vec3& at, double by_distance) {
   const double fraction = (end - begin).dot(at.head<2>() - begin) / (length * length);
   slope_begin -= (1 - fraction) * by_distance * inward;
   slope_end -= fraction * by_distance * inward;
@@ -36,7 +36,7 @@ void ClipTape::cut(const ClipPiece& piece, int line, const Side& side, ClipPiece
   const std::pair<bool, double> first = next;
   for (int i = 0; i < corners; ++i) {
     const auto [in, here] = next;
-    const ClipCorner2 corner = piece[i], after = piece[(i + 1) % corners];
+    const PieceCorner corner = piece[i], after = piece[(i + 1) % corners];
     next = i + 1 < corners ? side(nodes[after.node]) : first;
     if (in) beyond.push_back(corner);
     else if (within) within->push_back(corner);
@@ -71,7 +71,7 @@ std::pair<bool, double> side_of(bool beyond, double distance) {
 }  // namespace
 
 void ClipTape::keep_inside(const ClipPiece& piece, int line, bool owns, ClipPiece& inside) {
-  const ClipLine2& by = lines[line];
+  const PlaneLine& by = lines[line];
   cut(piece, line, [&](const ClipNode& node) {
     const double distance = by.distance(node.at);
     const bool tie = (node.ties >> line & 1) != 0 || std::abs(distance) < round_off * by.length;
@@ -81,7 +81,7 @@ void ClipTape::keep_inside(const ClipPiece& piece, int line, bool owns, ClipPiec
 
 void ClipTape::cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,
                            ClipPiece& beyond, ClipPiece& within) {
-  const ClipLine2& by = lines[line];
+  const PlaneLine& by = lines[line];
   cut(piece, line, [&](const ClipNode& node) {
     const double from_cut = by.distance(node.at) - distance;
     return side_of(from_cut > -tolerance, from_cut);

@@ -25,14 +25,14 @@ struct ClipNode {
   double rate_from = 0, rate_to = 0;  // derivatives of t by the distances of both ends [1/m]
 };
 
-struct ClipLine2 {
+struct PlaneLine {
   Vec2 begin, end;              // m
   Vec2 inward;                  // unit normal to the left
   double length;                // m
   Vec2 slope_begin, slope_end;  // derivative of the integral by the two points
 
-  ClipLine2() = default;
-  ClipLine2(const Vec2& from, const Vec2& to);
+  PlaneLine() = default;
+  PlaneLine(const Vec2& from, const Vec2& to);
   // Returns the distance of a point from the line, positive inside [m].
   double distance(const Vec3& at) const { return inward.dot(at.head<2>() - begin); }
   // Adds the derivative of the integral by the distance of a point: to the line's two points.
@@ -42,17 +42,17 @@ struct ClipLine2 {
 
 // A corner of a convex polygon. `side`: the edge of the first triangle on which the side lies that
 // begins here; -1: none.
-struct ClipCorner2 {
+struct PieceCorner {
   int node, side;
 };
 // Corners in their order around the polygon.
-using ClipPiece = std::vector<ClipCorner2>;
+using ClipPiece = std::vector<PieceCorner>;
 
 // The tape of one pair of triangles. It keeps its memory from one pair to the next.
 class ClipTape {
  public:
   std::vector<ClipNode> nodes;
-  std::array<ClipLine2, 3> lines;
+  std::array<PlaneLine, 3> lines;
 
   void clear() { nodes.clear(); }
   int add(const Vec3& at) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "framework/assembly/stencil_blocks.hpp"
+#include "framework/contact/law_debonding.hpp"
 #include "framework/core/concurrent_maximum.hpp"
 #include "geometry/parallel.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 // Step of the differences of the exact Hessian, per length of the first edge of b. They are of
 // fourth order, because crossings of nearly parallel edges have large third derivatives.
 constexpr double difference_step = 3e-6;
+// Relative difference up to which two surfaces are equal in area: round-off of their sums.
+constexpr double equal_area_ratio = 1e-9;
 // Pairs of a chunk: one pair takes about a microsecond.
 constexpr int pairs_per_chunk = 64;
 
@@ -53,7 +56,7 @@ bool ClippedAdhesionTerm::has_planes(int object, int other) const {
   if (planes == ClippedPlanes::of_first || planes == ClippedPlanes::of_second) return planes == ClippedPlanes::of_first;
   if (planes == ClippedPlanes::of_coarser) return system_.pairs().finer(other, object);
   const double own = surface_area_[object], others = surface_area_[other];
-  if (std::abs(own - others) > 1e-9 * (own + others)) return own > others;
+  if (std::abs(own - others) > equal_area_ratio * (own + others)) return own > others;
   return system_.pairs().finer(other, object);
 }
 
@@ -208,15 +211,10 @@ void ClippedAdhesionTerm::mark_debonding(const VecX& from, const VecX& to, std::
   const auto gap = [](const ClippedPair& pair) {
     return area_vector(pair.b).normalized().dot((pair.a[0] + pair.a[1] + pair.a[2]) / 3 - pair.b[0]);
   };
-  const auto softens = [](const PairLaw& law, double distance) {
-    const LawSample sample = law.at(distance);
-    return sample.slope > 0 && sample.curvature < 0;
-  };
   for_each(pair_count(), [&](int i) {
     const ClippedLaw& law = laws_.laws()[active_[i].pair.law];
     const double before = gap(geometry(from, active_[i])), after = gap(geometry(to, active_[i]));
-    if (!(after > before) || !(before < law.range) || softens(law.law, before)) return;
-    if (after < law.range && !softens(law.law, after)) return;
+    if (!passes_peak(law.law, law.range, before, after)) return;
     for (const int v : active_[i].vertices) mark(vertices[v]);
   });
 }

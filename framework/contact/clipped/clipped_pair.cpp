@@ -125,7 +125,7 @@ bool ClipIntegrator::clip(const ClippedPair& pair, Frame& frame) {
   // Seen from outside of b, the corners of a are clockwise.
   piece_ = {{tape_.add(frame.a[2]), 1}, {tape_.add(frame.a[1]), 0}, {tape_.add(frame.a[0]), 2}};
   for (int k = 0; k < 3; ++k) {
-    tape_.lines[k] = ClipLine2(frame.b[k].head<2>(), frame.b[(k + 1) % 3].head<2>());
+    tape_.lines[k] = PlaneLine(frame.b[k].head<2>(), frame.b[(k + 1) % 3].head<2>());
     for (ClipNode& node : tape_.nodes)
       if (std::abs(tape_.lines[k].distance(node.at)) < on_line_ratio * tape_.lines[k].length) node.ties |= 1u << k;
   }
@@ -158,7 +158,7 @@ void ClipIntegrator::cut_bands(const GapBands& bands) {
   other_pieces_.clear();
   for (ClipPiece& piece : pieces_) {
     double low = bands.back(), high = bands.front();
-    for (const ClipCorner2& corner : piece) {
+    for (const PieceCorner& corner : piece) {
       const double gap = tape_.nodes[corner.node].at.z();
       low = std::min(low, gap);
       high = std::max(high, gap);
@@ -182,14 +182,14 @@ void ClipIntegrator::add_points(const ClippedPair& pair) {
   points_.clear();
   for (const ClipPiece& piece : pieces_) {
     Vec3 middle = Vec3::Zero();
-    for (const ClipCorner2& corner : piece) middle += tape_.nodes[corner.node].at;
+    for (const PieceCorner& corner : piece) middle += tape_.nodes[corner.node].at;
     middle /= static_cast<double>(piece.size());
     bool in_strip = false;
     for (int k = 0; k < 3; ++k) in_strip |= tape_.lines[k].distance(middle) < pair.strip_b[k];
     const std::span<const QuadraturePoint> rule =
         in_strip ? std::span<const QuadraturePoint>(points_in_strips) : std::span<const QuadraturePoint>(midpoints);
     for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
-      Point point{{piece[0].node, piece[i].node, piece[i + 1].node}, {}, 0, 0, {}, 1, Vec2::Zero()};
+      Point point{{piece[0].node, piece[i].node, piece[i + 1].node}, {}, 0, 0, {}, 1};
       const Vec3 &p = tape_.nodes[point.nodes[0]].at, &q = tape_.nodes[point.nodes[1]].at,
                  &r = tape_.nodes[point.nodes[2]].at;
       point.area = 0.5 * twice_area_of(p, q, r);
@@ -207,7 +207,7 @@ void ClipIntegrator::add_points(const ClippedPair& pair) {
   }
 }
 
-ClippedIntegral ClipIntegrator::sum(const ClippedPair& pair, const Frame& frame, const PairLaw&) {
+ClippedIntegral ClipIntegrator::sum(const Frame& frame) const {
   ClippedIntegral all;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Point& p = points_[i];
@@ -219,7 +219,6 @@ ClippedIntegral ClipIntegrator::sum(const ClippedPair& pair, const Frame& frame,
     all.area[1] += area * along;
     all.area[2] += area * across;
   }
-  (void)pair;
   return all;
 }
 
@@ -236,17 +235,23 @@ bool ClipIntegrator::overlaps(const ClippedPair& pair, double range) {
   return clip(pair, frame);
 }
 
-ClippedIntegral ClipIntegrator::value(const ClippedPair& pair, const PairLaw& law, const GapBands& bands) {
-  Frame frame;
-  if (!clip(pair, frame)) return {};
+// Makes the quadrature points of a pair and their gaps. Returns false if there are none.
+bool ClipIntegrator::prepare(const ClippedPair& pair, const GapBands& bands, Frame& frame) {
+  if (!clip(pair, frame)) return false;
   cut_strips(pair);
   cut_bands(bands);
   add_points(pair);
   gaps_.resize(points_.size());
   values_.resize(points_.size());
   for (std::size_t i = 0; i < points_.size(); ++i) gaps_[i] = points_[i].at.z();
+  return !points_.empty();
+}
+
+ClippedIntegral ClipIntegrator::value(const ClippedPair& pair, const PairLaw& law, const GapBands& bands) {
+  Frame frame;
+  if (!prepare(pair, bands, frame)) return {};
   law.values(static_cast<int>(gaps_.size()), gaps_.data(), values_.data());
-  return sum(pair, frame, law);
+  return sum(frame);
 }
 
 ClippedIntegral ClipIntegrator::derivatives(const ClippedPair& pair, const PairLaw& law, const GapBands& bands,
@@ -254,18 +259,11 @@ ClippedIntegral ClipIntegrator::derivatives(const ClippedPair& pair, const PairL
   gradient.setZero();
   if (hessian) hessian->setZero();
   Frame frame;
-  if (!clip(pair, frame)) return {};
-  cut_strips(pair);
-  cut_bands(bands);
-  add_points(pair);
-  if (points_.empty()) return {};
-  gaps_.resize(points_.size());
-  values_.resize(points_.size());
+  if (!prepare(pair, bands, frame)) return {};
   samples_.resize(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i) gaps_[i] = points_[i].at.z();
   law.samples(static_cast<int>(gaps_.size()), gaps_.data(), samples_.data());
   for (std::size_t i = 0; i < points_.size(); ++i) values_[i] = samples_[i].value;
-  const ClippedIntegral all = sum(pair, frame, law);
+  const ClippedIntegral all = sum(frame);
   write_gradient(pair, frame, all.energy, gradient);
   if (hessian) write_hessian(pair, frame, law, *hessian);
   return all;
@@ -301,15 +299,12 @@ void ClipIntegrator::write_gradient(const ClippedPair& pair, const Frame& frame,
   std::array<Vec3, 6> local;  // derivatives by the local coordinates
   for (int k = 0; k < 3; ++k) {
     local[k] = tape_.nodes[2 - k].slope;
-    const ClipLine2 &from = tape_.lines[k], &to = tape_.lines[(k + 2) % 3];
+    const PlaneLine &from = tape_.lines[k], &to = tape_.lines[(k + 2) % 3];
     local[3 + k] << from.slope_begin + to.slope_end, 0;
   }
   // The frame turns with b: the moment of the local derivatives acts on the corners of b.
-  Vec3 moment = Vec3::Zero(), net = Vec3::Zero();
-  for (int k = 0; k < 6; ++k) {
-    moment += (k < 3 ? frame.a[k] : frame.b[k - 3]).cross(local[k]);
-    net += local[k];
-  }
+  Vec3 moment = Vec3::Zero();
+  for (int k = 0; k < 6; ++k) moment += (k < 3 ? frame.a[k] : frame.b[k - 3]).cross(local[k]);
   const double length = frame.b[1].x(), foot = frame.b[2].x(), height = frame.b[2].y();
   Vec3 by_1 = local[4], by_2 = local[5];
   by_1.y() -= moment.z() / length;

@@ -65,13 +65,13 @@ class ClipIntegrator {
     double area;    // of the three nodes [m^2]
     Vec3 at;        // x, y, g [m]
     double rho;
-    Vec2 rho_slope;  // 1/m
   };
   bool clip(const ClippedPair& pair, Frame& frame);
   void cut_strips(const ClippedPair& pair);
   void cut_bands(const GapBands& bands);
   void add_points(const ClippedPair& pair);
-  ClippedIntegral sum(const ClippedPair& pair, const Frame& frame, const PairLaw& law);
+  bool prepare(const ClippedPair& pair, const GapBands& bands, Frame& frame);
+  ClippedIntegral sum(const Frame& frame) const;
   void write_gradient(const ClippedPair& pair, const Frame& frame, double energy, Vec18& gradient);
   void write_hessian(const ClippedPair& pair, const Frame& frame, const PairLaw& law,
                      Mat18& hessian) const;
