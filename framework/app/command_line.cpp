@@ -27,8 +27,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options, const std::stri
       ->take_all()->allow_extra_args(true);
 }
 
-// --set takes several values and therefore also swallows a file that follows them: the value
-// without '=' is the file.
+// --set takes several values and also swallows a file that follows them: the value without '=' is the file.
 void settle(SceneOptions& options) {
   if (!options.file.empty()) return;
   std::vector<std::string>& values = options.overrides;
