@@ -109,7 +109,7 @@ TEST_CASE("bonds: derivatives", "[bonds]") {
       // Derivatives by ln d and ln s, which have one unit.
       const double scale = std::abs(here.value) + law.work_of_adhesion() * 1e-6 + std::abs(here.by_d * d) + std::abs(here.by_s * s) +
                            std::abs(here.by_dd * d * d) + std::abs(here.by_ds * d * s) + std::abs(here.by_ss * s * s);
-      const auto check = [&](double found, double difference) { CHECK(std::abs(found - difference) <= 3e-6 * scale); };
+      const auto check = [&](double found, double difference) { CHECK(std::abs(found - difference) <= 1e-6 * scale); };
       check(here.by_d * d, central_difference([&](double p) { return at(p, 0).value; }, e));
       check(here.by_s * s, central_difference([&](double q) { return at(0, q).value; }, e));
       check(here.by_dd * d * d, central_difference([&](double p) { return at(p, 0).by_d * d; }, e));
@@ -147,7 +147,7 @@ TEST_CASE("bonds: the potential of a step is stored or dissipated", "[bonds]") {
       const double lost = before - it.bond.intensity(), stored = change.gone ? 0 : law.stored(d, it.u * it.u, it.bond.history());
       INFO("intensity " << before << " -> " << it.bond.intensity() << ", h " << it.h);
       CHECK(std::abs(value - stored - (change.dissipated - viscosity * lost * lost / (2 * it.h))) <= 1e-12 * (value + law.work_of_adhesion()));
-      CHECK(change.dissipated >= -1e-14 * law.work_of_adhesion());  // round-off
+      CHECK(change.dissipated >= 0);
       CHECK(change.healed == 0);
       CHECK((it.bond.intensity() >= 0 && lost >= 0));
     }
