@@ -7,7 +7,7 @@
 #include <span>
 
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/surface_overlap.hpp"
+#include "framework/contact/contact_potential.hpp"
 #include "framework/contact/lagged_surface.hpp"
 #include "geometry/distance/closest_feature.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -19,23 +19,8 @@ constexpr double rounding = 1e-9;  // of the distance: surfaces may be placed ju
 
 void add_triangles(const ContactSystem& system, const BondTable& table, std::vector<BondSite>& sites) {
   const CollisionMesh& mesh = system.surface().mesh;
-  const auto add = [&](int t, const Vec3& inside, int object, double area, bool whole) {
-    sites.push_back({t, inside, mesh.triangles[t][0], -1, object, area, whole});
-  };
-  for (const OverlapFacets& pair : system.overlap().facets()) {
-    if (!table.bonds(pair.a, pair.b)) continue;
-    const double share = system.pairs().point(pair.a, pair.b).area_factor;
-    for (const OverlapTriangle& t : pair.full_triangles)
-      for (int i = 0; i < 3; ++i) {
-        Vec3 inside = Vec3::Constant(1.0 / 6);
-        inside[i] = 2.0 / 3;
-        add(t.triangle, inside, pair.b, share * t.area / 3, true);
-      }
-  }
-  for (const InteriorPoint& s : system.overlap().interior_points()) {
-    const int a = mesh.vertex_object[mesh.triangles[s.triangle][0]];
-    if (table.bonds(a, s.object)) add(s.triangle, s.inside, s.object, system.pairs().point(a, s.object).area_factor * s.area, false);
-  }
+  for (const OverlapSite& s : system.potential().overlap_sites([&](int a, int b) { return table.bonds(a, b); }))
+    sites.push_back({s.triangle, s.inside, mesh.triangles[s.triangle][0], -1, s.object, s.area, s.whole});
 }
 
 // Returns the triangle at all these vertices that faces the normal most; -1: none.
@@ -51,14 +36,14 @@ int triangle_at(const SurfaceTopology& topology, const LaggedSurface& lagged, co
   return found;
 }
 
-void add_vertices(const ContactSystem& system, const BondTable& table, const std::vector<PairLaw>& barriers, const VecX& x, std::vector<BondSite>& sites) {
+void add_vertices(const ContactSystem& system, const BondTable& table, const VecX& x, std::vector<BondSite>& sites) {
   const LaggedSurface& lagged = system.lagged_surface();
-  std::vector<char> wanted(barriers.size(), 0);
   const PairTable& pairs = system.pairs();
+  std::vector<char> wanted(pairs.laws().size(), 0);
   for (const auto& [a, b] : pairs.classes().examples())
     for (int part = -1; part < pairs.region_pair_count(a, b); ++part)
       if (table.between(a, b, part) >= 0) wanted[pairs.codimensional(a, b, part).law] = 1;
-  const ContactPoints points = contact_points({system, barriers, wanted, x});
+  const ContactPoints points = contact_points({system, wanted, x});
   for_each_record(points, [&](const auto& point) {
     if (point.kind() != PointKind::vertex || !(point.area > 0) || !table.bonds(point.object, point.opposite)) return;
     if (point.object != point.opposite && !lagged.topology().is_codimensional(point.point)) return;
@@ -70,10 +55,10 @@ void add_vertices(const ContactSystem& system, const BondTable& table, const std
 
 }  // namespace
 
-std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table, const std::vector<PairLaw>& barriers, const VecX& x) {
+std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table, const VecX& x) {
   std::vector<BondSite> sites;
   add_triangles(system, table, sites);
-  add_vertices(system, table, barriers, x, sites);
+  add_vertices(system, table, x, sites);
   return sites;
 }
 

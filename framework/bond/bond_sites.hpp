@@ -1,7 +1,6 @@
-// Bond sites: points of a surface at which a step may make bonds. They are found at its start, for
-// each triangle of the overlap of two surfaces.
-//   - Overlapping triangle: three sites, at its Gauss points.
-//   - Partly overlapping triangle: its samples (contact/surface_overlap.hpp).
+// Bond sites: points of a surface at which a step may make bonds. They are found at its start.
+//   - Overlapping surfaces: the points of the overlap that the contact model finds
+//     (ContactPotential::overlap_sites).
 //   - Rods, particles, and a surface that meets itself: each vertex in contact
 //     (contact/contact_points.hpp).
 #pragma once
@@ -28,9 +27,8 @@ struct BondSite {
 
 /// Returns the sites of all pairs that bond. The system must have begun the step at x and still be
 /// at x.
-/// barriers: the barrier of each law of its pairs.
 std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table,
-                                 const std::vector<PairLaw>& barriers, const VecX& x);
+                                 const VecX& x);
 
 /// Returns the bond made at a site at x; none if the surfaces are farther apart than the bonding
 /// distance.

@@ -8,6 +8,7 @@
 #include "framework/bond/bond_attachment.hpp"
 #include "framework/bond/bond_fields.hpp"
 #include "framework/bond/bond_sites.hpp"
+#include "framework/contact/contact_potential.hpp"
 #include "framework/contact/lagged_surface.hpp"
 #include "geometry/parallel.hpp"
 
@@ -72,8 +73,8 @@ void write_blocks(const Bond& bond, const Opening& o, const Mat3& h, const Vec3&
 
 }  // namespace
 
-BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table)
-    : Term("bonds"), system_(system), normal_(normal), table_(std::move(table)), list_(system.surface(), system.pairs(), table_), stored_(list_) {}
+BondTerm::BondTerm(ContactSystem& system, BondTable table)
+    : Term("bonds"), system_(system), table_(std::move(table)), list_(system.surface(), system.pairs(), table_), stored_(list_) {}
 
 void BondTerm::publish(Records& records) const {
   Term::publish(records);
@@ -95,7 +96,7 @@ void BondTerm::load_history(const History& history) {
   h_ = 0;
   pressures_.clear();
   begun_ = stored_.read(history);
-  system_.keep_sides(stored_.pairs());
+  system_.potential().keep_sides(stored_.pairs());
   list_ = stored_;
   framed_ = false;
   make_blocks();
@@ -117,7 +118,7 @@ void BondTerm::make_bonds(const VecX& x) {
   const auto whose = [](int triangle, int vertex, int other) { return std::array{triangle, triangle < 0 ? vertex : -1, other}; };
   for (const Bond& b : stored_.bonds()) bonded[whose(b.triangle, b.vertices[0], b.b)].push_back(&b);
   const auto before = stored_.pairs();
-  std::vector<BondSite> sites = bond_sites(system_, table_, normal_.laws(LawTerm::barrier), x);
+  std::vector<BondSite> sites = bond_sites(system_, table_, x);
   const std::vector<int>& object = system_.surface().mesh.vertex_object;
   const auto may_bond = [&](int rule, int a, int b) {
     const std::pair<int, int> pair = std::minmax(a, b);

@@ -12,7 +12,8 @@
 #pragma once
 
 #include "framework/bond/bond_list.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/contact_system.hpp"
+#include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
@@ -20,8 +21,8 @@ namespace tack {
 /// Potential of all bonds of a world.
 class BondTerm : public Term {
  public:
-  // Both must outlive the term, and begin steps before it.
-  BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table);
+  // The system must outlive the term, and begin steps before it.
+  BondTerm(ContactSystem& system, BondTable table);
 
   void load_history(const History& history) override;
   void begin_step(const StepStart& start) override;
@@ -88,7 +89,6 @@ class BondTerm : public Term {
   bool slid_off(const Bond& bond, const VecX& x) const;
 
   ContactSystem& system_;
-  const ContactTerm& normal_;
   BondTable table_;
   mutable BondList list_;  // frames are taken when they are first needed
   mutable bool framed_ = false;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "framework/contact/lagged_surface.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/world/world.hpp"
@@ -32,8 +32,8 @@ double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec
 }  // namespace
 
 AdhesionResolution::AdhesionResolution(const SceneConfig& scene, const World& world)
-    : scene_(scene), world_(world), impulses_(world.contact_term->laws(LawTerm::adhesion).size()) {
-  for (const PairLaw& law : world.contact_term->laws(LawTerm::adhesion)) adheres_.push_back(!law.laws().empty());
+    : scene_(scene), world_(world), impulses_(world.contact->pairs().laws().size()) {
+  for (const PairLaw& law : world.contact->pairs().laws(LawTerm::adhesion)) adheres_.push_back(!law.laws().empty());
 }
 
 // Means over the triangles at a vertex that face the other surface.
@@ -54,7 +54,7 @@ AdhesionResolution::Element AdhesionResolution::element_at(int v, const Vec3& n,
 }
 
 void AdhesionResolution::add(int law, double impulse, const Element& element, int object, int other) {
-  const PairLaw& adhesion = world_.contact_term->laws(LawTerm::adhesion)[law];
+  const PairLaw& adhesion = world_.contact->pairs().laws(LawTerm::adhesion)[law];
   const double tolerated = tolerated_change * (adhesion.range() - adhesion.offset());
   LawImpulse& pulled = impulses_[law];
   pulled.all += impulse;
@@ -73,8 +73,8 @@ AdhesionResolution::Element AdhesionResolution::element_around(const Triangle& t
 }
 
 void AdhesionResolution::examine(const VecX& x, double h) {
-  const std::vector<PairLaw>& laws = world_.contact_term->laws(LawTerm::adhesion);
-  const ContactPoints points = contact_points({*world_.contact, world_.contact_term->laws(LawTerm::barrier), adheres_, x});
+  const std::vector<PairLaw>& laws = world_.contact->pairs().laws(LawTerm::adhesion);
+  const ContactPoints points = contact_points({*world_.contact, adheres_, x});
   for_each_record(points, [&]<int K>(const ContactPoint<K>& c) {
     if (c.kind() == PointKind::edges || c.gap >= laws[c.law].range()) return;
     Element element;

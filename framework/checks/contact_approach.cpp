@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/world/world.hpp"
 
@@ -116,7 +116,7 @@ ContactApproach::ContactApproach(const SceneConfig& scene, const World& world) :
     firm_.push_back(surface && is_firm(body));
   }
   if (std::find(soft_.begin(), soft_.end(), 1) == soft_.end()) return;
-  for (const PairLaw& adhesion : world.contact_term->laws(LawTerm::adhesion)) wanted_.push_back(adhesion.laws().empty());
+  for (const PairLaw& adhesion : world.contact->pairs().laws(LawTerm::adhesion)) wanted_.push_back(adhesion.laws().empty());
 }
 
 bool ContactApproach::is_examined(const Objects& objects) const {
@@ -131,12 +131,11 @@ bool ContactApproach::is_examined(const Objects& objects) const {
 
 std::map<ContactApproach::Objects, std::vector<PressedPoint>> ContactApproach::zones(const VecX& x) const {
   const VecX& rest = world_.contact->surface().rest;
-  ContactPoints contacts;
-  add_points_of_features({*world_.contact, world_.contact_term->laws(LawTerm::barrier), wanted_, x}, contacts);
+  const ContactPoints contacts = contact_points({*world_.contact, wanted_, x});
   std::map<Objects, std::vector<PressedPoint>> zones;
   for_each_record(contacts, [&](const auto& c) {
     const Objects objects = std::minmax(c.object, c.opposite);
-    if (!(c.normal_force > 0) || !is_examined(objects)) return;
+    if (c.kind() == PointKind::edges || !(c.normal_force > 0) || !is_examined(objects)) return;
     PressedPoint p{{Vec3::Zero(), Vec3::Zero()}, {Vec3::Zero(), Vec3::Zero()}, c.normal_force};
     for (int i = 0; i < static_cast<int>(c.vertices.size()); ++i) {
       const bool own = i < c.own_vertex_count;

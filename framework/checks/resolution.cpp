@@ -11,7 +11,8 @@
 #include <set>
 
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/contact_potential.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/contact/surface_topology.hpp"
 #include "framework/scene/copied_lines.hpp"
@@ -196,7 +197,7 @@ class Warnings {
         if (const int i = object[s.vertices[0]]; i == object[s.vertices[decltype(kind)::first_vertices]]) on_themselves.insert(i);
     });
     for (const int i : on_themselves) {
-      const VecX force = world_.contact_term->forces(world_.start.x, LawTerm::all, ObjectPair{i, i});
+      const VecX force = forces_within(i);
       Eigen::Index at = 0;
       const double largest = force.size() > 0 ? force.cwiseAbs().maxCoeff(&at) : 0;
       if (!(largest > 0)) continue;
@@ -208,12 +209,33 @@ class Warnings {
     between_objects();
   }
 
+  // Returns the forces of an object on itself at the start (3n) [N].
+  VecX forces_within(int object) const {
+    const std::vector<int>& object_of = world_.contact->surface().mesh.vertex_object;
+    VecX forces = VecX::Zero(world_.start.x.size());
+    for (const auto& term : world_.contact->potential().terms()) {
+      const std::vector<StencilBatch> batches = term->batches();
+      size_t slots = 0;
+      for (const StencilBatch& batch : batches) slots += static_cast<size_t>(batch.arity) * batch.count;
+      std::vector<double> gradient(3 * slots);
+      if (slots > 0) term->derivatives(world_.start.x, Projection::none, gradient.data(), nullptr);
+      const double* slot = gradient.data();
+      for (const StencilBatch& batch : batches)
+        for (int s = 0; s < batch.count; ++s, slot += 3 * batch.arity) {
+          const int* vertices = batch.vertices + static_cast<size_t>(batch.arity) * s;
+          if (!std::all_of(vertices, vertices + batch.arity, [&](int v) { return object_of[v] == object; })) continue;
+          for (int i = 0; i < batch.arity; ++i) vertex(forces, vertices[i]) -= Eigen::Map<const Vec3>(slot + 3 * i);
+        }
+    }
+    return forces;
+  }
+
   // Forces of bodies on each other that no rest can have.
   void between_objects() {
-    const std::vector<PairLaw>& barriers = world_.contact_term->laws(LawTerm::barrier);
+    const std::vector<PairLaw>& barriers = world_.contact->pairs().laws(LawTerm::barrier);
     const std::vector<char> all(barriers.size(), 1);
     std::map<std::array<int, 2>, PressedPair> pairs;
-    for_each_record(contact_points({*world_.contact, barriers, all, world_.start.x}), [&](const auto& c) {
+    for_each_record(contact_points({*world_.contact, all, world_.start.x}), [&](const auto& c) {
       if (c.object == c.opposite || !(c.normal_force > 0)) return;
       PressedPair& pair = pairs[c.objects()];
       pair.resultant += (c.object < c.opposite ? c.normal_force : -c.normal_force) * c.normal;

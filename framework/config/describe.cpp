@@ -45,6 +45,7 @@ void describe_fields(const Fields& fields, const std::string& prefix, std::strin
     for (const Shape::Option& o : f.shape.options) {
       out += fmt::format("      {}: {}\n", o.name, o.doc);
     }
+    if (!f.instead.empty()) out += fmt::format("      deprecated: {}\n", f.instead);
     for (const std::string& name : retired_names(f, fields))
       out += fmt::format("      deprecated name: {}\n", name);
     if (const Shape* inner = nested_object(f.shape)) {

@@ -34,6 +34,11 @@ Field& Field::formula(std::vector<std::string> of) {
   return *this;
 }
 
+Field& Field::deprecated(std::string text) {
+  instead = std::move(text);
+  return *this;
+}
+
 Field& Field::line() {
   one_line = true;
   return *this;
@@ -122,6 +127,7 @@ std::string unit_comment(const Shape& shape) {
 Value to_value(const Fields& fields) {
   Value map = Value::map();
   for (const Field& f : fields.all()) {
+    if (!f.instead.empty()) continue;
     Value v = f.write();
     if (!v.is_map()) v.comment = unit_comment(f.shape);
     map.set(f.key, std::move(v));

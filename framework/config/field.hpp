@@ -43,6 +43,7 @@ struct Field {
   bool filled = false;    ///< a list must not be empty
   bool one_line = false;  ///< a text must not have line breaks or other control characters
   std::optional<std::vector<std::string>> variables;  ///< of a text that is a formula
+  std::string instead;  ///< of a deprecated field: what to write instead; empty: not deprecated
 
   /// Stores the value in the member, or reports to the reader why it cannot.
   std::function<void(const Value&, const Field&, Reader&)> read;
@@ -54,6 +55,9 @@ struct Field {
   Field& nonempty();
   /// Declares a formula (formula.hpp) of these variables and the scene's parameters.
   Field& formula(std::vector<std::string> variables);
+  /// Declares a deprecated field: accepted with a warning that says what to write instead, and
+  /// left out of written scenes. Another field holds its meaning.
+  Field& deprecated(std::string instead);
   Field& line();  ///< a text within one line, such as a name in tables and messages
   Field& positive();
   Field& nonnegative();

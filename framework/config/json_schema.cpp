@@ -43,6 +43,7 @@ class Schema {
     json properties = json::object();
     for (const Field& f : fields.all()) {
       properties[f.key] = property(f);
+      if (!f.instead.empty()) properties[f.key]["deprecated"] = true;
       for (const std::string& name : retired_names(f, fields)) {
         json& deprecated = properties[name] = properties[f.key];
         deprecated["deprecated"] = true;

@@ -19,6 +19,7 @@ std::string kind_link(const Shape& shape, KindLinks links) {
 std::string meaning(const Field& f, const Fields& fields) {
   std::string text = f.doc;
   for (const Shape::Option& o : f.shape.options) text += fmt::format("<br>`{}`: {}", o.name, o.doc);
+  if (!f.instead.empty()) text += fmt::format("<br>Deprecated: {}", f.instead);
   for (const std::string& name : retired_names(f, fields))
     text += fmt::format("<br>Deprecated name: `{}`", name);
   return text;

@@ -55,6 +55,8 @@ void add_texts(const Value& map, const Fields& fields, std::vector<std::string>&
     if (field->key != e.key)
       texts.push_back(
           fmt::format("{}: '{}' is now called '{}'", e.mark.text(), e.key, field->key));
+    if (!field->instead.empty())
+      texts.push_back(fmt::format("{}: '{}' is deprecated: {}", e.mark.text(), e.key, field->instead));
     add_texts(e.value, field->shape, *field, texts);
   }
 }

@@ -38,7 +38,7 @@ const Value::Entry* entry_of_key(const Value& map, std::string_view key);
 Value::Entry* entry_of_key(Value& map, std::string_view key);
 
 // Returns one line per retired key of a scene: "scene.yaml:3:8: 'guard' is now called
-// 'safety_barrier'". `fields`: those that the scene binds to.
+// 'safety_barrier'", and per key of a deprecated field. `fields`: those that the scene binds to.
 std::vector<std::string> retired_key_texts(const Value& scene, const Fields& fields);
 
 }  // namespace tack

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "framework/contact/contact_potential.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 
@@ -18,7 +20,7 @@ ContactPoint<4> edge_point(const ContactPointsRequest& request, const ContactSte
   const double gap = separation.norm();
   const Vec3 normal = separation / gap;
   const double area = s.weight * edge_edge_mollifier(a0, a1, b0, b1, eps_x);
-  const double force = -area * request.pressure_laws[s.law].at(gap).slope;
+  const double force = -area * request.system.pairs().laws(LawTerm::barrier)[s.law].at(gap).slope;
   return {v, c, normal, tangents_of(normal), gap, area, force, 2, -1, object[v[0]], object[v[2]], s.law};
 }
 
@@ -57,7 +59,9 @@ TangentBasis tangents_of(const Vec3& normal) {
   return basis;
 }
 
-ContactPoints contact_points(const ContactPointsRequest& request) {
+ContactPoints contact_points(const ContactPointsRequest& request) { return request.system.potential().points(request); }
+
+ContactPoints points_of_stencils(const ContactPointsRequest& request) {
   ContactPoints out;
   add_points_of_features(request, out);
   const ContactSet& set = request.system.contacts();

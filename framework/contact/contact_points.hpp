@@ -9,8 +9,7 @@
 // the closest point to the point, a basis of the plane orthogonal to n, and the magnitudes
 //     area         = sum w            [m^2]
 //     normal force = - sum w b'(d)    [N]
-// where b are the pressure laws of the request: for friction the barriers alone, as adhesion does
-// not press.
+// where b are the barriers alone, as adhesion does not press.
 //
 // Inclusion-exclusion (point_features.hpp) gives a point several features with weights of both
 // signs. Friction of single features would not be convex, and its magnitudes would not add up. The
@@ -26,9 +25,12 @@
 #include <vector>
 
 #include "framework/contact/by_arity.hpp"
-#include "framework/contact/contact_system.hpp"
+#include "framework/contact/pair_table.hpp"
+#include "geometry/types.hpp"
 
 namespace tack {
+
+class ContactSystem;
 
 using TangentBasis = Eigen::Matrix<double, 3, 2>;
 
@@ -76,13 +78,14 @@ struct ContactPoint {
 using ContactPoints = ByArity<ContactPoint>;
 
 struct ContactPointsRequest {
-  const ContactSystem& system;                // must be at x
-  const std::vector<PairLaw>& pressure_laws;  // per law of its pair table: the terms that press
-  const std::vector<char>& wanted;            // per law: 0 leaves out its points
+  const ContactSystem& system;      // must be at x
+  const std::vector<char>& wanted;  // per law of its pair table: 0 leaves out its points
   const VecX& x;
 };
-// Returns the contact points of the active stencils of a system.
+// Returns the contact points of a system, as its contact model defines them.
 ContactPoints contact_points(const ContactPointsRequest& request);
+// Returns the contact points of the active stencils of a system.
+ContactPoints points_of_stencils(const ContactPointsRequest& request);
 
 // Returns, per law of a table, whether it is integrated over an area in any pair of objects, or
 // between two objects. Laws of safety barriers are not.

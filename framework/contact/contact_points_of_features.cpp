@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "framework/contact/contact_points.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "framework/contact/stencil_distance.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 #include "geometry/parallel.hpp"
@@ -53,7 +54,7 @@ void fill_feature(const std::array<Vec3, K>& c, const std::array<int, N>& vertic
 class FeatureMerging {
  public:
   FeatureMerging(const ContactPointsRequest& request, ContactPoints& out)
-      : object_(request.system.surface().mesh.vertex_object), request_(request), out_(out) {
+      : object_(request.system.surface().mesh.vertex_object), barriers_(request.system.pairs().laws(LawTerm::barrier)), request_(request), out_(out) {
     for_each_kind(request.system.contacts(), [&](auto kind, const auto& stencils, const double*) {
       if constexpr (!std::is_same_v<decltype(kind), EdgeEdgeKind>) take(stencils);
     });
@@ -85,7 +86,7 @@ class FeatureMerging {
       f.law = s.law;
       f.weight = s.weight;
       f.object = object_[s.vertices[f.own_vertex_count]];
-      fill_feature(corners(request_.x, s), s.vertices, request_.pressure_laws[s.law], f);
+      fill_feature(corners(request_.x, s), s.vertices, barriers_[s.law], f);
     });
   }
   template <int K>
@@ -147,6 +148,7 @@ class FeatureMerging {
   }
 
   const std::vector<int>& object_;
+  const std::vector<PairLaw>& barriers_;
   const ContactPointsRequest& request_;
   ContactPoints& out_;
   std::vector<Feature> features_;

@@ -1,12 +1,14 @@
-// One contact pass for all laws: candidates of one broad phase, valid until a vertex leaves its fat
-// AABB (broad_phase.hpp), and the active stencils of the current configuration. Each object is
-// inflated by a radius of its own (pair_radii.hpp).
+// Contact system of a world: the search for close pairs, which all contact models share. It has the
+// contact surfaces, the laws of pairs of objects, the candidates of one broad phase, valid until a
+// vertex leaves its fat AABB (broad_phase.hpp), and the surfaces at the start of the step. Each
+// object is inflated by a radius of its own (pair_radii.hpp). The contact potential
+// (contact_potential.hpp) makes active stencils of the candidates.
 #pragma once
 
 #include <memory>
 
 #include "framework/contact/contact_set.hpp"
-#include "framework/contact/integration_sides.hpp"
+#include "framework/contact/lagged_surface.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "framework/core/step_participant.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
@@ -15,16 +17,16 @@
 namespace tack {
 
 class BroadPhase;
-class SurfaceOverlap;
-class LaggedSurface;
-class NarrowPhase;
-class OverlapBoundaryForces;
+class ContactPotential;
 
 class ContactSystem : public StepParticipant {
  public:
   ContactSystem(ContactSurface surface, PairTable pairs, CollidingObjects colliding,
-                PhaseClock& clock);
+                PhaseClock& clock, std::unique_ptr<ContactPotential> potential);
   ~ContactSystem();
+
+  ContactPotential& potential() { return *potential_; }
+  const ContactPotential& potential() const { return *potential_; }
 
   // Sets the free vertices (non-zero): no force is computed between primitives without one. Empty:
   // every candidate has one.
@@ -32,22 +34,12 @@ class ContactSystem : public StepParticipant {
   // Searches pairs within the rigid groups of these global vertices too, and within no other group.
   void enable_self_pairs(const std::vector<int>& vertices);
   void clear_caches() override;
-  // Returns the pairs whose coarser side is the secondary side in the present step
-  // (IntegrationSides::coarse_pairs). They are history variables.
-  const IntegrationSides::Pairs& coarse_pairs() const;
-  // Sets those of the last accepted step; none: unknown.
-  void set_previous_coarse_pairs(std::optional<IntegrationSides::Pairs> pairs) {
-    previous_coarse_pairs_ = std::move(pairs);
-  }
   void load_history(const History& history) override;
   void commit(const VecX& x, History& history) const override;
-  // Starts a time step at x: areas, orientations and secondary sides are lagged from x.
+  // Starts a time step at x: areas and orientations are lagged from x.
   void begin_step(const StepStart& start) override;
-  // Overlaps of the surfaces in the present step, and the lagged surfaces.
-  const SurfaceOverlap& overlap() const;
-  const LaggedSurface& lagged_surface() const;
-  // Keeps the secondary sides of these pairs (ascending) from the next step on.
-  void keep_sides(IntegrationSides::Pairs pairs) { kept_sides_ = std::move(pairs); }
+  // The surfaces at the start of the step.
+  const LaggedSurface& lagged_surface() const { return lagged_; }
   // Appends the triangles that may come within range of a point of a triangle. t: global vertices;
   // inside: barycentric coordinates.
   void triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const;
@@ -57,9 +49,8 @@ class ContactSystem : public StepParticipant {
   void cover(const VecX& x, const VecX& p);
 
   const ContactSet& contacts() const { return contacts_; }
-  // Overlap-boundary forces of the present step.
-  const OverlapBoundaryForces& overlap_boundary_forces() const;
   const Candidates& candidates() const;
+  const BroadPhase& broad_phase() const { return *broad_phase_; }
   const ContactSurface& surface() const { return surface_; }
   const PairTable& pairs() const { return pairs_; }
   const CollidingObjects& colliding() const { return colliding_; }
@@ -85,10 +76,9 @@ class ContactSystem : public StepParticipant {
   InflationRadii radii_;
   std::unique_ptr<BroadPhase> broad_phase_;
   long candidates_version_ = 0;
-  std::unique_ptr<NarrowPhase> narrow_phase_;
-  std::optional<IntegrationSides::Pairs> previous_coarse_pairs_;
-  IntegrationSides::Pairs kept_sides_;
+  LaggedSurface lagged_;
   ContactSet contacts_;
+  std::unique_ptr<ContactPotential> potential_;
 };
 
 }  // namespace tack

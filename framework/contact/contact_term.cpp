@@ -79,28 +79,9 @@ void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
   });
 }
 
-std::vector<PairLaw> laws_with(const std::vector<PairLaw>& laws, bool adhesion) {
-  std::vector<PairLaw> chosen;
-  for (const PairLaw& law : laws) {
-    PairLaw with_term(law.offset());
-    for (const auto& term : law.laws())
-      if ((dynamic_cast<const NormalAdhesion*>(term.get()) != nullptr) == adhesion) with_term.add(term);
-    chosen.push_back(std::move(with_term));
-  }
-  return chosen;
-}
-
 }  // namespace
 
-ContactTerm::ContactTerm(const ContactSystem& system)
-    : Term("contact"), system_(system),
-      barrier_laws_(laws_with(system.pairs().laws(), false)),
-      adhesion_laws_(laws_with(system.pairs().laws(), true)), residuals_(system) {}
-
-const std::vector<PairLaw>& ContactTerm::laws(LawTerm term) const {
-  if (term == LawTerm::barrier) return barrier_laws_;
-  return term == LawTerm::adhesion ? adhesion_laws_ : system_.pairs().laws();
-}
+ContactTerm::ContactTerm(const ContactSystem& system) : Term("contact"), system_(system), residuals_(system) {}
 
 double ContactTerm::value(const VecX& x) const { return term_value(x, LawTerm::all); }
 

@@ -15,10 +15,6 @@
 
 namespace tack {
 
-enum class LawTerm { all, barrier, adhesion };
-// Returns the term of a record's name: "", "barrier" or "adhesion".
-LawTerm law_term(std::string_view name);
-
 class ContactTerm : public Term {
  public:
   explicit ContactTerm(const ContactSystem& system);
@@ -42,15 +38,14 @@ class ContactTerm : public Term {
   VecX compressions(const VecX& x, LawTerm term) const;
   // Returns the force of object b on object a [N].
   Vec3 force_between(const VecX& x, LawTerm term, ObjectPair pair) const;
-  // Returns the laws of the pair table with this term alone.
-  const std::vector<PairLaw>& laws(LawTerm term) const;
 
  private:
   template <class Act>
   void for_each_gradient(const VecX& x, LawTerm term, const Act& act) const;
 
+  const std::vector<PairLaw>& laws(LawTerm term) const { return system_.pairs().laws(term); }
+
   const ContactSystem& system_;
-  std::vector<PairLaw> barrier_laws_, adhesion_laws_;
   ContactResiduals residuals_;
   mutable std::array<std::vector<int>, stencil_kind_count> batch_vertices_;
 };

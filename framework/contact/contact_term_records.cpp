@@ -6,18 +6,13 @@
 
 namespace tack {
 
-LawTerm law_term(std::string_view name) {
-  if (name.empty()) return LawTerm::all;
-  return name == "barrier" ? LawTerm::barrier : LawTerm::adhesion;
-}
-
 void ContactTerm::publish(Records& records) const {
   ForceRecord force{"contact", ForceDirection::normal, {"barrier", "adhesion"}};
   force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_term(part)); };
   force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_term(part), pair); };
   force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_term(part)); };
   force.add_areas = [this](const VecX& x, VecX& areas) {
-    for_each_record(contact_points({system_, laws(LawTerm::barrier), integrated_laws(system_.pairs()), x}), [&](const auto& c) {
+    for_each_record(contact_points({system_, integrated_laws(system_.pairs()), x}), [&](const auto& c) {
       for (size_t i = 0; i < c.vertices.size(); ++i) areas(3 * c.vertices[i]) += c.area * std::abs(c.coefficients[i]);
     });
   };

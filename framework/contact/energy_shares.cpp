@@ -2,6 +2,7 @@
 // needed once per step, in scenes with several groups of bodies.
 #include <cmath>
 
+#include "framework/contact/contact_term.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/slip.hpp"
 #include "framework/contact/stencil_distance.hpp"

@@ -28,8 +28,8 @@ double FrictionTerm::sum_of(const VecX& x, const Number& number) const {
   return sum;
 }
 
-FrictionTerm::FrictionTerm(const ContactSystem& system, const ContactTerm& normal, ContactSpins spins)
-    : Term("friction"), system_(system), normal_(normal), spins_(std::move(spins)) {
+FrictionTerm::FrictionTerm(const ContactSystem& system, ContactSpins spins)
+    : Term("friction"), system_(system), spins_(std::move(spins)) {
   for (size_t law = 0; law < system.pairs().laws().size(); ++law)
     wanted_.push_back(system.pairs().tangential(static_cast<int>(law)).acts());
 }
@@ -53,7 +53,7 @@ void FrictionTerm::publish(Records& records) const {
 }
 
 ContactPoints FrictionTerm::lagged_at(const VecX& x) const {
-  return contact_points({system_, normal_.laws(LawTerm::barrier), wanted_, x});
+  return contact_points({system_, wanted_, x});
 }
 
 void FrictionTerm::take(ContactPoints points) {

@@ -16,18 +16,19 @@
 #include <set>
 
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "framework/contact/rolling_points.hpp"
 #include "framework/contact/tangential_law.hpp"
+#include "framework/core/records.hpp"
 #include "framework/core/residual_view.hpp"
+#include "framework/core/term.hpp"
 
 namespace tack {
 
 class FrictionTerm : public Term, public ResidualView {
  public:
-  // system, normal: must outlive the term. spins: rotations of rods and particles by friction.
-  FrictionTerm(const ContactSystem& system, const ContactTerm& normal,
-               ContactSpins spins = ContactSpins());
+  // system: must outlive the term. spins: rotations of rods and particles by friction.
+  explicit FrictionTerm(const ContactSystem& system, ContactSpins spins = ContactSpins());
 
   void clear_caches() override { take({}); }
   void begin_step(const StepStart& start) override;
@@ -89,7 +90,6 @@ class FrictionTerm : public Term, public ResidualView {
   double sum_of(const VecX& x, const Number& number) const;
 
   const ContactSystem& system_;
-  const ContactTerm& normal_;
   std::vector<char> wanted_;  // per law of the pair table: whether it has a tangential law
   VecX start_;                // x^n (3n) [m]
   double h_ = 0;              // step length [s]

@@ -38,6 +38,7 @@ class LaggedSurface {
   // Sets positions, normals and areas to those at x (3n) [m].
   void update(const VecX& x);
   bool is_set() const { return x_.size() > 0; }
+  void clear() { x_.resize(0); }
 
   const VecX& x() const { return x_; }                                   // 3n [m]
   const Vec3& normal(int triangle) const { return normals_[triangle]; }  // zero without area

@@ -67,6 +67,19 @@ bool is_barrier(const NormalLaw& law) { return dynamic_cast<const NormalAdhesion
 
 }  // namespace
 
+LawTerm law_term(std::string_view name) {
+  if (name.empty()) return LawTerm::all;
+  return name == "barrier" ? LawTerm::barrier : LawTerm::adhesion;
+}
+
+PairLaw PairLaw::only(LawTerm term) const {
+  if (term == LawTerm::all) return *this;
+  PairLaw chosen(offset_);
+  for (const auto& law : laws_)
+    if ((dynamic_cast<const NormalAdhesion*>(law.get()) != nullptr) == (term == LawTerm::adhesion)) chosen.add(law);
+  return chosen;
+}
+
 double PairLaw::range() const {
   double range = 0;
   for (const auto& law : laws_) range = std::max(range, law->range());

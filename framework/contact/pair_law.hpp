@@ -9,6 +9,11 @@
 
 namespace tack {
 
+// Terms of a pair law.
+enum class LawTerm { all, barrier, adhesion };
+// Returns the term of a record's name: "", "barrier" or "adhesion".
+LawTerm law_term(std::string_view name);
+
 // Laws are functions of the gap: the distance d of the meshed surfaces less the offset, the sum of
 // the half thicknesses of both sides. Arguments and ranges of this class are distances.
 class PairLaw {
@@ -19,6 +24,8 @@ class PairLaw {
   void add(std::shared_ptr<const NormalLaw> law) { laws_.push_back(std::move(law)); }
   double range() const;
   double barrier_range() const;  // the largest of its barriers, as a gap [m]; 0 without any
+  // Returns the sum of the laws of one term.
+  PairLaw only(LawTerm term) const;
   // Returns the law between two points of one object that are `distance` apart at rest [m]. The
   // offset is reduced, and the range of the barrier ends at `distance` at the latest. Pressures are
   // those of the original law at equal fractions of the barrier range. Adhesion is not changed.

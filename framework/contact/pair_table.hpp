@@ -97,6 +97,8 @@ class PairTable {
     return role.carries_pressure && (!role.only_if_finer || finer(a, b));
   }
   int add_law(PairLaw law, const TangentialLaw& tangential = {}) {
+    barrier_laws_.push_back(law.only(LawTerm::barrier));
+    adhesion_laws_.push_back(law.only(LawTerm::adhesion));
     laws_.push_back(std::move(law));
     tangential_.push_back(tangential);
     original_law_.push_back(static_cast<int>(laws_.size()) - 1);
@@ -111,6 +113,11 @@ class PairTable {
   // Returns the law that a cut-down law replaces; any other law itself.
   int original_law(int law) const { return original_law_[law]; }
   const std::vector<PairLaw>& laws() const { return laws_; }
+  // Returns all laws, each with one term alone.
+  const std::vector<PairLaw>& laws(LawTerm term) const {
+    if (term == LawTerm::barrier) return barrier_laws_;
+    return term == LawTerm::adhesion ? adhesion_laws_ : laws_;
+  }
   const TangentialLaw& tangential(int law) const { return tangential_[law]; }
   bool any_tangential() const {
     return std::any_of(tangential_.begin(), tangential_.end(),
@@ -218,7 +225,7 @@ class PairTable {
  private:
   ObjectClasses classes_;
   std::vector<double> mean_tributary_areas_;  // per object [m^2]
-  std::vector<PairLaw> laws_;
+  std::vector<PairLaw> laws_, barrier_laws_, adhesion_laws_;
   std::vector<TangentialLaw> tangential_;  // per law
   std::vector<int> original_law_;          // per law: the law that it replaces
   std::vector<PairRole> point_, edge_, codimensional_;

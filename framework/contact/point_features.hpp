@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/contact/codimensional_weights.hpp"
+#include "framework/contact/area_integral/codimensional_weights.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {

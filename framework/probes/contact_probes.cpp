@@ -4,7 +4,7 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 // Returns the contact points of the wanted laws.
 ContactPoints points_of(const World& world, const State& state, const std::vector<char>& wanted) {
-  return contact_points({*world.contact, world.contact_term->laws(LawTerm::barrier), wanted, state.x});
+  return contact_points({*world.contact, wanted, state.x});
 }
 
 // Mean of |u| / h over the contact points of a pair, weighted by area, with the slip u of the last
@@ -68,7 +68,7 @@ class ContactArea : public Probe {
   }
   Unit unit() const override { return units::area; }
   std::vector<double> sample(const World& world, const State& state) override {
-    const std::vector<PairLaw>& laws = world.contact_term->laws(part_);
+    const std::vector<PairLaw>& laws = world.contact->pairs().laws(part_);
     double area = 0;
     for_each_record(points_of(world, state, wanted_), [&](const auto& c) {
       if (c.between(a_, b_) && c.gap < laws[c.law].range()) area += c.area;
@@ -93,7 +93,7 @@ class AttachedObjects : public Probe {
   void prepare(const World& world) override {
     require_contact(world, name_);
     index_ = object_index(world, to_, name_);
-    const auto& adhesion = world.contact_term->laws(LawTerm::adhesion);
+    const auto& adhesion = world.contact->pairs().laws(LawTerm::adhesion);
     adhesive_.clear();
     for (const PairLaw& law : adhesion) adhesive_.push_back(!law.laws().empty());
   }

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "framework/contact/contact_potential.hpp"
 #include "framework/core/step_filter.hpp"
 
 namespace tack {
@@ -119,12 +120,6 @@ CollidingObjects colliding_in(const Cut& cut) {
   return colliding;
 }
 
-IntegrationSides::Pairs coarse_pairs_in(const IntegrationSides::Pairs& all, const Cut& cut) {
-  const std::pair pair(cut.body(0), cut.body(cut.objects() - 1));
-  if (!std::binary_search(all.begin(), all.end(), pair)) return {};
-  return {{0, 1}};
-}
-
 // The shorter one of two evaluations: the first may have to fetch memory.
 template <class Evaluate>
 double seconds_of(const Evaluate& evaluate) {
@@ -172,19 +167,18 @@ IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
 
   PhaseClock clock;
   ContactSystem contact(surface_of(world.contact->surface(), cut), table_of(world.contact->pairs(), cut),
-                        colliding_in(cut), clock);
+                        colliding_in(cut), clock, world.contact->potential().isolated(cut.body(0), cut.body(cut.objects() - 1)));
   contact.set_free(cut.part(free));
-  contact.set_previous_coarse_pairs(coarse_pairs_in(world.contact->coarse_pairs(), cut));
-  const ContactTerm term(contact);
   std::optional<FrictionTerm> friction;
-  if (world.friction) friction.emplace(contact, term);
+  if (world.friction) friction.emplace(contact);
 
   StepParticipants participants;
   participants.add(&contact);
+  for (const auto& term : contact.potential().terms()) participants.add(term.get());
   if (friction) participants.add(&*friction);
   participants.begin_step({before, state.time, state.h_before});
   bound_step(contact, before, now - before, clock);
-  contact.move_to(now);
+  participants.move_to(now);
 
   IsolatedPair alone;
   for (const auto& [ids, count] : count_pairs(contact, friction ? &*friction : nullptr)) alone.count += count;
@@ -193,7 +187,10 @@ IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
   seconds.broad_phase = phases[static_cast<int>(Phase::broad_phase)];
   seconds.narrow_phase = phases[static_cast<int>(Phase::narrow_phase)];
   seconds.ccd = phases[static_cast<int>(Phase::ccd)];
-  seconds.normal = seconds_of_stencils(term, now);
+  for (const auto& term : contact.potential().terms()) {
+    const auto of_term = seconds_of_stencils(*term, now);
+    for (size_t i = 0; i < of_term.size(); ++i) seconds.normal[i] += of_term[i];
+  }
   if (friction) seconds.friction = seconds_of_stencils(*friction, now);
   return alone;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/stencil_kinds.hpp"
 
 namespace tack {
 

@@ -7,6 +7,7 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/describe.hpp"
+#include "framework/contact/contact_potential.hpp"
 #include "framework/stepping/obstacle.hpp"
 
 namespace tack {
@@ -75,7 +76,12 @@ ContactSeconds Profiler::contact_seconds() const {
   sum.broad_phase = seconds_in(phases, Phase::broad_phase);
   sum.narrow_phase = seconds_in(phases, Phase::narrow_phase);
   sum.ccd = seconds_in(phases, Phase::ccd);
-  sum.normal = times_.of(world_.contact_term.get()).seconds;
+  sum.normal = {};
+  if (world_.contact)
+    for (const auto& term : world_.contact->potential().terms()) {
+      const auto& seconds = times_.of(term.get()).seconds;
+      for (size_t i = 0; i < seconds.size(); ++i) sum.normal[i] += seconds[i];
+    }
   sum.friction = times_.of(world_.friction.get()).seconds;
   return sum;
 }

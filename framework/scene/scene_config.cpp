@@ -123,16 +123,13 @@ void ContactConfig::fields(Fields& f) {
                     "(edge-edge, and points of the side that is not integrated); by default 0.5, and 1 for soft "
                     "bodies that may fly or fall faster than their wave speed")
       .range(0.01, 1);
+  f.component("model", model, "how close surfaces become a potential");
   f.choice("weights", weights,
-           {{"area", Weights::area, "surface integrals that do not depend on the mesh"},
-            {"pair", Weights::pair, "every close pair counts, as in plain IPC; strength depends on the mesh"}},
-           "weighting of pairs");
+           {{"area", Weights::area, "model: area_integral"}, {"pair", Weights::pair, "model: ipc"}},
+           "weighting of pairs").deprecated("contact.model: ipc is `pair`, area_integral is `area`");
   f.choice("integral", integral,
-           {{"lagged", Integral::lagged, "overlap areas and normals are those of the start of each step"},
-            {"clipped", Integral::clipped,
-             "triangles are clipped by the opposite ones at the present positions: exact areas and boundary forces, at "
-             "three to five times the cost of an evaluation; pairs of two objects with surfaces and an adhesion of the gap"}},
-           "integral of adhesion over surfaces");
+           {{"lagged", Integral::lagged, "model: area_integral"}, {"clipped", Integral::clipped, "model: clipped"}},
+           "integral of adhesion over surfaces").deprecated("contact.model: clipped is `clipped`, area_integral is `lagged`");
   f.flag("between_prescribed", between_prescribed,
          "contact between objects whose motion is prescribed throughout; false: they may overlap");
   f.optional_number("overclosure_adjustment", overclosure_adjustment, units::length,
@@ -142,9 +139,16 @@ void ContactConfig::fields(Fields& f) {
   f.optional_object("friction", friction, "friction of every pair");
   f.object("lagging", lagging, "updates of the lagged normal forces of friction within a step");
   f.list("pairs", pairs, "contact settings of pairs of objects");
-  f.check("integral", [this]() -> std::string {
-    return integral == Integral::clipped && weights == Weights::pair ? "clipped integrates areas, and contact.weights: pair counts close pairs; take one of them out" : "";
-  });
+  f.check("weights", [this] { return weights == Weights::pair ? replace_model("ipc") : std::string(); });
+  f.check("integral", [this] { return integral == Integral::clipped ? replace_model("clipped") : std::string(); });
+}
+
+// Sets the model that a deprecated key stands for. Returns the error if another key names another one.
+std::string ContactConfig::replace_model(const char* name) {
+  if (model->type() == name) return "";
+  if (model->type() != "area_integral") return fmt::format("stands for contact.model: {}, and the model is {}; take one of them out", name, model->type());
+  model = Registry<ContactModel>::make(name);
+  return "";
 }
 
 void StartConfig::fields(Fields& f) {

@@ -9,6 +9,7 @@
 
 #include "framework/body/rod_section.hpp"
 #include "framework/config/field.hpp"
+#include "framework/contact/contact_model.hpp"
 #include "framework/contact/normal_law.hpp"
 #include "framework/motion/motion.hpp"
 #include "framework/scene/attachment.hpp"
@@ -96,10 +97,12 @@ struct PairConfig {
 };
 
 struct ContactConfig {
+  // Deprecated choices, which stand for models: pair for ipc, clipped for clipped.
   enum class Weights { area, pair };
   enum class Integral { lagged, clipped };
   double contact_distance = 1e-3;        // m
   std::optional<double> safety_barrier;  // range of safety barriers, in contact distances
+  std::unique_ptr<ContactModel> model = Registry<ContactModel>::make("area_integral");
   Weights weights = Weights::area;
   Integral integral = Integral::lagged;
   bool between_prescribed = true;
@@ -109,6 +112,9 @@ struct ContactConfig {
   LaggingConfig lagging;
   std::vector<PairConfig> pairs;
   void fields(Fields& f);
+
+ private:
+  std::string replace_model(const char* name);
 };
 
 struct SceneConfig {

@@ -8,8 +8,6 @@
 #include "framework/body/selected_elements.hpp"
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/contact/clipped/clipped_adhesion_term.hpp"
-#include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
 #include "framework/rod/rod_frames.hpp"
@@ -253,12 +251,8 @@ void publish(World& world, bool friction_record) {
   if (!world.gravity.isZero())
     world.records.add(EnergyRecord{"gravity", EnergyKind::weight, [&world](const VecX& x) { return weight_of_free_vertices(world, x); }});
   for (const auto& load : world.load_terms) world.records.publish(*load);
-  if (world.contact_term) world.records.publish(*world.contact_term);
-  if (world.overlap_boundary_term) world.records.publish(*world.overlap_boundary_term);
-  if (world.clipped_adhesion) world.records.publish(*world.clipped_adhesion);
-  if (world.bonds) world.records.publish(*world.bonds);
-  if (world.friction) world.records.publish(*world.friction);
-  else if (friction_record) world.records.add(zero_friction_record());
+  for (const Term* term : world.contact_terms()) world.records.publish(*term);
+  if (!world.friction && friction_record) world.records.add(zero_friction_record());
   for (const auto& term : world.damping_terms) world.records.publish(*term);
 }
 
@@ -345,11 +339,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (!scene.gravity.isZero()) world->terms.push_back(&world->gravity_term);
   if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
   for (const auto& load : world->load_terms) world->terms.push_back(load.get());
-  if (world->contact_term) world->terms.push_back(world->contact_term.get());
-  if (world->overlap_boundary_term) world->terms.push_back(world->overlap_boundary_term.get());
-  if (world->clipped_adhesion) world->terms.push_back(world->clipped_adhesion.get());
-  if (world->bonds) world->terms.push_back(world->bonds.get());
-  if (world->friction) world->terms.push_back(world->friction.get());
+  for (const Term* term : world->contact_terms()) world->terms.push_back(term);
   if (world->contact) world->participants.add(world->contact.get());
   for (const Body& body : world->bodies)
     if (body.rod) world->participants.add(body.rod.get());
@@ -358,11 +348,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world->gravity_term), static_cast<LinearTerm*>(&world->load_term)})
     world->participants.add(term);
   for (const auto& load : world->load_terms) world->participants.add(load.get());
-  if (world->contact_term) world->participants.add(world->contact_term.get());
-  if (world->overlap_boundary_term) world->participants.add(world->overlap_boundary_term.get());
-  if (world->clipped_adhesion) world->participants.add(world->clipped_adhesion.get());
-  if (world->bonds) world->participants.add(world->bonds.get());
-  if (world->friction) world->participants.add(world->friction.get());
+  for (Term* term : world->contact_terms()) world->participants.add(term);
   if (any_remeshed(scene)) {
     world->remeshed = std::make_unique<RemeshedEnergy>();
     world->participants.add(world->remeshed.get());

@@ -6,9 +6,7 @@
 
 #include "framework/body/local_mesh.hpp"
 #include "framework/bond/bond_term.hpp"
-#include "framework/contact/clipped/clipped_adhesion_term.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/setup/pair_builder.hpp"
 #include "framework/setup/refined_surface.hpp"
@@ -119,19 +117,16 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
   surface.mesh.vertex_group = rigid_groups(world);
   std::vector<double> cells;
   for (const SurfaceSize& size : sizes) cells.push_back(size.per_vertex());
-  PairBuilder builder(scene, root, cells, times, world);
+  std::unique_ptr<ContactPotential> potential = scene.contact->model->make_potential();
+  PairBuilder builder(scene, root, cells, times, world, *potential);
   builder.build();
   BondTable bonds = std::move(builder.bonds());
-  ClippedLaws clipped = std::move(builder.clipped());
   check_range(builder.table(), root, world.rest);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
-                                                  builder.colliding(), clock);
-  world.contact_term = std::make_unique<ContactTerm>(*world.contact);
-  if (world.contact->pairs().any_overlap_boundary()) world.overlap_boundary_term = std::make_unique<OverlapBoundaryTerm>(*world.contact);
-  if (!clipped.empty()) world.clipped_adhesion = std::make_unique<ClippedAdhesionTerm>(*world.contact, std::move(clipped));
-  if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, *world.contact_term, std::move(bonds));
+                                                  builder.colliding(), clock, std::move(potential));
+  if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, std::move(bonds));
   if (world.contact->pairs().any_tangential())
-    world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term, contact_spins(scene, world));
+    world.friction = std::make_unique<FrictionTerm>(*world.contact, contact_spins(scene, world));
 }
 
 }  // namespace tack

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
@@ -60,6 +61,21 @@ void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool
   if (!has_radius)
     refuse(object, "point", particles(mesh, surface), "would be in no contact, as they have no size: give the object a radius "
            "(particle: {radius: ...})");
+}
+
+std::string unsupported_text(ContactFeature feature, std::string_view model, const std::string& reason) {
+  const auto [name, remedy] = [&]() -> std::pair<const char*, const char*> {
+    switch (feature) {
+      case ContactFeature::adhesion: return {"adhesion of the gap", "take `adhesion` away"};
+      case ContactFeature::tangential_adhesion: return {"tangential_adhesion", "take it away"};
+      case ContactFeature::bonds: return {"adhesion by bonds", "choose an adhesion of the gap"};
+      case ContactFeature::regions: return {"regions of objects", "name whole objects"};
+      case ContactFeature::integration_side: return {"`integrate`", "take it away"};
+      case ContactFeature::both_sides: return {"`integrate: both`", "name one side, or leave it out"};
+    }
+    return {"", ""};
+  }();
+  return fmt::format("contact.model: {} has no {}: {}; {}, or choose model: area_integral", model, name, reason, remedy);
 }
 
 }  // namespace tack

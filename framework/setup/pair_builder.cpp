@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "framework/setup/contact_support.hpp"
 #include "framework/setup/dynamic_pressure.hpp"
 #include "framework/setup/sheet_stiffness.hpp"
 #include "geometry/errors.hpp"
@@ -22,11 +23,6 @@ constexpr double stiffness_ratio_max = 10;
 // Ranges of safety barriers. A body faster than its waves is crushed on edges and tips, where only
 // safety barriers stop it; there they act over the whole contact distance.
 constexpr double safety_barrier_range = 0.5, safety_barrier_range_of_fast = 1;  // contact distances
-// Limit of the area ratio of an edge pair, which carries the load of its smaller side: the diagonal
-// of a coarse floor (square metres) would stop the edge of a fine mat ten thousand times too hard.
-// Not applied to adhering pairs, which must resist the pull of all vertices around an overlap
-// boundary.
-constexpr double area_ratio_max = 16;
 
 // Objects are of one class if all entries of pairs match them alike and they have equal stiffness,
 // speed, thickness, prescribed motion and attachments.
@@ -74,13 +70,12 @@ std::vector<double> contact_offsets(const SceneConfig& scene) {
 
 }  // namespace
 
-PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& mean_areas, const RunTimes& times, World& world)
-    : scene_(scene), contact_(*scene.contact), root_(root), world_(world), loadings_(loadings(scene, world, times.duration)),
+PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& mean_areas, const RunTimes& times, World& world, ContactPotential& potential)
+    : scene_(scene), contact_(*scene.contact), root_(root), world_(world), potential_(potential), loadings_(loadings(scene, world, times.duration)),
       pressures_(dynamic_pressures(scene, world, loadings_)), sheets_(sheet_stiffnesses(scene, world, loadings_, times.step)),
       resting_(adheres(contact_) ? resting_pressures(scene, world, times.duration) : std::vector<double>(world.bodies.size(), 0)),
       classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), regions_(scene, configs_, world), table_(classes_, mean_areas),
-      colliding_(classes_), bonds_(classes_, contact_offsets(scene)), clipped_(classes_) {
-  table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
+      colliding_(classes_), bonds_(classes_, contact_offsets(scene)) {
   if (regions_.any()) table_.set_regions(regions_.vertex_regions());
 }
 
@@ -110,7 +105,6 @@ void PairBuilder::build() {
 // no_contact: the two objects have no contact.
 void PairBuilder::check_regions(int a, int b, const std::vector<int>& regions, bool no_contact) const {
   for (const int entry : regions) {
-    if (table_.plain_sums) throw configs_.error(entry, "regions of objects have areas, and contact.weights: pair counts close pairs instead; take it away, or name whole objects");
     if (!contact_.pairs[entry].contact)
       throw configs_.error(entry, "objects without contact have none in any region; take `contact: false` away, or name whole objects");
     if (no_contact && configs_.names_objects(entry))
@@ -160,8 +154,7 @@ PairMaterials PairBuilder::materials_of(int a, int b) const {
 }
 
 double PairBuilder::safety_barrier_range_of(int a, int b) const {
-  if (table_.plain_sums) return 1;
-  return contact_.safety_barrier.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? safety_barrier_range_of_fast : safety_barrier_range);
+  return potential_.safety_barrier_range(contact_.safety_barrier.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? safety_barrier_range_of_fast : safety_barrier_range));
 }
 
 PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
@@ -173,7 +166,7 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
     return found->second;
   }
   const PairConfig* pair = config >= 0 ? &contact_.pairs[config] : nullptr;
-  PairLaw pressure(offset), barrier_only(offset);
+  PreparedLaws prepared;
   std::shared_ptr<NormalLaw> adhesion;
   std::shared_ptr<BondLaw> bond;
   try {
@@ -193,37 +186,21 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
     full->prepare(of_barrier);
     of_barrier.contact_distance *= barrier_range;
     close->prepare(of_barrier);
-    pressure.add(full);
-    barrier_only.add(close);
+    prepared = {offset, full, close, adhesion, tangential_of(pair, materials.adhesion_peak)};
   } catch (const InputError& error) {
     if (!pair) throw InputError(contact_location() + error.what());
     throw configs_.error(config, error.what());
   }
-  PairLaw whole = pressure;
-  int clipped = -1;
-  if (adhesion) {
-    whole.add(adhesion);
-    report(a, b, region, dynamic_cast<const AdhesionLaw&>(*adhesion), whole);
-    if (region < 0 && clips(a, b, config)) {
-      PairLaw alone(offset);
-      alone.add(adhesion);
-      clipped = clipped_.add(std::move(alone));
-    } else {
-      pressure = whole;
-    }
-    if (table_.plain_sums) barrier_only.add(adhesion);
-  }
-  const TangentialLaw tangential = tangential_of(pair, materials.adhesion_peak);
-  TangentialLaw barrier_tangential = tangential;
-  if (!table_.plain_sums) barrier_tangential.mu_a = 0;  // safety barrier pairs do not adhere
+  if (adhesion) report(a, b, region, dynamic_cast<const AdhesionLaw&>(*adhesion), prepared.barrier_and_adhesion());
   int rule = -1;
   if (bond) {
-    rule = bonds_.add(rule_of(*pair, bond, pressure, config));
+    rule = bonds_.add(rule_of(*pair, bond, prepared.barrier_and_adhesion(), config));
     report(a, b, region, *bond);
   }
-  LawIds ids{table_.add_law(pressure, tangential), table_.add_law(barrier_only, barrier_tangential),
-                   adhesion || bond ? static_cast<int>(world_.adhesion.size()) - 1 : -1, rule, clipped};
-  ids.codimensional = clipped < 0 ? ids.pressure : table_.add_law(whole, tangential);
+  PairSetup setup = setup_of(a, b);
+  setup.region = region >= 0;
+  setup.gap_adhesion = adhesion != nullptr;
+  const LawIds ids{potential_.add_laws(setup, prepared, table_), adhesion || bond ? static_cast<int>(world_.adhesion.size()) - 1 : -1, rule};
   laws_.emplace(key, ids);
   return ids;
 }
@@ -242,28 +219,36 @@ void PairBuilder::report(int a, int b, int region, const AdhesionLaw& adhesion, 
 
 bool PairBuilder::has_surface(int object) const { return !world_.bodies[object].triangles.empty() || !world_.bodies[object].surface_triangles.empty(); }
 
-// Returns whether the adhesion of a pair is integrated by clipping.
-bool PairBuilder::clips(int a, int b, int config) const {
-  return contact_.integral == ContactConfig::Integral::clipped && a != b && has_surface(a) && has_surface(b) &&
-         config >= 0 && contact_.pairs[config].adhesion && !contact_.pairs[config].bonds();
+PairSetup PairBuilder::setup_of(int a, int b) const {
+  PairSetup setup;
+  setup.a = a;
+  setup.b = b;
+  setup.surfaces = has_surface(a) && has_surface(b);
+  return setup;
 }
 
-void PairBuilder::set_clipped(int a, int b, int config, const LawIds& ids, Side side) {
-  if (contact_.pairs[config].tangential_adhesion)
-    throw configs_.error(config, "tangential_adhesion needs the areas of contact points, which contact.integral: clipped has none of; drop it, or choose integral: lagged");
-  if (side == Side::both)
-    throw configs_.error(config, "integrate: both is of contact.integral: lagged; clipped takes the planes of one side: name one, or leave it out");
-  clipped_.set(a, b, ids.clipped, side == Side::first ? ClippedPlanes::of_second
-                                  : side == Side::second ? ClippedPlanes::of_first
-                                  : side == Side::finer ? ClippedPlanes::of_coarser : ClippedPlanes::of_larger);
+// Throws InputError at an entry of contact.pairs if the model does not support a feature of it.
+void PairBuilder::refuse_unsupported(const PairSetup& setup, int config, ContactFeature feature) const {
+  const std::string reason = potential_.refusal(feature, setup);
+  if (!reason.empty()) throw configs_.error(config, unsupported_text(feature, contact_.model->type(), reason));
+}
+
+// Throws InputError for features of an entry of contact.pairs that the model does not support. region: it is of regions.
+void PairBuilder::refuse_unsupported(const PairSetup& setup, int config, bool region) const {
+  if (config < 0) return;
+  const PairConfig& pair = contact_.pairs[config];
+  if (region) refuse_unsupported(setup, config, ContactFeature::regions);
+  if (pair.bonds()) refuse_unsupported(setup, config, ContactFeature::bonds);
+  if (pair.adhesion && !pair.bonds()) refuse_unsupported(setup, config, ContactFeature::adhesion);
+  if (pair.tangential_adhesion) refuse_unsupported(setup, config, ContactFeature::tangential_adhesion);
+  if (setup.side != IntegrationSide::automatic) refuse_unsupported(setup, config, ContactFeature::integration_side);
+  if (setup.side == IntegrationSide::both) refuse_unsupported(setup, config, ContactFeature::both_sides);
 }
 
 void PairBuilder::refuse_bond(int a, int b, int config) const {
   if (!has_surface(a) && !has_surface(b))
     throw configs_.error(config, fmt::format("neither '{}' nor '{}' has a surface: bonds are anchored in triangles; choose an adhesion of the gap for rods and "
                                              "particles among each other (tack list adhesion)", world_.bodies[a].name, world_.bodies[b].name));
-  if (table_.plain_sums)
-    throw configs_.error(config, "bonds stand for areas, and contact.weights: pair counts close pairs instead; take it away, or choose an adhesion of the gap");
 }
 
 // Reports bonds, which exist without the barrier and hold from the gap at which they form, or from
@@ -285,103 +270,68 @@ BondRule PairBuilder::rule_of(const PairConfig& pair, std::shared_ptr<const Bond
   return {std::move(law), type, on_contact, distance, pair.unstressed == PairConfig::Unstressed::touching, barrier};
 }
 
-PairBuilder::Side PairBuilder::integration_side_of(int a, int b, int config) const {
-  if (config < 0) return Side::automatic;
+IntegrationSide PairBuilder::integration_side_of(int a, int b, int config) const {
+  if (config < 0) return IntegrationSide::automatic;
   const std::string& side = contact_.pairs[config].integrate;
-  if (side == "automatic") return Side::automatic;
-  if (side == "finer") return Side::finer;
+  if (side == "automatic") return IntegrationSide::automatic;
+  if (side == "finer") return IntegrationSide::finer;
   // Both objects may be in the named group.
-  if (side == "both" || (configs_.integrates(config, a) && configs_.integrates(config, b))) return Side::both;
-  return configs_.integrates(config, a) ? Side::first : Side::second;
+  if (side == "both" || (configs_.integrates(config, a) && configs_.integrates(config, b))) return IntegrationSide::both;
+  return configs_.integrates(config, a) ? IntegrationSide::first : IntegrationSide::second;
 }
 
 // Returns one side for the two objects: that of the entry that names one.
-PairBuilder::Side PairBuilder::integration_side_of(int a, int b, int config, const std::vector<int>& regions) const {
-  Side found = integration_side_of(a, b, config);
+IntegrationSide PairBuilder::integration_side_of(int a, int b, int config, const std::vector<int>& regions) const {
+  IntegrationSide found = integration_side_of(a, b, config);
   for (const int entry : regions) {
-    const Side side = integration_side_of(a, b, entry);
-    if (found == Side::automatic) found = side;
-    if (side == Side::automatic || side == found) continue;
+    const IntegrationSide side = integration_side_of(a, b, entry);
+    if (found == IntegrationSide::automatic) found = side;
+    if (side == IntegrationSide::automatic || side == found) continue;
     throw configs_.error(entry, fmt::format("integrate: '{}' and '{}' have one integration side for all regions, and another of their pairs names another one; name the same in both, or "
                                             "in one of them alone", world_.bodies[a].name, world_.bodies[b].name));
   }
   return found;
 }
 
-PairBuilder::Roles PairBuilder::roles_of(int a, int b, const LawIds& ids, const Integral& integral) const {
-  const double range = table_.laws()[ids.pressure].range(), barrier_range = table_.laws()[ids.safety_barrier].range();
-  PairRole barrier_only{ids.safety_barrier, 1, barrier_range, false};
-  barrier_only.region_range_max = integral.region_range;
-  Roles roles;
-  // The area of an edge pair is half the mean of its two edges' areas, which count the surface
-  // twice.
-  roles.edge = {ids.safety_barrier, 0.25, barrier_range, false};
-  if (!integral.adheres && !table_.plain_sums) roles.edge.area_ratio_max = area_ratio_max;
-  roles.codimensional = {ids.codimensional, 1, table_.laws()[ids.codimensional].range()};
-  roles.edge.clipped_range = integral.clipped_range;
-  roles.codimensional.region_range_max = integral.region_range;
-  if (table_.plain_sums) {
-    roles.first = roles.second = {ids.pressure, 1, range, false};
-    return roles;
-  }
-  PairRole pressure{ids.pressure, 1, range, true, ids.safety_barrier, barrier_range};
-  pressure.overlap_only = integral.overlap;
-  pressure.bonds = integral.bonds;
-  pressure.adheres_beside_bonds = integral.gap_adhesion;
-  pressure.region_range_max = integral.region_range;
-  pressure.by_size = a != b && integral.side == Side::automatic && !pressure.overlap_only;
-  if (a == b || integral.side == Side::both || pressure.by_size) pressure.area_factor = 0.5;
-  else pressure.by_overlap = integral.side == Side::automatic, pressure.only_if_finer = integral.side == Side::finer;
-  roles.first = roles.second = pressure;
-  if (a != b && integral.side == Side::first) roles.second = barrier_only;
-  if (a != b && integral.side == Side::second) roles.first = barrier_only;
-  return roles;
-}
-
 void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& regions) {
   const auto adheres = [&](int entry) { return entry >= 0 && contact_.pairs[entry].adhesion; };
+  const auto by_bonds = [&](int entry) { return adheres(entry) && contact_.pairs[entry].bonds(); };
+  const auto by_gap = [&](int entry) { return adheres(entry) && !by_bonds(entry); };
   const LawIds of_objects = laws_of(a, b, config, -1);
   std::vector<LawIds> of_regions;
   for (const int entry : regions) of_regions.push_back(laws_of(a, b, entry, static_cast<int>(of_regions.size()) * (a == b ? 2 : 1)));
-  Integral integral{integration_side_of(a, b, config, regions)};
+  PairSetup setup = setup_of(a, b);
+  setup.side = integration_side_of(a, b, config, regions);
   // Region interfaces are overlap boundaries: regions are separated by their overlap areas.
-  integral.adheres = adheres(config) || std::any_of(regions.begin(), regions.end(), adheres);
-  for (const int entry : regions)
-    if (of_objects.clipped >= 0 || clips(a, b, entry))
-      throw configs_.error(entry, "contact.integral: clipped is of whole objects; name whole objects, or choose integral: lagged");
-  if (of_objects.clipped >= 0) {
-    set_clipped(a, b, config, of_objects, integral.side);
-    integral.side = Side::automatic;
-    integral.clipped_range = clipped_.laws()[of_objects.clipped].range;
-  }
-  integral.overlap = a != b && (adheres(config) || !regions.empty()) && of_objects.clipped < 0;
-  integral.bonds = of_objects.bond >= 0;
-  integral.gap_adhesion = adheres(config) && of_objects.bond < 0 && of_objects.clipped < 0;
-  std::vector<int> rules;
+  setup.adheres = adheres(config) || std::any_of(regions.begin(), regions.end(), adheres);
+  setup.overlap_only = a != b && (adheres(config) || !regions.empty());
+  setup.bonds = by_bonds(config) || std::any_of(regions.begin(), regions.end(), by_bonds);
+  setup.gap_adhesion = by_gap(config) || std::any_of(regions.begin(), regions.end(), by_gap);
+  for (const LawIds& ids : of_regions) setup.region_range = std::max(setup.region_range, table_.laws()[ids.laws.pressure].range());
+  refuse_unsupported(setup, config, false);
+  for (const int entry : regions) refuse_unsupported(setup, entry, true);
   if (of_objects.bond >= 0) refuse_bond(a, b, config);
-  for (size_t i = 0; i < regions.size(); ++i) {
-    rules.push_back(of_regions[i].bond);
-    if (rules.back() >= 0) refuse_bond(a, b, regions[i]);
-    integral.bonds = integral.bonds || rules.back() >= 0;
-    integral.gap_adhesion = integral.gap_adhesion || (adheres(regions[i]) && rules.back() < 0);
-    integral.region_range = std::max(integral.region_range, table_.laws()[of_regions[i].pressure].range());
-  }
+  for (size_t i = 0; i < regions.size(); ++i)
+    if (of_regions[i].bond >= 0) refuse_bond(a, b, regions[i]);
   if (of_objects.bond >= 0) bonds_.set(a, b, of_objects.bond);
-  const Roles roles = roles_of(a, b, of_objects, integral);
+  setup.laws = of_objects.laws;
+  const PairRoles roles = potential_.roles(setup, table_);
   table_.point(a, b) = roles.first;
   table_.point(b, a) = roles.second;
   table_.set_edge(a, b, roles.edge);
   table_.set_codimensional(a, b, roles.codimensional);
-  integral.region_range = std::max(integral.region_range, roles.codimensional.range);
+  setup.region = true;
+  setup.region_range = std::max(setup.region_range, roles.codimensional.range);
   std::vector<int> rules_of_roles;
   for (size_t i = 0; i < regions.size(); ++i) {
-    const Roles own = roles_of(a, b, of_regions[i], integral);
+    setup.laws = of_regions[i].laws;
+    const PairRoles own = potential_.roles(setup, table_);
     const auto [first, second] = regions_.regions_of(regions[i], a, b);
     table_.add_region_roles(a, b, {first, second, own.first, own.edge, own.codimensional});
     table_.add_region_roles(b, a, {second, first, own.second, own.edge, own.codimensional});
-    rules_of_roles.insert(rules_of_roles.end(), a == b ? 2 : 1, rules[i]);
+    rules_of_roles.insert(rules_of_roles.end(), a == b ? 2 : 1, of_regions[i].bond);
   }
-  if (integral.bonds && !regions.empty()) bonds_.set_regions(a, b, rules_of_roles);
+  if (setup.bonds && !regions.empty()) bonds_.set_regions(a, b, rules_of_roles);
 }
 
 }  // namespace tack

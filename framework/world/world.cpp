@@ -7,9 +7,8 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/config/nearest.hpp"
+#include "framework/contact/contact_potential.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/contact/clipped/clipped_adhesion_term.hpp"
-#include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
 #include "framework/world/remeshed_energy.hpp"
@@ -19,6 +18,15 @@ namespace tack {
 
 World::World() = default;
 World::~World() = default;
+
+std::vector<Term*> World::contact_terms() const {
+  std::vector<Term*> all;
+  if (contact)
+    for (const auto& term : contact->potential().terms()) all.push_back(term.get());
+  if (bonds) all.push_back(bonds.get());
+  if (friction) all.push_back(friction.get());
+  return all;
+}
 
 int World::body_index(const std::string& name) const {
   for (size_t i = 0; i < bodies.size(); ++i)

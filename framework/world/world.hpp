@@ -22,15 +22,12 @@
 namespace tack {
 
 class BondTerm;
-class ClippedAdhesionTerm;
 class ContactSystem;
-class ContactTerm;
 class DampingTerm;
 class FollowingLoad;
 class FrictionTerm;
 class OrthogonalityTerm;
 class RemeshedEnergy;
-class OverlapBoundaryTerm;
 class VolumeTerm;
 
 /// A scene ready to simulate. build_world.hpp makes it.
@@ -65,12 +62,7 @@ struct World {
   std::vector<FollowingLoad*> following_loads;  ///< of all terms
   /// Fluid cavities and surface pressures among following_loads.
   std::vector<const VolumeTerm*> cavities;
-  std::unique_ptr<ContactSystem> contact;  ///< null without contact
-  std::unique_ptr<ContactTerm> contact_term;
-  /// Null unless a pair adheres by a traction-separation law over overlap areas.
-  std::unique_ptr<OverlapBoundaryTerm> overlap_boundary_term;
-  std::unique_ptr<ClippedAdhesionTerm>
-      clipped_adhesion;                      ///< null unless contact.integral is clipped
+  std::unique_ptr<ContactSystem> contact;    ///< null without contact
   std::unique_ptr<BondTerm> bonds;           ///< null if no pair adheres by bonds
   std::unique_ptr<FrictionTerm> friction;    ///< null without tangential forces
   std::vector<const Term*> terms;            ///< all terms above that the scene uses
@@ -84,6 +76,10 @@ struct World {
   /// Moved objects (adjust_overclosures.hpp) and objects with an initial state from a run
   /// (initial_state.hpp).
   std::vector<std::string> start_notes;
+
+  /// Returns the terms of contact in the order of their calls: those of the contact model, then
+  /// bonds and friction.
+  std::vector<Term*> contact_terms() const;
 
   int body_index(const std::string& name) const;  ///< -1 if there is none
   /// Returns the index of a body. Throws InputError with the nearest name, after `who` ("probe

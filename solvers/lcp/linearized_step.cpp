@@ -1,9 +1,7 @@
 #include "solvers/lcp/linearized_step.hpp"
 
-#include "framework/bond/bond_term.hpp"
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/friction_term.hpp"
-#include "framework/contact/overlap_boundary_term.hpp"
+#include <algorithm>
+
 #include "framework/core/damping_terms.hpp"
 #include "framework/world/step_potential.hpp"
 
@@ -13,7 +11,8 @@ namespace {
 // Returns whether rows and impulses represent the term. Any other term, dynamic or not, acts
 // linearised.
 bool has_rows(const World& world, const Term* term) {
-  return term == world.contact_term.get() || term == world.overlap_boundary_term.get() || term == world.bonds.get() || term == world.friction.get();
+  const std::vector<Term*> contact = world.contact_terms();
+  return std::find(contact.begin(), contact.end(), term) != contact.end();
 }
 
 }  // namespace

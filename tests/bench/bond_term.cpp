@@ -3,6 +3,7 @@
 #include "framework/contact/contact_term.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
+#include "tests/support/contact_terms.hpp"
 
 namespace tack::bench {
 namespace {
@@ -30,7 +31,7 @@ void bonds_hessian_clamped(benchmark::State& state) {
 }
 void adhesion_hessian_clamped(benchmark::State& state) {
   const auto scene = sheets("area", Laws::barrier_and_adhesion);
-  per_stencil(state, *scene, *scene->world->contact_term);
+  per_stencil(state, *scene, contact_term(*scene->world));
 }
 BENCHMARK(bonds_hessian_clamped)->Apply(in_milliseconds);
 BENCHMARK(adhesion_hessian_clamped)->Apply(in_milliseconds);

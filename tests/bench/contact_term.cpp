@@ -3,6 +3,7 @@
 #include "framework/contact/contact_term.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
+#include "tests/support/contact_terms.hpp"
 
 namespace tack::bench {
 namespace {
@@ -38,7 +39,7 @@ struct Slots {
 void contact_value(benchmark::State& state) {
   const auto scene = scene_of(state);
   const World& world = *scene->world;
-  for (auto _ : state) benchmark::DoNotOptimize(world.contact_term->value(world.rest));
+  for (auto _ : state) benchmark::DoNotOptimize(contact_term(world).value(world.rest));
   state.counters["stencils"] = static_cast<double>(world.contact->contacts().size());
 }
 BENCHMARK(contact_value)->Apply(cases);
@@ -46,18 +47,18 @@ BENCHMARK(contact_value)->Apply(cases);
 void contact_gradient(benchmark::State& state) {
   const auto scene = scene_of(state);
   const World& world = *scene->world;
-  Slots slots(*world.contact_term);
+  Slots slots(contact_term(world));
   for (auto _ : state)
-    world.contact_term->derivatives(world.rest, Projection::none, slots.gradient.data(), nullptr);
+    contact_term(world).derivatives(world.rest, Projection::none, slots.gradient.data(), nullptr);
 }
 BENCHMARK(contact_gradient)->Apply(cases);
 
 void hessian(benchmark::State& state, Projection projection) {
   const auto scene = scene_of(state);
   const World& world = *scene->world;
-  Slots slots(*world.contact_term);
+  Slots slots(contact_term(world));
   for (auto _ : state)
-    world.contact_term->derivatives(world.rest, projection, slots.gradient.data(), slots.hessian.data());
+    contact_term(world).derivatives(world.rest, projection, slots.gradient.data(), slots.hessian.data());
   state.counters["per_stencil"] =
       benchmark::Counter(slots.stencils, benchmark::Counter::kIsIterationInvariantRate |
                                              benchmark::Counter::kInvert);

@@ -7,6 +7,7 @@
 #include "geometry/exact/intersections.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
+#include "tests/support/contact_terms.hpp"
 
 namespace tack::bench {
 namespace {
@@ -46,7 +47,7 @@ void plates_value(benchmark::State& state) {
   const auto scene = plates();
   const World& world = *scene->world;
   for (auto _ : state)
-    benchmark::DoNotOptimize(world.contact_term->value(world.rest) + world.friction->value(world.rest));
+    benchmark::DoNotOptimize(contact_term(world).value(world.rest) + world.friction->value(world.rest));
 }
 
 void plates_assembled_gradient(benchmark::State& state) {

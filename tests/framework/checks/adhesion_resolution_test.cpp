@@ -11,6 +11,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/warnings.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 
@@ -53,7 +54,7 @@ Adhered adhered(const std::string& yaml) {
   world.contact->move_to(world.start.x);
   AdhesionResolution resolution(scene.config, world);
   resolution.examine(world.start.x, 1);
-  return {world.contact_term->forces(world.start.x, LawTerm::adhesion), resolution.warnings()};
+  return {contact_term(world).forces(world.start.x, LawTerm::adhesion), resolution.warnings()};
 }
 // Over the exact one, across the lower plate; that on it comes first.
 double pull(const Adhered& adhered, double degrees) {

@@ -13,6 +13,7 @@
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/silence.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 
@@ -85,7 +86,7 @@ ContactPoints points_at(World& world, const VecX& x, std::vector<char> wanted = 
   world.contact->begin_step({x});
   world.contact->move_to(x);
   if (wanted.empty()) wanted.assign(world.contact->pairs().laws().size(), 1);
-  const ContactPoints points = contact_points({*world.contact, world.contact_term->laws(LawTerm::barrier), wanted, x});
+  const ContactPoints points = contact_points({*world.contact, wanted, x});
   check_points(points, world, x);
   return points;
 }
@@ -93,7 +94,7 @@ ContactPoints points_at(World& world, const VecX& x, std::vector<char> wanted = 
 // Returns the contact points of the adhesive laws; safety barrier pairs have none.
 ContactPoints adhering(World& world, const VecX& x) {
   std::vector<char> wanted;
-  for (const PairLaw& law : world.contact_term->laws(LawTerm::adhesion)) wanted.push_back(!law.laws().empty());
+  for (const PairLaw& law : world.contact->pairs().laws(LawTerm::adhesion)) wanted.push_back(!law.laws().empty());
   return points_at(world, x, wanted);
 }
 
@@ -118,7 +119,7 @@ TEST_CASE("contact points: between plates that do not match, one for each vertex
       const Sums s = sums(points);
       CHECK(s.count == (upper + 1) * (upper + 1));  // whatever the features of each
       CHECK(vertices.size() == static_cast<size_t>(s.count));
-      const double pressing = world.contact_term->force_between(world.rest, LawTerm::barrier, {1, 0}).y();
+      const double pressing = contact_term(world).force_between(world.rest, LawTerm::barrier, {1, 0}).y();
       CHECK(pressing > 0);
       CHECK(s.force == Approx(pressing).epsilon(1e-9));
       CHECK(s.area == Approx(0.01).epsilon(1e-6));
@@ -216,7 +217,7 @@ TEST_CASE("contact points: the forces of plain sums add up too", "[contact][fric
   TestScene scene(plates(5, 4, "pair"));
   World& world = *scene.world;
   const Sums s = sums(points_at(world, world.rest));
-  const double pressing = world.contact_term->force_between(world.rest, LawTerm::barrier, {1, 0}).y();
+  const double pressing = contact_term(world).force_between(world.rest, LawTerm::barrier, {1, 0}).y();
   CHECK(s.force == Approx(pressing).epsilon(1e-3));
 }
 
@@ -232,7 +233,7 @@ TEST_CASE("contact points: the forces of a ball on a floor add up", "[contact][f
       "contact: {distance: 1e-3, friction: {mu: 0.5}}\n");
   World& world = *scene.world;
   const Sums s = sums(points_at(world, world.rest));
-  const Vec3 pressing = world.contact_term->force_between(world.rest, LawTerm::barrier, {1, 0});
+  const Vec3 pressing = contact_term(world).force_between(world.rest, LawTerm::barrier, {1, 0});
   CHECK(s.count > 20);
   CHECK(s.force == Approx(pressing.y()).epsilon(0.01));
 }

@@ -6,6 +6,7 @@
 #include "tests/support/scene.hpp"
 #include "tests/support/tet_body.hpp"
 #include "tests/support/three_boxes.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 
@@ -28,7 +29,7 @@ struct Cluster {
     system().move_to(x);
   }
   ContactSystem& system() { return *scene.world->contact; }
-  const ContactTerm& term() { return *scene.world->contact_term; }
+  const ContactTerm& term() { return contact_term(*scene.world); }
 
   TestScene scene;
   VecX x;
@@ -140,7 +141,7 @@ TEST_CASE("contact: exactly parallel edges have finite derivatives", "[contact]"
   const VecX& x = scene.world->rest;
   scene.world->contact->move_to(x);
   CHECK(nearly_parallel(scene.world->contact->contacts(), x) > 0);
-  CHECK(std::isfinite(scene.world->contact_term->value(x)));
-  CHECK(dense_gradient(*scene.world->contact_term, x).allFinite());
-  CHECK(dense_hessian(*scene.world->contact_term, x, Projection::clamp).allFinite());
+  CHECK(std::isfinite(contact_term(*scene.world).value(x)));
+  CHECK(dense_gradient(contact_term(*scene.world), x).allFinite());
+  CHECK(dense_hessian(contact_term(*scene.world), x, Projection::clamp).allFinite());
 }

@@ -11,6 +11,7 @@
 #include "framework/core/step_filter.hpp"
 #include "framework/world/world.hpp"
 #include "tests/support/scene.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 
@@ -87,7 +88,7 @@ struct Close {
   }
   double energy(const VecX& x) {
     world.contact->move_to(x);
-    return world.contact_term->value(x);
+    return contact_term(world).value(x);
   }
 };
 
@@ -101,7 +102,7 @@ TEST_CASE("a body that is close to itself at rest has no force there, and presse
         Close close(shape, offset * shape.gap, reach * shape.gap);
         World& world = close.world;
         CHECK(close.energy(world.rest) == 0);
-        CHECK(world.contact_term->forces(world.rest, LawTerm::all).isZero(0));
+        CHECK(contact_term(world).forces(world.rest, LawTerm::all).isZero(0));
         const double most = room(shape, offset * shape.gap);
         double before = 0;
         for (const double part : {0.92, 0.94}) {
@@ -150,8 +151,8 @@ TEST_CASE("forces of a body that is close to itself at rest are the derivatives 
           CAPTURE(shape.name, offset, s);
           const double before = close.energy(pressed + (s - step) * direction), after = close.energy(pressed + (s + step) * direction);
           close.energy(pressed + s * direction);
-          const double force = world.contact_term->forces(pressed + s * direction, LawTerm::all).dot(direction);
-          const double size = world.contact_term->forces(pressed + s * direction, LawTerm::all).norm();
+          const double force = contact_term(world).forces(pressed + s * direction, LawTerm::all).dot(direction);
+          const double size = contact_term(world).forces(pressed + s * direction, LawTerm::all).norm();
           REQUIRE(size > 0);
           CHECK(std::abs((before - after) / (2 * step) - force) < 1e-5 * size * std::sqrt(direction.size()));
         }

@@ -18,6 +18,7 @@
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/test_run.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 
@@ -248,7 +249,7 @@ TEST_CASE("replaced forces of a term appear in probes, reactions and the balance
   records.replace(impulses);
   records.replace(EnergyRecord{"barrier", EnergyKind::contact, [](const VecX&) { return 0.25; }});
   records.remove_forces("friction");
-  CHECK(records.replaced(*run.world->contact_term));
+  CHECK(records.replaced(contact_term(*run.world)));
   CHECK(run.sample(0)[0] == 7);
   CHECK(run.sample(1)[0] == -7);
   CHECK(run.sample(2) == std::vector<double>{0, 0, 0});

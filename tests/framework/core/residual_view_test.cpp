@@ -14,6 +14,7 @@
 #include "tests/support/scene.hpp"
 #include "tests/support/tet_body.hpp"
 #include "tests/support/three_boxes.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 
@@ -142,7 +143,7 @@ TEST_CASE("residual view of solids", "[residual_view]") {
 
 TEST_CASE("residual view of contact", "[residual_view][contact]") {
   Cluster c("pair");  // no stencil of negative weight
-  const Term& term = *c.world->contact_term;
+  const Term& term = contact_term(*c.world);
   REQUIRE(c.world->contact->contacts().edge_edge.size() > 0);
   REQUIRE(c.world->contact->contacts().point_triangle.size() > 0);
   check_squares(term, c.x, c.moved(1e-3));
@@ -157,7 +158,7 @@ TEST_CASE("residual view of contact: energies without a lower bound are in the r
     return std::count_if(stencils.begin(), stencils.end(), [](const auto& s) { return s.weight < 0; });
   };
   REQUIRE(negative(set.point_point) + negative(set.point_edge) > 0);
-  check_jacobian(*c.world->contact_term, c.x, 1e-7, 1e-5);
+  check_jacobian(contact_term(*c.world), c.x, 1e-7, 1e-5);
 }
 
 TEST_CASE("residual view of friction and tangential adhesion", "[residual_view][friction]") {

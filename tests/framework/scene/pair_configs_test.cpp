@@ -103,7 +103,7 @@ TEST_CASE("regions: the applicable entry is reported, and invalid entries are re
   CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b], contact: false}")), Contains("have none in any region"));
   CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b]}, {between: [a, b], contact: false}")), Contains("have no contact"));
   CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b], integrate: a}, {between: [" + left + ", b], integrate: b}")), Contains("one integration side"));
-  CHECK_THROWS_WITH(TestScene(boxes(std::string(apart) + "weights: pair, pairs: [{between: [" + top + ", b]}]")), Contains("weights: pair"));
+  CHECK_THROWS_WITH(TestScene(boxes(std::string(apart) + "weights: pair, pairs: [{between: [" + top + ", b]}]")), Contains("contact.model: ipc has no regions of objects"));
 }
 
 TEST_CASE("copies share a class; named, thicker or attached objects have their own", "[scene]") {

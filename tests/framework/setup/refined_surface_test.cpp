@@ -11,6 +11,7 @@
 #include "geometry/errors.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 using Catch::Contains;
@@ -52,13 +53,13 @@ Contact contact_of(const std::string& yaml, double tilt, double height) {
   world.dofs.update_dependents(x);
   world.contact->begin_step({x});
   world.contact->move_to(x);
-  VecX forces = world.contact_term->forces(x, LawTerm::all);
-  const Vec3 between = world.contact_term->force_between(x, LawTerm::all, {0, 1});
+  VecX forces = contact_term(world).forces(x, LawTerm::all);
+  const Vec3 between = contact_term(world).force_between(x, LawTerm::all, {0, 1});
   world.collect_on_meshes(forces);
   Vec3 sum = Vec3::Zero();
   for (int v = 0; v < cube.vertex_count; ++v) sum += vertex(forces, v);
   CHECK((sum - between).norm() <= 1e-12 * between.norm());
-  return {world.contact_term->value(x), sum};
+  return {contact_term(world).value(x), sum};
 }
 
 double error_of(const Contact& a, const Contact& reference) {

@@ -8,6 +8,7 @@
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/warnings.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 
@@ -68,7 +69,7 @@ Run run(const Slide& slide) {
     const StepReport report = stepper.advance();
     const VecX& x = stepper.state().x;
     r.friction -= report.step_size * world.friction->force_between(x, TangentialTerm::all, {block, ground}).x();
-    r.pressing += report.step_size * world.contact_term->force_between(x, LawTerm::barrier, {block, ground}).y();
+    r.pressing += report.step_size * contact_term(world).force_between(x, LawTerm::barrier, {block, ground}).y();
     r.largest_lag = std::max(r.largest_lag, report.lag_iterations);
     r.largest_residual = std::max(r.largest_residual, report.friction_residual);
     r.reports.push_back(report);
@@ -155,7 +156,7 @@ TEST_CASE("lasting friction does not depend on changes of the step size", "[fric
       const double force = -world.friction->force_between(x, TangentialTerm::all, {block, ground}).x();
       CHECK(force == Approx(5).epsilon(0.06));  // the block bounces
       rubbing += h * force;
-      pressing += h * world.contact_term->force_between(x, LawTerm::barrier, {block, ground}).y();
+      pressing += h * contact_term(world).force_between(x, LawTerm::barrier, {block, ground}).y();
     }
     CHECK(rubbing / pressing == Approx(0.5).epsilon(0.02));
   }

@@ -1,6 +1,7 @@
 // A world made of surfaces, without a scene: for tests that need bodies and contact alone.
 #pragma once
 
+#include "framework/contact/area_integral/area_integral.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/world/world.hpp"
 #include "tests/framework/contact/flat_law.hpp"
@@ -31,8 +32,8 @@ struct HandMadeWorld {
         pairs.set_edge(a, b, role);
         pairs.set_codimensional(a, b, role);
       }
-    world.contact =
-        std::make_unique<ContactSystem>(std::move(surface), std::move(pairs), colliding, clock);
+    world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(pairs), colliding,
+                                                    clock, std::make_unique<AreaIntegral>());
   }
 
   PhaseClock clock;

@@ -12,6 +12,7 @@
 #include "tests/support/test_run.hpp"
 #include "tests/support/tet_body.hpp"
 #include "tests/support/three_boxes.hpp"
+#include "tests/support/contact_terms.hpp"
 
 using namespace tack;
 
@@ -32,7 +33,7 @@ struct Cluster {
     scene.world->contact->move_to(at);
     term().move_to(at);
   }
-  ClippedAdhesionTerm& term() { return *scene.world->clipped_adhesion; }
+  ClippedAdhesionTerm& term() { return *clipped_adhesion(*scene.world); }
 
   TestScene scene;
   VecX x;
@@ -52,9 +53,9 @@ std::string plates(const std::string& integral, double shift, double gap, int lo
 Vec3 pull_on_upper(World& world) {
   world.contact->begin_step({world.rest});
   world.contact->move_to(world.rest);
-  world.clipped_adhesion->move_to(world.rest);
+  clipped_adhesion(world)->move_to(world.rest);
   Vec3 sum = Vec3::Zero();
-  const VecX force = -dense_gradient(*world.clipped_adhesion, world.rest);
+  const VecX force = -dense_gradient(*clipped_adhesion(world), world.rest);
   const int upper = world.body_index("upper");
   for (int v = 0; v < world.rest.size() / 3; ++v)
     if (world.body_of(v) == upper) sum += vertex(force, v);
@@ -130,7 +131,7 @@ TEST_CASE("clipped adhesion: nothing in range, no pairs", "[clipped]") {
   TestScene scene(plates("clipped", 0, 0.05, 3, 3));
   World& world = *scene.world;
   CHECK(pull_on_upper(world).isZero(0));
-  CHECK(world.clipped_adhesion->pair_count() == 0);
+  CHECK(clipped_adhesion(world)->pair_count() == 0);
 }
 
 TEST_CASE("clipped adhesion: nearly aligned blocks come to rest", "[clipped]") {
@@ -167,7 +168,7 @@ TEST_CASE("clipped adhesion: settings that it does not know are refused", "[clip
     FAIL("accepted: " << contact);
   };
   const std::string adhesion = "adhesion: {type: fang, young: 1e3, critical_strain: 0.5}";
-  refuses("contact: {distance: 0.01, integral: clipped, weights: pair, pairs: [{between: [a, b], " + adhesion + "}]}\n", "contact.weights");
+  refuses("contact: {distance: 0.01, integral: clipped, weights: pair, pairs: [{between: [a, b], " + adhesion + "}]}\n", "contact.model");
   refuses("contact: {distance: 0.01, integral: clipped, pairs: [{between: [a, b], integrate: both, " + adhesion + "}]}\n", "integrate");
   refuses("contact: {distance: 0.01, integral: clipped, pairs: [{between: [a, b], tangential_adhesion: {mu: 0.5}, " + adhesion + "}]}\n", "tangential_adhesion");
 }

@@ -1,0 +1,98 @@
+// Narrow phase: from candidates to active stencils.
+//  1. Candidates are grouped by (point, object) (point_groups.hpp).
+//  2. Each group becomes quadrature points that carry contact pressure or a safety barrier
+//     (vertex_quadrature.hpp), once per list of candidates.
+//  3. Where an overlap boundary crosses a triangle, interior quadrature points are added
+//     (surface_overlap.hpp).
+//  4. Each quadrature point is reduced to features, at each configuration (point_features.hpp).
+// Areas and orientations are those of the surfaces at the start of the step, also for groups that
+// first appear within it, so that the potential of the step is one function.
+#pragma once
+
+#include "framework/contact/contact_set.hpp"
+#include "framework/contact/area_integral/vertex_quadrature.hpp"
+#include "framework/contact/area_integral/overlap_boundary_forces.hpp"
+#include "framework/contact/area_integral/interior_patches.hpp"
+
+namespace tack {
+
+// Flags per global vertex; empty: all vertices are free. A stencil of a fixed point and a fixed
+// feature is constant, but the nearest feature may change to one with a free vertex of the same
+// triangle. Such stencils are left out only where no vertex of the feature is in the one-ring.
+struct FreeVertices {
+  std::vector<char> free;
+  std::vector<char> one_ring;  // free, or on an edge with a free vertex
+};
+
+// A candidate between two edges of the mesh.
+struct EdgePair {
+  int candidate = 0;
+  std::array<int, 2> edges{};
+  int law = -1;  // of the pair table
+
+  const std::array<int, 2>& key() const { return edges; }
+};
+
+class NarrowPhase {
+ public:
+  // All arguments must outlive the narrow phase. Candidates passed to it are those of the broad
+  // phase.
+  // The lagged surface is set before every call of set_candidates and begin_step.
+  NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const LaggedSurface& lagged,
+              const BroadPhase& broad_phase);
+
+  // Groups a new list of candidates before a step begins. changed: the primitives changed since
+  // the last list of the step; null: all may have.
+  void prepare(const Candidates& candidates, const ChangedPrimitives* changed = nullptr);
+  // Sets a new list of candidates within a step, or begins the first step.
+  void set_candidates(const Candidates& candidates);
+  // Begins a step with the lagged surface: areas, orientations and secondary sides are those of it.
+  void begin_step(const Candidates& candidates);
+  // See IntegrationSides::coarse_pairs and set_previous.
+  const IntegrationSides::Pairs& coarse_pairs() const { return sides_.coarse_pairs(); }
+  void set_previous_coarse_pairs(std::optional<IntegrationSides::Pairs> pairs) {
+    sides_.set_previous(std::move(pairs));
+  }
+  // Lagged weights of rods and particles: of this step, and of the last accepted step.
+  const LaggedWeights& lagged_weights() const { return quadrature_.lagged_weights; }
+  const LaggedWeights& previous_weights() const { return previous_weights_; }
+  void set_previous_weights(LaggedWeights weights) { previous_weights_ = std::move(weights); }
+  // Sets the free vertices (non-zero). Stencils without a free vertex are left out, as their
+  // potential is constant. Empty: every candidate has a free vertex.
+  void set_free(std::vector<char> free);
+  // Finds the stencils closer than the range of their law.
+  void find(const Candidates& candidates, const VecX& x, ContactSet& contacts);
+  // Overlaps and overlap-boundary forces of this step.
+  const OverlapBoundaryForces& overlap_boundary_forces() const { return overlap_boundary_forces_; }
+  const SurfaceOverlap& overlap() const { return overlap_; }
+  void keep_sides(IntegrationSides::Pairs pairs) { sides_.keep(std::move(pairs)); }
+
+ private:
+  bool may_integrate(const PointGroup& group) const;
+  std::vector<PointGroup> groups_without_patches(const ChangedPrimitives* changed) const;
+  std::vector<GroupPatches> find_patches(const Candidates& candidates,
+                                         const std::vector<PointGroup>& groups, bool later) const;
+  void make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier);
+  void choose_edges(const Candidates& candidates, const ChangedPrimitives* changed);
+
+  const ContactSurface& surface_;
+  const PairTable& pairs_;
+  const LaggedSurface& lagged_;
+  bool begun_ = false;
+  IntegrationSides sides_;
+  SurfaceOverlap overlap_;
+  OverlapBoundaryForces overlap_boundary_forces_;
+  const BroadPhase& broad_phase_;
+  FreeVertices free_;
+  PointGroups groups_;
+  std::vector<GroupPatches> patches_;        // of groups at the start of this step, by key
+  std::vector<GroupPatches> later_patches_;  // of later groups, by key
+  VertexQuadrature quadrature_;
+  InteriorPatches interior_patches_;  // of the samples of the overlap
+  RodOverlaps rods_;                  // of this step
+  LaggedWeights previous_weights_;    // of the step before the next
+  LaggedWeights weights_at_start_;    // of the step before this one
+  std::vector<EdgePair> edge_pairs_;  // that may press, in the order of candidates
+};
+
+}  // namespace tack

@@ -1,0 +1,78 @@
+// Quadrature points at vertices, for a list of candidates, each with the primitives it acts on. A
+// point carries contact pressure on one patch (visible_patches.hpp), on triangles with weights
+// (rods and particles, codimensional_weights.hpp), or has a safety barrier alone. The points are
+// made once per list of candidates, so that the search for active stencils visits only primitives
+// that may come within range.
+#pragma once
+
+#include <vector>
+
+#include "framework/contact/visible_patches.hpp"
+#include "framework/contact/area_integral/integration_sides.hpp"
+#include "framework/contact/pair_table.hpp"
+#include "framework/contact/point_groups.hpp"
+#include "framework/contact/area_integral/rod_overlaps.hpp"
+#include "framework/contact/area_integral/weight_relaxation.hpp"
+#include "framework/contact/area_integral/codimensional_weights.hpp"
+#include "geometry/broad_phase/changed_primitives.hpp"
+
+namespace tack {
+
+struct VertexQuadraturePoint {
+  int point;
+  int law;
+  double area;                       // weight times tributary area [m^2]
+  double range;                      // of the law [m]
+  int triangle_begin, triangle_end;  // into VertexQuadrature::triangles
+  // Into VertexQuadrature::weights, one per triangle; -1: all weights are 1.
+  int weight_begin;
+  int edge_begin, edge_end;    // into VertexQuadrature::edges
+  int other_begin, other_end;  // into VertexQuadrature::others
+};
+
+struct VertexQuadrature {
+  std::vector<VertexQuadraturePoint> points;
+  std::vector<int> group_begin;  // into points, of each group; and the end
+  std::vector<int> triangles;    // into Candidates::point_triangle
+  std::vector<TriangleWeight> weights;
+  std::vector<int> edges;        // of the mesh: rods
+  std::vector<int> others;       // global vertices: particles
+  LaggedWeights lagged_weights;  // of rods and particles in this step
+};
+
+// Visible patches of a group, constant through the step.
+struct GroupPatches {
+  int point, object;
+  VisiblePatches visible;
+
+  std::array<int, 2> key() const { return {point, object}; }
+};
+
+struct VertexQuadratureRequest {
+  const ContactSurface& surface;
+  const PairTable& pairs;
+  const LaggedSurface& lagged;
+  const IntegrationSides& sides;
+  const RodOverlaps& rods;
+  const Candidates& candidates;
+  const PointGroups& groups;
+  // Patches of the groups that existed at the start of the step, sorted by key.
+  const std::vector<GroupPatches>& patches;
+  // Patches of later groups, sorted by key. Every group that integrates is in one of the two lists.
+  const std::vector<GroupPatches>& later_patches;
+  const LaggedWeights& previous_weights;  // of the last step
+};
+// Quadrature of earlier candidates of this step, and the primitives that changed since. Groups
+// without changed primitives keep their points.
+struct EarlierVertexQuadrature {
+  const PointGroups& groups;
+  const VertexQuadrature& quadrature;
+  const ChangedPrimitives& changed;
+};
+// Returns the quadrature points of all groups. earlier: null if there are none in this step.
+VertexQuadrature make_vertex_quadrature(const VertexQuadratureRequest& request,
+                                        const EarlierVertexQuadrature* earlier);
+// Joins the points of all chunks of groups, in their order.
+VertexQuadrature joined(const std::vector<VertexQuadrature>& chunks);
+
+}  // namespace tack

@@ -1,0 +1,55 @@
+#include "framework/contact/contact_potential.hpp"
+
+#include "framework/contact/contact_term.hpp"
+
+namespace tack {
+
+ContactPotential::ContactPotential() = default;
+ContactPotential::~ContactPotential() = default;
+
+PairLaw PreparedLaws::barrier_and_adhesion() const {
+  PairLaw law(offset);
+  law.add(barrier);
+  if (adhesion) law.add(adhesion);
+  return law;
+}
+
+std::string ContactPotential::refusal(ContactFeature feature, const PairSetup&) const {
+  switch (feature) {
+    case ContactFeature::bonds: return "it finds no overlap of surfaces, at whose points bonds form";
+    case ContactFeature::regions:
+    case ContactFeature::integration_side:
+    case ContactFeature::both_sides: return "it counts close pairs, not areas";
+    default: return "";
+  }
+}
+
+PairLawIds ContactPotential::add_laws(const PairSetup&, const PreparedLaws& laws, PairTable& table) {
+  const int law = table.add_law(laws.barrier_and_adhesion(), laws.tangential);
+  return {law, law, law};
+}
+
+PairRoles ContactPotential::roles(const PairSetup& pair, const PairTable& table) {
+  const auto range = [&](int law) { return table.laws()[law].range(); };
+  PairRoles roles;
+  roles.first = roles.second = {pair.laws.pressure, 1, range(pair.laws.pressure), true};
+  // The area of an edge pair is half the mean of its two edges' areas, which count the surface
+  // twice.
+  roles.edge = {pair.laws.safety_barrier, 0.25, range(pair.laws.safety_barrier)};
+  roles.codimensional = {pair.laws.codimensional, 1, range(pair.laws.codimensional)};
+  return roles;
+}
+
+void ContactPotential::attach(ContactSystem& system) {
+  system_ = &system;
+  clear_caches();
+  make_terms();
+}
+
+ContactPoints ContactPotential::points(const ContactPointsRequest& request) const { return points_of_stencils(request); }
+
+void ContactPotential::make_terms() { add_term(std::make_unique<ContactTerm>(system())); }
+
+void ContactPotential::add_term(std::unique_ptr<Term> term) { terms_.push_back(std::move(term)); }
+
+}  // namespace tack
