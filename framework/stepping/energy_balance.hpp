@@ -17,7 +17,8 @@
 //             step, never negative
 //   areas     contact energy lost (below zero: gained) when its areas were re-evaluated at the
 //             start of the step, without motion, less the work of the overlap-boundary forces
-//             (contact/overlap_boundary_term.hpp), which is in the energy at the end of a step
+//             (contact/area_integral/overlap_boundary_term.hpp), which is in the energy at the end
+//             of a step
 //   numerics  the remainder: numerical energy loss of the integrator (below zero: gain). For
 //             implicit Euler in a linear problem it is 1/2 |v' - v|_M^2 + 1/2 |x' - x|_K^2.
 //

@@ -7,7 +7,11 @@ namespace {
 
 class PairSums : public AreaIntegral {
  public:
-  std::string refusal(ContactFeature feature, const PairSetup& pair) const override { return ContactPotential::refusal(feature, pair); }
+  // Pairs count on both sides, whatever `integrate` says.
+  std::string refusal(ContactFeature feature, const PairSetup& pair) const override {
+    if (feature == ContactFeature::integration_side || feature == ContactFeature::both_sides) return "";
+    return ContactPotential::refusal(feature, pair);
+  }
   double safety_barrier_range(double) const override { return 1; }
 
   // Edges have a law of their own, for which probes do not count area.

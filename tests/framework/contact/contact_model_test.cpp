@@ -19,6 +19,7 @@ const std::string two_boxes =
     "  - {name: a, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, energies: [{type: neo_hookean, young: 1e5, density: 1000}]}\n"
     "  - {name: b, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0.102, 0.01, 0.02]}, motion: [fixed]}\n";
 const std::string adhesion = "adhesion: {type: fang, peak_traction: 1 kPa}";
+const std::string rcc = "adhesion: {type: rcc, normal_stiffness: 1 MPa/mm, work_of_adhesion: 1 J/m^2}";
 
 std::string contact(const std::string& settings, const std::string& pair = "") {
   return two_boxes + "contact: {distance: 5 mm" + (settings.empty() ? "" : ", " + settings) +
@@ -64,13 +65,12 @@ TEST_CASE("contact models: deprecated keys stand for models", "[contact_model]")
 
 TEST_CASE("contact models: features that a model does not have are refused at their line", "[contact_model]") {
   const auto refuses = [](const std::string& scene, const std::string& message) {
-    CHECK_THROWS_WITH(TestScene(scene), Contains(":4:") && Contains("contact.model: ") && Contains(message) && Contains("or choose model: area_integral"));
+    CHECK_THROWS_WITH(TestScene(scene), Contains(":5:") && Contains("contact.model: ") && Contains(message) && Contains("or choose model: area_integral"));
   };
-  refuses(contact("model: ipc", "adhesion: {type: rcc}"), "ipc has no adhesion by bonds");
-  refuses(contact("model: ipc", "integrate: a"), "ipc has no `integrate`");
+  refuses(contact("model: ipc", rcc), "ipc has no adhesion by bonds");
   refuses(contact("model: clipped", adhesion + ", integrate: both"), "clipped has no `integrate: both`");
   refuses(contact("model: clipped", adhesion + ", tangential_adhesion: {mu: 0.5}"), "clipped has no tangential_adhesion");
-  CHECK_NOTHROW(TestScene(contact("model: clipped", "adhesion: {type: rcc}, integrate: both")));
+  CHECK_NOTHROW(TestScene(contact("model: clipped", rcc + ", integrate: both")));
 }
 
 TEST_CASE("contact models: terms of contact are those of the model, then bonds and friction", "[contact_model]") {
@@ -85,5 +85,5 @@ TEST_CASE("contact models: terms of contact are those of the model, then bonds a
   CHECK(names(contact("", adhesion + friction)) == Names{"contact", "rim", "friction"});
   CHECK(names(contact("model: clipped", adhesion + friction)) == Names{"contact", "clipped_adhesion", "friction"});
   CHECK(names(contact("model: ipc", adhesion + friction)) == Names{"contact", "friction"});
-  CHECK(names(contact("", "adhesion: {type: rcc}" + friction)) == Names{"contact", "bonds", "friction"});
+  CHECK(names(contact("", rcc + friction)) == Names{"contact", "bonds", "friction"});
 }
