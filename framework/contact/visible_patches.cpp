@@ -10,6 +10,16 @@ namespace tack {
 namespace {
 
 const double same_patch_cosine = std::cos(50 * M_PI / 180);  // of the angle between normals within a patch
+constexpr double area_tolerance = 1e-9;                       // of equal projected areas, relative
+
+// Returns the distance of a point from a feature of a triangle, a corner (0 to 2) or an edge (3 to 5), in the plane of the triangle.
+// lift: from that plane to the point. Round-off is relative to the distance from the feature's corner; the root of a difference of
+// squared distances would have one of 1e-8 of the height, and decide on which side of an edge the point lies.
+double distance_in_plane(const Vec3& p, const Vec3& lift, const std::array<Vec3, 3>& t, int feature) {
+  const Vec3& corner = t[feature % 3];
+  const Vec3 offset = p - lift - corner;
+  return feature < 3 ? offset.norm() : (t[(feature + 1) % 3] - corner).normalized().cross(offset).norm();
+}
 
 }  // namespace
 
@@ -71,23 +81,29 @@ void PatchFinder::add_if_facing(const QueryPoint& from, int triangle, double squ
   const bool continues = type == PointTriangleType::P_T ||
                          (feature < 3 ? topology.smooth_vertex(t[feature]) && (!region_ || region_->surrounds_vertex(topology, t[feature]))
                                       : topology.smooth_edge(triangle, feature - 3) && (!region_ || region_->surrounds_edge(topology, triangle, feature - 3)));
-  const double overshoot = continues ? 0 : std::sqrt(std::max(0.0, squared - height * height));
-  facing_.push_back({normal, area, squared, overshoot, triangle});
+  const double in_plane = type == PointTriangleType::P_T ? 0 : distance_in_plane(from.position, height * normal, {t0, t1, t2}, feature);
+  facing_.push_back({normal, area, squared, in_plane, continues, triangle});
 }
 
 // Groups facing triangles into patches, nearest seed first. Triangles that meet in the closest
-// point are equally near: the seed is the one with the largest projected area of the point.
+// point are equally near: the seed is the one with the largest projected area of the point. Round-off
+// does not decide about equal areas where the surface ends: there the seed is the triangle with the
+// smallest distance in its plane, the one that the point lies over, or past the edge of.
 VisiblePatches PatchFinder::group_by_normal() {
   VisiblePatches visible;
   while (!facing_.empty() && visible.count < VisiblePatches::count_max) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const FacingTriangle& s : facing_) nearest = std::min(nearest, s.squared);
     const FacingTriangle* seed = nullptr;
-    for (const FacingTriangle& s : facing_)
-      if (s.squared <= nearest * (1 + distance_tolerance) && (!seed || s.area > seed->area)) seed = &s;
+    for (const FacingTriangle& s : facing_) {
+      if (!(s.squared <= nearest * (1 + distance_tolerance))) continue;
+      const bool equal = seed && std::abs(s.area - seed->area) <= area_tolerance * seed->area;
+      const bool at_boundary = equal && !(s.continues && seed->continues);
+      if (!seed || (at_boundary ? s.in_plane < seed->in_plane : s.area > seed->area)) seed = &s;
+    }
     const Vec3 normal = seed->normal;
-    visible.patches[visible.count++] = {normal, seed->area, std::sqrt(seed->squared), lagged_.area_per_vertex(seed->triangle), seed->overshoot,
-                                        seed->triangle};
+    visible.patches[visible.count++] = {normal, seed->area, std::sqrt(seed->squared), lagged_.area_per_vertex(seed->triangle),
+                                        seed->continues ? 0 : seed->in_plane, seed->triangle};
     std::erase_if(facing_, [&](const FacingTriangle& s) { return s.normal.dot(normal) > same_patch_cosine; });
   }
   return visible;

@@ -78,7 +78,9 @@ class PatchFinder {
  private:
   struct FacingTriangle {
     Vec3 normal;
-    double area, squared, overshoot;
+    double area, squared;
+    double in_plane;  // distance from the point in the plane of the triangle [m]
+    bool continues;   // whether the surface goes on beyond the closest point
     int triangle;
   };
   // Sets the normal of a triangle towards the point, and the height of the point over it [m].

@@ -12,11 +12,10 @@
 namespace tack {
 namespace {
 
-// Largest overshoot of a corner, relative to the square root of the area of its triangle. The first
-// allows rounding errors of equal meshes. The second holds where the surface of the corner ends too:
-// plates of one size that contract slightly differently would otherwise be subdivided all along their
-// boundaries, without effect on the overlap.
-constexpr double overshoot_rounding_max = 1e-6, shared_boundary_overshoot_max = 1e-3;
+// Largest overshoot of a corner, relative to the square root of the area of its triangle, where the
+// surface of the corner ends too: plates of one size that contract slightly differently would otherwise
+// be subdivided all along their boundaries, without effect on the overlap.
+constexpr double shared_boundary_overshoot_max = 1e-3;
 // Triangles larger than twice the range give their area to their corners if the gap between corners
 // changes by no more than this fraction of the range, and the opposite triangles are parallel.
 constexpr double gap_change_per_range_max = 0.25, parallel_cosine_min = 0.999;
@@ -89,13 +88,31 @@ std::array<SurfaceOverlap::Corner, 3> SurfaceOverlap::corners(const std::vector<
 }
 
 bool SurfaceOverlap::overlaps_fully(const std::vector<GroupPatches>& groups, int triangle, const std::array<Corner, 3>& corners) const {
-  const double size = std::sqrt(lagged_.area(triangle));
+  const double on_line = TriangleSubdivision::line_tolerance(lagged_.area(triangle));
+  const double shared = shared_boundary_overshoot_max * std::sqrt(lagged_.area(triangle));
   return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) {
     if (c.group < 0 || c.patch < 0) return false;
-    const GroupPatches& at = groups[c.group];
-    const double slack = lagged_.topology().smooth_vertex(at.point) ? overshoot_rounding_max : shared_boundary_overshoot_max;
-    return at.visible.patches[c.patch].overshoot <= slack * size;
+    const double overshoot = groups[c.group].visible.patches[c.patch].overshoot;
+    return overshoot <= on_line || (overshoot <= shared && ends_there(groups, c, shared));
   });
+}
+
+// Returns whether the own surface ends at a corner as well: no triangle there that faces the patch of
+// the corner overshoots the boundary by more than overshoot_max [m].
+bool SurfaceOverlap::ends_there(const std::vector<GroupPatches>& groups, const Corner& corner, double overshoot_max) const {
+  const GroupPatches& at = groups[corner.group];
+  const SurfaceTopology& topology = lagged_.topology();
+  if (topology.smooth_vertex(at.point)) return false;
+  const Vec3& normal = at.visible.patches[corner.patch].normal;
+  for (const int t : topology.triangles_at(at.point)) {
+    if (!(lagged_.cosine(t, normal) > facing_cosine_min)) continue;
+    for (const int v : surface_.mesh.triangles[t]) {
+      const int group = find_group(groups, v, at.object);
+      const int patch = group < 0 ? -1 : groups[group].visible.patch_of(normal);
+      if (patch < 0 || groups[group].visible.patches[patch].overshoot > overshoot_max) return false;
+    }
+  }
+  return true;
 }
 
 // Returns whether one law holds between a fully overlapping triangle and the opposite surface, and

@@ -119,6 +119,8 @@ class SurfaceOverlap {
                                 int object) const;
   bool overlaps_fully(const std::vector<GroupPatches>& groups, int triangle,
                       const std::array<Corner, 3>& corners) const;
+  bool ends_there(const std::vector<GroupPatches>& groups, const Corner& corner,
+                  double overshoot_max) const;
   bool has_uniform_gap(int triangle, const std::array<Corner, 3>& at,
                        const std::vector<GroupPatches>& groups, double range) const;
   bool has_one_law(const std::vector<GroupPatches>& groups, int triangle, int object,

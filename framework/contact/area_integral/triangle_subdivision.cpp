@@ -14,6 +14,7 @@ constexpr int depth_within_cell = 3;                  // divisions within one ce
 constexpr int depth_max = 6;                          // of cells: 4096 in a triangle
 constexpr int clip_lines_max = 6;                     // boundary lines that clip one subtriangle
 constexpr double distance_tolerance_relative = 1e-9;  // far above rounding
+constexpr double on_line_ratio = 5e-10;               // per size of a triangle, far above rounding
 
 using Corners = std::array<Vec3, 3>;
 const Corners unit_triangle = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -31,6 +32,8 @@ std::array<Corners, 4> children_of(const Corners& c) { return children_of(c, mid
 
 }  // namespace
 
+double TriangleSubdivision::line_tolerance(double area) { return on_line_ratio * std::sqrt(2 * area); }
+
 int TriangleSubdivision::depth_of(double area, double size) {
   return std::clamp(static_cast<int>(std::ceil(std::log2(std::sqrt(2 * area) / size))), 1, depth_max);
 }
@@ -45,7 +48,7 @@ void TriangleSubdivision::begin(const Request& request, const SurfaceRegion* reg
   range_twice_ = 2 * request.range;
   out_ = &out;
   size_ = std::sqrt(2 * lagged_.area(triangle_));
-  slack_ = 1e-9 * size_;
+  on_line_ = line_tolerance(lagged_.area(triangle_));
   sample_depth_ = request.depth;
   last_depth_ = sample_depth_ + depth_within_cell;
 }
@@ -77,7 +80,7 @@ TriangleSubdivision::PointOverlap TriangleSubdivision::overlap_at(const Vec3& in
   if (visible.count == 0) return overlap;
   const VisiblePatch& patch = *std::max_element(visible.patches.begin(), visible.patches.begin() + visible.count,
                                                 [](const VisiblePatch& a, const VisiblePatch& b) { return a.area < b.area; });
-  return {true, patch.overshoot <= slack_, patch.overshoot, patch.distance, patch.seed_triangle, patch.normal};
+  return {true, patch.overshoot <= on_line_, patch.overshoot, patch.distance, patch.seed_triangle, patch.normal};
 }
 
 TriangleSubdivision::CornerOverlaps TriangleSubdivision::overlaps_at(const Corners& points, const std::vector<int>& near) {
@@ -134,9 +137,9 @@ void TriangleSubdivision::subdivide_to_cells(const Corners& c, int depth, int ce
 void TriangleSubdivision::add_interior_point(const Corners& c, int cell, const std::vector<int>& near) {
   Sum own;
   integrate(c, sample_depth_, overlaps_at(c, near), near, own);
-  // A strip along the boundary that overlaps within the slack alone makes no point.
-  const double strip = slack_ * size_ / (1 << sample_depth_);
-  if (!(own.area > 4 * strip) || !(own.normal.norm() > distance_tolerance_relative * own.area)) return;
+  // A strip along the boundary that overlaps within the tolerance alone makes no point.
+  const double strip = on_line_ * size_ / (1 << sample_depth_);
+  if (!(own.area > 8 * strip) || !(own.normal.norm() > distance_tolerance_relative * own.area)) return;
   out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area, cell, region_ ? region_->region_pair() : -1});
   facets_->facets.push_back({triangle_, own.seed_triangle, own.area, own.distance / own.area});
 }
@@ -167,9 +170,9 @@ bool TriangleSubdivision::clip(const Corners& c, const CornerOverlaps& overlaps,
     if (!overlaps.at[i].overlaps) add_clip_lines(mesh_, lagged_, region_, overlaps.at[i].seed_triangle, position(c[i]), lines_);
   }
   if (lines_.empty() || lines_.size() > clip_lines_max) return false;
-  // The shift puts corners on the boundary inside, and a boundary along an edge of the subtriangle
-  // is found.
-  for (ClipLine& line : lines_) line.at += slack_ / 2 * line.outward;
+  // Ties: corners on the boundary lie inside. Of two triangles that meet in a line of the boundary, the
+  // inner one overlaps as a whole, and the outer one has a strip, whose outer edge is the boundary.
+  for (ClipLine& line : lines_) line.at += on_line_ * line.outward;
   for (const ClipPolygon& polygon : clip_by_lines(lagged_.x(), mesh_.triangles[triangle_], c, lines_)) {
     const Vec3 first = position(polygon[0].inside);
     double area = 0;
@@ -180,7 +183,7 @@ bool TriangleSubdivision::clip(const Corners& c, const CornerOverlaps& overlaps,
       area += area_of_part;
       middle += area_of_part / 3 * (polygon[0].inside + polygon[i].inside + polygon[i + 1].inside);
     }
-    const Vec3 inside = area > slack_ * slack_ ? Vec3(middle / area) : mean;
+    const Vec3 inside = area > 4 * on_line_ * on_line_ ? Vec3(middle / area) : mean;
     const PointOverlap centre_overlap = overlap_at(inside, near);
     if (!centre_overlap.overlaps) continue;
     add(area * lagged_.cosine(triangle_, centre_overlap.normal), inside, centre_overlap, sum);

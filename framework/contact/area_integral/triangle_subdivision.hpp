@@ -28,6 +28,9 @@ class TriangleSubdivision {
   // Returns the depth, the number of divisions into four, at which the cells of a triangle of this
   // area [m^2] have at most this size [m].
   static int depth_of(double area, double size);
+  // Returns the distance from an overlap boundary within which points of a triangle of this area
+  // [m^2] lie on it and count as overlapping, so that round-off decides nothing [m].
+  static double line_tolerance(double area);
   struct Request {
     int triangle, object;
     double range;  // of the law [m]
@@ -86,7 +89,7 @@ class TriangleSubdivision {
   PatchFinder finder_;
   const SurfaceRegion* region_ = nullptr;
   int triangle_ = 0, object_ = 0, sample_depth_ = 0, last_depth_ = 0;
-  double range_ = 0, range_twice_ = 0, size_ = 0, slack_ = 0;  // m
+  double range_ = 0, range_twice_ = 0, size_ = 0, on_line_ = 0;  // m
   std::vector<InteriorPoint>* out_ = nullptr;
   OverlapFacets* facets_ = nullptr;
   std::span<const int> nearby_;

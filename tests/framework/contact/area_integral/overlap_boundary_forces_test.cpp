@@ -100,6 +100,20 @@ TEST_CASE("overlap boundary: the lateral force is that of the energy per length,
     }
 }
 
+// The boundary of the lower plate runs along lines of the upper one, that of the upper plate along lines of the lower one, or both.
+TEST_CASE("overlap boundary: round-off along lines of the meshes changes no force", "[contact][overlap_boundary]") {
+  for (const auto& [shift, cells] : {std::pair(side / 6, std::array{6, 5}), std::pair(0.4 * side, std::array{6, 5}), std::pair(0.4 * side, std::array{1, 10}),
+                                     std::pair(side / 2, std::array{4, 4})})
+    for (const double off : {0.0, 1e-16, -1e-16, 1e-12, -1e-12, 3e-10, -3e-10, 1e-9, -1e-9, 1e-7, -1e-7})
+      for (const double angle : {0.0, 1e-16, 1e-12, 1e-9}) {
+        Places p(plates(shift + off * side, angle, cells));
+        p.begin(p.world.rest);
+        INFO("shift " << shift << " and " << off << " sides, turned by " << angle << ", cells " << cells[0] << " and " << cells[1]);
+        const double width = side - 0.00013;
+        CHECK(Published(*overlap_boundary_term(p.world)).force_between(p.world.rest, "adhesion", {0, 1}).x() == Approx(-p.depth() * width).epsilon(1e-3));
+      }
+}
+
 TEST_CASE("overlap boundary: areas change by no more than the swept area", "[contact][overlap_boundary]") {
   // Where lines of the meshes meet, and beside.
   for (const double shift : {side / 6, 0.4 * side, side / 2, 0.0071})

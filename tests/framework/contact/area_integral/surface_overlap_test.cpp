@@ -26,10 +26,18 @@ struct Setup {
 };
 
 struct Overlap {
-  explicit Overlap(const Setup& setup, const Mat3& rotation = Mat3::Identity(), const Vec3& offset = Vec3::Zero()) {
+  // turn: of object 0 about the point (1, 0.5) of both, before all is rotated and translated [rad].
+  explicit Overlap(const Setup& setup, const Mat3& rotation = Mat3::Identity(), const Vec3& offset = Vec3::Zero(), double turn = 0) {
     builder.add_rectangle(setup.cells, 0, setup.corner, setup.width, setup.depth, false);
     builder.add_rectangle(setup.cells_below, 1, {0, 0, 0}, 1, 1);
-    x = moved(builder.x(), rotation, offset);
+    VecX flat = builder.x();
+    if (turn != 0)
+      for (int v = 0; v < flat.size() / 3; ++v)
+        if (builder.scene.mesh.vertex_object[v] == 0) {
+          const Vec3 arm = vertex(flat, v) - Vec3(1, 0.5, 0);
+          vertex(flat, v) += Vec3(-std::sin(turn) * arm.y() + (std::cos(turn) - 1) * arm.x(), std::sin(turn) * arm.x() + (std::cos(turn) - 1) * arm.y(), 0);
+        }
+    x = moved(flat, rotation, offset);
     at = std::make_unique<SurfaceAt>(builder, x);
     PairRole role{pairs.add_law(flat_law(range)), 1, range, true};
     role.overlap_only = true;
@@ -83,6 +91,19 @@ struct Overlap {
   std::vector<GroupPatches> groups;
 };
 
+// Returns the length of the overlap boundary whose outward normal is within 45 degrees of a direction [m].
+double boundary_length(const Overlap& overlap, const Vec3& direction) {
+  const CollisionMesh& mesh = overlap.at->surface.mesh;
+  double sum = 0;
+  for (const OverlapFacets& pair : overlap.overlap->facets())
+    for (const OverlapBoundaryEdge& edge : pair.boundary_edges) {
+      const Triangle& t = mesh.triangles[edge.other];
+      const Vec3 along = vertex(overlap.x, t[(edge.side + 1) % 3]) - vertex(overlap.x, t[edge.side]);
+      if (along.cross(overlap.at->lagged.normal(edge.other)).normalized().dot(direction) > 0.71) sum += edge.length;
+    }
+  return sum;
+}
+
 double common(const Setup& s) {
   const auto length = [](double from, double size) { return std::max(0.0, std::min(1.0, from + size) - std::max(0.0, from)); };
   return length(s.corner.x(), s.width) * length(s.corner.y(), s.depth);
@@ -103,6 +124,25 @@ TEST_CASE("the overlap of two rectangles is the common rectangle, whatever the s
           for (const OverlapFacet& f : pair.facets) facets += f.area;
         CHECK(facets == Approx(overlap.area()).margin(1e-9));
       }
+}
+
+// The boundary x = 1 of the lower surface runs along a line of the upper one, but for an offset or an angle.
+TEST_CASE("a boundary along lines of the other mesh has its length, whatever round-off does", "[contact][overlap]") {
+  RandomPoints random(2);
+  for (const std::array<int, 2> cells : {std::array{4, 4}, std::array{6, 1}, std::array{2, 5}, std::array{10, 3}})
+    for (const double scale : {0.0, 1e-16, 1e-12, 1e-10, 3e-10, 1e-9, 1e-8, 1e-6, 1e-4})
+      for (const double sign : {1.0, -1.0})
+        for (const bool turned : {false, true}) {
+          const double by = sign * scale;
+          const Setup setup{.cells = cells, .corner = {0.5 + (turned ? 0 : by), -0.17, 0.08}, .depth = 0.8};
+          for (int trial = 0; trial < 3; ++trial) {
+            const Mat3 all = trial == 0 ? Mat3::Identity() : random.rotation();
+            const Overlap overlap(setup, all, trial == 0 ? Vec3::Zero() : random.point(2), turned ? by : 0);
+            INFO(cells[0] << " x " << cells[1] << " cells, " << (turned ? "turned" : "shifted") << " by " << by << ", trial " << trial);
+            CHECK(boundary_length(overlap, all * Vec3::UnitX()) == Approx(0.63).margin(1e-3 * std::max(1e-3, scale / 1e-4)));
+            CHECK(overlap.area() == Approx(0.63 * 0.5).margin(1e-6 + scale));
+          }
+        }
 }
 
 TEST_CASE("the overlap does not depend on rotation and translation", "[contact][overlap]") {
