@@ -177,6 +177,28 @@ bool refine(Complex& complex, const Domain& domain, const Criteria& bounds, std:
   return true;
 }
 
+bool fills_manifold(const Mesh& tets) {
+  if (tets.tets.empty()) return false;
+  const SurfaceDefects defects = find_defects(triangle_surface(tets, "tets"), false);
+  return defects.closed() && defects.manifold();
+}
+
+// Returns the refined complex as tets, slivers perturbed and exuded. Refinement ends with a manifold surface, but perturbation moves
+// vertices of the surface without regard to it, and round-off decides whether two of its edges then meet. A step that makes the
+// surface no manifold is left out.
+Mesh without_slivers(Complex& complex, const Domain& domain, double aim) {
+  namespace p = CGAL::parameters;
+  Complex refined(complex);
+  CGAL::perturb_mesh_3(complex, domain, p::time_limit = 0, p::sliver_bound = aim);
+  CGAL::exude_mesh_3(complex, p::time_limit = 0, p::sliver_bound = aim);
+  Mesh tets = tets_of(complex);
+  if (fills_manifold(tets)) return tets;
+  const Mesh with_slivers = tets_of(refined);
+  CGAL::exude_mesh_3(refined, p::time_limit = 0, p::sliver_bound = aim);
+  tets = tets_of(refined);
+  return fills_manifold(tets) ? tets : with_slivers;
+}
+
 struct FilledSurface {
   Mesh tets;
   bool creased = false;
@@ -185,7 +207,6 @@ struct FilledSurface {
 // Fills the surface, keeping edges with a larger angle [rad] than crease_angle; none if that does not end.
 std::optional<FilledSurface> fill_surface(const CgalMesh& surface, const Sizes& sizes, const TetrahedralizeOptions& o, double crease_angle,
                                   std::size_t most_vertices) {
-  namespace p = CGAL::parameters;
   CGAL::get_default_random() = CGAL::Random(0);
   Domain domain(surface);
   domain.detect_features(crease_angle * degrees);
@@ -196,9 +217,7 @@ std::optional<FilledSurface> fill_surface(const CgalMesh& surface, const Sizes& 
   if (!refine(complex, domain, bounds, most_vertices)) return std::nullopt;
   if (seed_missed_patches(domain, complex) && !refine(complex, domain, bounds, most_vertices)) return std::nullopt;
   const double aim = std::max(12.0, o.dihedral_angle * degrees + 1);
-  CGAL::perturb_mesh_3(complex, domain, p::time_limit = 0, p::sliver_bound = aim);
-  CGAL::exude_mesh_3(complex, p::time_limit = 0, p::sliver_bound = aim);
-  return FilledSurface{tets_of(complex), !creases.none()};
+  return FilledSurface{without_slivers(complex, domain, aim), !creases.none()};
 }
 
 // Returns a generous bound of the number of vertices: inside, on the surface, and where its curvature needs shorter edges.

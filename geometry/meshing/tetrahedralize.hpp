@@ -1,7 +1,7 @@
 // Tets inside a closed surface: Delaunay refinement with sharp edges protected, then slivers are
-// perturbed and exuded (Jamin, Alliez, Yvinec, Boissonnat, CGALmesh: a generic framework for
-// Delaunay mesh generation, 2015; Cheng, Dey, Ramos, Delaunay refinement for piecewise smooth
-// complexes, 2010; CGAL).
+// perturbed and exuded, as far as the surface stays a manifold (Jamin, Alliez, Yvinec, Boissonnat,
+// CGALmesh: a generic framework for Delaunay mesh generation, 2015; Cheng, Dey, Ramos, Delaunay
+// refinement for piecewise smooth complexes, 2010; CGAL).
 #pragma once
 
 #include <numbers>
