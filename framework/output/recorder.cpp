@@ -7,7 +7,7 @@
 
 namespace tack {
 
-Recorder::Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet& probes, const World& world,
+Recorder::Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet& probes, World& world,
                    const RunFolder& folder, PhaseClock& clock, std::optional<double> resumed_at)
     : output_(output), time_(time), probe_set_(probes), world_(world), folder_(folder), clock_(clock),
       steps_(resumed_at ? StepsCsv::continued(folder.steps(), *resumed_at) : StepsCsv(folder.steps())),
@@ -24,7 +24,7 @@ void Recorder::schedule_frame(double time) {
 
 void Recorder::start(const State& state) {
   const PhaseScope scope(clock_, Phase::io);
-  if (world_.contact) world_.contact->move_to(state.x);
+  world_.participants.move_to(state.x);
   sample(state);
   if (output_.frames) write_frame(state);
 }

@@ -16,7 +16,7 @@ namespace tack {
 class Recorder {
  public:
   // resumed_at: continues the files of a run up to that time [s]; then start() is not called.
-  Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet& probes, const World& world,
+  Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet& probes, World& world,
            const RunFolder& folder, PhaseClock& clock,
            std::optional<double> resumed_at = std::nullopt);
 
@@ -33,7 +33,7 @@ class Recorder {
   const OutputConfig& output_;
   const TimeConfig& time_;
   ProbeSet& probe_set_;
-  const World& world_;
+  World& world_;
   RunFolder folder_;
   PhaseClock& clock_;
   StepsCsv steps_;

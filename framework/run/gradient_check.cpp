@@ -49,7 +49,7 @@ Curve curve_of(LoadedExperiment loaded, const std::string& column, std::vector<W
   };
   const double began = user_seconds();
   simulation.start();
-  if (simulation.world().contact) simulation.world().contact->move_to(simulation.state().x);
+  simulation.world().participants.move_to(simulation.state().x);
   if (!gradients.empty()) gradients.start();
   sample();
   while (!simulation.finished()) {

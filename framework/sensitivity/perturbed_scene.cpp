@@ -77,7 +77,7 @@ void PerturbedScene::begin() {
 
 void PerturbedScene::start() {
   begin();
-  if (built_->world().contact) built_->world().contact->move_to(stepper_->state().x);
+  built_->world().participants.move_to(stepper_->state().x);
 }
 
 void PerturbedScene::solve(const SolvedStep& step, const VecX& gradient, TangentSystem& system) {

@@ -69,7 +69,7 @@ std::array<double, 2> all_ballistic_energies(const World& world, const State& st
 
 }  // namespace
 
-EnergyBalance::EnergyBalance(const World& world, const Minimizer& solver)
+EnergyBalance::EnergyBalance(World& world, const Minimizer& solver)
     : world_(world), solver_(solver), groups_(world, solver.velocity_tolerance()) {}
 
 // Returns the energy of contact at x [J]; contact must be at x.
@@ -92,9 +92,9 @@ double EnergyBalance::contact_at_start(const VecX& start, const VecX& end,
     sum += first.value_or(0);
   });
   if (known) return sum;
-  if (world_.contact) world_.contact->move_to(start);
+  world_.participants.move_to(start);
   sum = contact_at(start);
-  if (world_.contact) world_.contact->move_to(end);
+  world_.participants.move_to(end);
   return sum;
 }
 
@@ -134,11 +134,11 @@ void EnergyBalance::begin(const State& state, bool has_prescribed_motion) {
   if (start_.open && start_.contact == 0) {
     contact_ = 0;
   } else if (has_prescribed_motion || !start_.open) {
-    if (world_.contact) world_.contact->move_to(state.x);
+    world_.participants.move_to(state.x);
     contact_ = contact_at(state.x);
   }
   if (!start_.open) open_account(state);
-  if (world_.contact && groups_.needs_contact(state)) world_.contact->move_to(state.x);
+  if (world_.contact && groups_.needs_contact(state)) world_.participants.move_to(state.x);
   groups_.begin(state);
   const auto [kinetic, gravity] = energies_of_free_vertices(world_, state);
   released_ = state.energy.open ? kinetic + gravity - start_.kinetic - start_.gravity : 0;

@@ -47,7 +47,7 @@ class EnergyBalance {
  public:
   using Energies = std::vector<NamedEnergy>;  // world/energy_records.hpp
 
-  EnergyBalance(const World& world, const Minimizer& solver);
+  EnergyBalance(World& world, const Minimizer& solver);
 
   // Begins a step from `state`: areas of contact are evaluated, fixed vertices are known, and
   // nothing has moved. has_prescribed_motion: a prescribed motion moves vertices in this step, so
@@ -82,7 +82,7 @@ class EnergyBalance {
   void warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows);
   double solver_noise() const;
 
-  const World& world_;
+  World& world_;
   const Minimizer& solver_;
   GroupBalance groups_;
   EnergyAccount start_;            // at the start of the step

@@ -73,8 +73,7 @@ Running::~Running() { end_problem(); }
 
 // Moves contact to the state.
 void Running::settle() {
-  World& world = simulation_->world();
-  if (world.contact) world.contact->move_to(simulation_->state().x);
+  simulation_->world().participants.move_to(simulation_->state().x);
 }
 
 void Running::show() {

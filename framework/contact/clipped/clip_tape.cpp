@@ -48,6 +48,7 @@ void ClipTape::cut(const ClipPiece& piece, int line, const Side& side, ClipPiece
     crossing.to = after.node;
     crossing.line = line;
     crossing.ties = nodes[corner.node].ties & nodes[after.node].ties;
+    crossing.shared_ties = nodes[corner.node].shared_ties & nodes[after.node].shared_ties;
     crossing.t = t;
     if (difference != 0) {
       crossing.rate_from = -next.second / (difference * difference);
@@ -72,11 +73,20 @@ std::pair<bool, double> side_of(bool beyond, double distance) {
 
 void ClipTape::keep_inside(const ClipPiece& piece, int line, bool owns, ClipPiece& inside) {
   const PlaneLine& by = lines[line];
+  const auto tied = [line](const ClipNode& node) { return (node.ties >> line & 1) != 0; };
+  const std::size_t older = nodes.size();
   cut(piece, line, [&](const ClipNode& node) {
     const double distance = by.distance(node.at);
-    const bool tie = (node.ties >> line & 1) != 0 || std::abs(distance) < round_off * by.length;
-    return side_of(tie ? owns : distance > 0, distance);
+    if ((node.shared_ties >> line & 1) != 0) return std::pair(owns, distance);
+    return side_of(tied(node) || std::abs(distance) < round_off * by.length ? owns : distance > 0, distance);
   }, inside, nullptr);
+  // A crossing at a tied end has the ties of this end with other lines.
+  for (std::size_t i = older; i < nodes.size(); ++i)
+    for (const int end : {nodes[i].from, nodes[i].to})
+      if (tied(nodes[end])) {
+        nodes[i].ties |= nodes[end].ties;
+        nodes[i].shared_ties |= nodes[end].shared_ties;
+      }
 }
 
 void ClipTape::cut_by_line(const ClipPiece& piece, int line, double distance, double tolerance,

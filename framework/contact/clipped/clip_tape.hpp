@@ -21,6 +21,10 @@ struct ClipNode {
   int line = -1;  // that cut it; -1: a level
   // A bit per line: the node is so near to it that round-off would decide on which side it lies.
   unsigned ties = 0;
+  // A bit per line: the node is an end of an edge of the first triangle that lies along the line
+  // and has a neighbour. What the cut adds to one of the two triangles there, it takes from the
+  // other.
+  unsigned shared_ties = 0;
   double t = 0;                       // at = (1 - t) from + t to
   double rate_from = 0, rate_to = 0;  // derivatives of t by the distances of both ends [1/m]
 };
@@ -60,7 +64,9 @@ class ClipTape {
     return static_cast<int>(nodes.size()) - 1;
   }
   // Cuts a piece by a line of the second triangle and keeps what lies inside. Ties with the line
-  // (ClipNode::ties) lie inside if `owns`.
+  // (ClipNode::ties) lie inside if `owns`. A shared tie is cut at the line even if it lies on the
+  // other side of it: a sliver with a negative area then makes up for the neighbour's, and the sum
+  // over both triangles is the exact one.
   void keep_inside(const ClipPiece& piece, int line, bool owns, ClipPiece& inside);
   // Cuts a piece where the distance from a line is `distance`. Overwrites `beyond` with the side of
   // larger distances and `within` with the other; a side of fewer than three corners is empty.

@@ -30,7 +30,7 @@ using Mat18 = Eigen::Matrix<double, 18, 18>;
 
 // Levels between which a law is close to a parabola, ascending, from 0 to its range [m].
 using GapBands = std::vector<double>;
-// Returns eight bands at most: four up to the largest traction and four beyond.
+// Returns two bands for a law of two parabolas, as many as needed for others.
 GapBands gap_bands(const PairLaw& law);
 
 struct ClippedPair {
