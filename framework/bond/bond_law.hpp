@@ -189,7 +189,10 @@ class BondLawOf : public BondLaw {
     if constexpr (!std::is_empty_v<typename Law::HistoryVariables>) {
       now = law().after(before, at);
       change.dissipated = law().loss(before, now, at);
-      change.dissipated += pressed(state.d, at.s, before) - pressed(state.d, at.s, now);
+      // Damage reduces the energy of pressing; it grows by round-off alone, where damage barely
+      // does.
+      change.dissipated +=
+          std::max(0.0, pressed(state.d, at.s, before) - pressed(state.d, at.s, now));
     }
     BondState end = state;  // relative to the attachment point after healing
     if constexpr (requires { law().heal(now, at); }) {

@@ -146,7 +146,7 @@ TEST_CASE("bonds: the potential of a step is stored or dissipated", "[bonds]") {
   for_each_law([](BondLaw& law, const std::string& type) {
     std::mt19937 random(3);
     const double viscosity = viscosity_of(type, law);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 4000; ++i) {
       Situation it = some_situation(law, random);
       const double d = i % 4 == 3 ? -it.d : it.d;  // some are pressed
       const double before = it.bond.intensity(), value = law.at(d, it.u * it.u, it.bond.history(), it.h).value;
