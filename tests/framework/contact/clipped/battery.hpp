@@ -62,7 +62,7 @@ class Bodies {
          const std::string& law = triangular_traction)
       : scene_(fmt::format("objects:\n  - {{name: upper, {}, place: {{translate: [0, {}, 0]}}}}\n  "
                            "- {{name: lower, {}}}\n"
-                           "contact: {{distance: {}, integral: {}, pairs: [{{between: [upper, "
+                           "contact: {{distance: {}, model: {}, pairs: [{{between: [upper, "
                            "lower], adhesion: {}}}]}}\n",
                            upper, away, lower, contact_distance, integral, law)) {}
 
@@ -197,12 +197,12 @@ struct Row {
 };
 
 inline void print_table(const std::vector<Row>& rows) {
-  fmt::print("{:42} {:8} {:>15} {:>15} {:>8} {:>8}\n", "case", "integral", "energy", "normal force",
+  fmt::print("{:42} {:13} {:>15} {:>15} {:>8} {:>8}\n", "case", "model", "energy", "normal force",
              "lateral", "balance");
   for (const Row& row : rows)
-    for (const char* integral : {"clipped", "lagged"}) {
+    for (const char* integral : {"clipped", "area_integral"}) {
       const Ratios r = row.measure(integral);
-      fmt::print("{:42} {:8} {:.5f}-{:.5f} {:.5f}-{:.5f} {:8.1e} {:8.1e}\n", row.name, integral,
+      fmt::print("{:42} {:13} {:.5f}-{:.5f} {:.5f}-{:.5f} {:8.1e} {:8.1e}\n", row.name, integral,
                  r.energy_low, r.energy_high, r.normal_low, r.normal_high, r.lateral, r.net);
     }
 }
@@ -211,7 +211,7 @@ inline void print_table(const std::vector<Row>& rows) {
 inline void check(const std::vector<Row>& rows) {
   for (const Row& row : rows)
     for (const auto& [integral, bounds] :
-         {std::pair("clipped", row.clipped), std::pair("lagged", row.lagged)}) {
+         {std::pair("clipped", row.clipped), std::pair("area_integral", row.lagged)}) {
       const Ratios r = row.measure(integral);
       INFO(row.name << ", " << integral << ": energy " << r.energy_low << " to " << r.energy_high
                     << ", normal force " << r.normal_low << " to " << r.normal_high

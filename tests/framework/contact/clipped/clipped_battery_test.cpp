@@ -1,4 +1,4 @@
-// The clipped integral against closed forms, with the lagged one beside it: plates, cubes, tilted
+// The clipped integral against closed forms, with the area integral beside it: plates, cubes, tilted
 // plates, spheres, bars, corners and edges. `tack_tests "[clipped_table]"` prints all figures.
 #include <catch2/catch.hpp>
 
@@ -48,7 +48,7 @@ Ratios cube_on_ground(const std::string& integral, double cell) {
   const int cells = static_cast<int>(std::lround(40 / cell));
   Bodies bodies(integral, box({10, 10, 10}, {4, 4, 4}), box({40, 1, 40}, {cells, 1, cells}));
   RandomMotions random(7);
-  const int placements = cell < 2 || integral == "lagged" ? 8 : 48;
+  const int placements = cell < 2 || integral == "area_integral" ? 8 : 48;
   for (int k = 0; k < placements; ++k) {
     const double angle = k % 3 == 0 ? 0 : 90 * degree * random.uniform(0, 1);
     const Vec3 shift(cell * random.uniform(0, 1), gap + 5, cell * random.uniform(0, 1));
@@ -143,7 +143,7 @@ Ratios edge_on_face(const std::string& integral, int cells) {
 }
 
 std::vector<Row> rows() {
-  // Bounds are two to three times the measured errors, and 1e-6 where these are round-off. Lagged:
+  // Bounds are two to three times the measured errors, and 1e-6 where these are round-off. Area integral:
   // no bound where its figure depends on where vertices happen to be.
   constexpr ErrorBounds exact{1e-6, 1e-6, 1e-6};
   std::vector<Row> all;
