@@ -53,7 +53,13 @@ void FrictionTerm::publish(Records& records) const {
 }
 
 ContactPoints FrictionTerm::lagged_at(const VecX& x) const {
-  return contact_points({system_, wanted_, x});
+  ContactPoints points = contact_points({system_, wanted_, x});
+  // Points of clipped adhesion carry no pressure.
+  std::erase_if(points.of<6>(), [this](const ContactPoint<6>& c) {
+    const TangentialLaw& law = system_.pairs().tangential(c.law);
+    return c.normal_force == 0 && law.mu_a * law.peak_traction == 0;
+  });
+  return points;
 }
 
 void FrictionTerm::take(ContactPoints points) {

@@ -27,7 +27,7 @@ double edge_range(const ContactSurface& surface, const PairTable& pairs, int a, 
   const bool rods = surface.rod_width[a] > 0 && surface.rod_width[b] > 0;
   double range = 0;
   for (int region_pair = -1; region_pair < pairs.region_pair_count(a, b); ++region_pair)
-    range = std::max({range, pairs.edge(a, b, region_pair).range, pairs.edge(a, b, region_pair).clipped_range, rods ? pairs.codimensional(a, b, region_pair).range_max() : 0});
+    range = std::max({range, pairs.edge(a, b, region_pair).range, rods ? pairs.codimensional(a, b, region_pair).range_max() : 0});
   return range;
 }
 

@@ -98,7 +98,7 @@ class AttachedObjects : public Probe {
     for (const PairLaw& law : adhesion) adhesive_.push_back(!law.laws().empty());
   }
   Unit unit() const override { return units::none; }
-  std::vector<double> sample(const World& world, const State&) override {
+  std::vector<double> sample(const World& world, const State& state) override {
     std::vector<char> attached(world.bodies.size(), 0);
     const auto& object = world.contact->surface().mesh.vertex_object;
     for_each_kind(world.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
@@ -108,6 +108,11 @@ class AttachedObjects : public Probe {
         if (a == index_ && b != index_) attached[b] = 1;
         if (b == index_ && a != index_) attached[a] = 1;
       }
+    });
+    // Some models adhere without stencils of the system.
+    for_each_record(points_of(world, state, adhesive_), [&](const auto& c) {
+      if (c.object == index_ && c.opposite != index_) attached[c.opposite] = 1;
+      if (c.opposite == index_ && c.object != index_) attached[c.object] = 1;
     });
     if (world.bonds) add_bonded(*world.bonds, attached);
     return {static_cast<double>(std::count(attached.begin(), attached.end(), 1))};

@@ -196,6 +196,12 @@ void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, st
   }
 }
 
+void BroadPhase::triangles_near(const Triangle& triangle, std::vector<int>& out) const {
+  Aabb box = box_of(triangle);
+  inflate_query(mesh_.vertex_object[triangle[0]], box);
+  finder_.triangles_in(box, -1, out);
+}
+
 void BroadPhase::others_near(const Triangle& triangle, std::vector<int>& out) const {
   const int object = mesh_.vertex_object[triangle[0]];
   Aabb box = box_of(triangle);

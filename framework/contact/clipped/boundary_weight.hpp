@@ -14,10 +14,19 @@ namespace tack {
 struct BoundaryWeight {
   double value, slope;  // rho, d rho / dt
 
+  // Number: double, or a pack of them.
+  template <class Number>
+  static Number value_in_strip(const Number& t) {
+    return t * (12 + t * (-36 + t * (40 - 15 * t)));
+  }
+  template <class Number>
+  static Number slope_in_strip(const Number& t) {
+    return 12 + t * (-72 + t * (120 - 60 * t));
+  }
   static BoundaryWeight at(double t) {
     if (t >= 1) return {1, 0};
     if (t <= 0) return {0, 12};
-    return {t * (12 + t * (-36 + t * (40 - 15 * t))), 12 + t * (-72 + t * (120 - 60 * t))};
+    return {value_in_strip(t), slope_in_strip(t)};
   }
 };
 

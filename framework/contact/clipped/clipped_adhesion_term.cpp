@@ -3,56 +3,85 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
 #include "framework/assembly/stencil_blocks.hpp"
+#include "framework/contact/clipped/clip_pack.hpp"
+#include "framework/contact/clipped/close_triangles.hpp"
+#include "framework/contact/clipped/rest_triangles.hpp"
 #include "framework/contact/law_debonding.hpp"
 #include "framework/core/concurrent_maximum.hpp"
+#include "geometry/broad_phase/broad_phase.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
 
-// Step of the differences of the exact Hessian, per length of the first edge of b. They are of
-// fourth order, because crossings of nearly parallel edges have large third derivatives.
-constexpr double difference_step = 3e-6;
+// Step of the differences of the exact Hessian, per length of the first edge of b: the error is least
+// between 3e-6 and 3e-5 (docs/decisions/78-clipped-integral.md).
+constexpr double difference_step = 1e-5;
 // Relative difference up to which two surfaces are equal in area: round-off of their sums.
 constexpr double equal_area_ratio = 1e-9;
-// Pairs of a chunk: one pair takes about a microsecond.
-constexpr int pairs_per_chunk = 64;
+// Pairs of a chunk: one pair takes 0.05 to 0.4 microseconds.
+constexpr int pairs_per_chunk = 128;
+static_assert(pairs_per_chunk % pack_width == 0);
+
+double lane_sum(const Pack& pack, int lanes, unsigned wanted) {
+  double sum = 0;
+  for (int l = 0; l < lanes; ++l)
+    if (wanted >> l & 1u) sum += pack[l];
+  return sum;
+}
 
 Vec3 area_vector(const std::array<Vec3, 3>& x) { return 0.5 * (x[1] - x[0]).cross(x[2] - x[0]); }
 
 }  // namespace
 
+// A pair whose two-sided triangles face each other. Corners 1 and 2 are swapped if they do not in the
+// order of the close pair.
+struct ClippedAdhesionTerm::Oriented : ClippedPair {
+  bool swapped_a = false, swapped_b = false;
+
+  bool swapped() const { return swapped_a || swapped_b; }
+  void swap_back(Vec18& gradient) const {
+    if (swapped_a) gradient.segment<3>(3).swap(gradient.segment<3>(6));
+    if (swapped_b) gradient.segment<3>(12).swap(gradient.segment<3>(15));
+  }
+  void swap_back(Mat18& hessian) const {
+    for (const int first : {swapped_a ? 3 : -1, swapped_b ? 12 : -1}) {
+      if (first < 0) continue;
+      hessian.middleRows<3>(first).swap(hessian.middleRows<3>(first + 3));
+      hessian.middleCols<3>(first).swap(hessian.middleCols<3>(first + 3));
+    }
+  }
+};
+
 ClippedAdhesionTerm::ClippedAdhesionTerm(const ContactSystem& system, ClippedLaws laws)
     : Term("clipped_adhesion"), system_(system), laws_(std::move(laws)), topology_(system.surface()) {
   const ContactSurface& surface = system_.surface();
   const CollisionMesh& mesh = surface.mesh;
-  std::map<Edge, std::vector<int>> at_edge;
-  surface_area_.assign(system_.pairs().objects(), 0);
+  const int objects = system_.pairs().objects();
+  surface_area_.assign(objects, 0);
   heights_.resize(mesh.triangles.size());
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     const std::array<Vec3, 3> x = corners(surface.rest, mesh.triangles[t]);
     const double area = area_vector(x).norm();
     surface_area_[mesh.vertex_object[mesh.triangles[t][0]]] += area;
-    for (int k = 0; k < 3; ++k) {
-      const int from = mesh.triangles[t][k], to = mesh.triangles[t][(k + 1) % 3];
-      at_edge[{std::min(from, to), std::max(from, to)}].push_back(t);
+    for (int k = 0; k < 3; ++k)
       heights_[t][k] = topology_.smooth_edge(t, k) ? 0 : 2 * area / (x[(k + 1) % 3] - x[k]).norm();
-    }
   }
-  for (const auto& [from, to] : mesh.edges) {
-    first_at_edge_.push_back(static_cast<int>(triangles_at_edge_.size()));
-    if (const auto found = at_edge.find({std::min(from, to), std::max(from, to)}); found != at_edge.end())
-      triangles_at_edge_.insert(triangles_at_edge_.end(), found->second.begin(), found->second.end());
-  }
-  first_at_edge_.push_back(static_cast<int>(triangles_at_edge_.size()));
+  has_planes_.assign(objects, 0);
+  for (int b = 0; b < objects; ++b)
+    for (int a = 0; a < objects && !has_planes_[b]; ++a)
+      has_planes_[b] = laws_.any(a, b) && has_planes(b, a);
+  margin_ = std::numeric_limits<double>::infinity();
+  for (const ClippedLaw& law : laws_.laws()) margin_ = std::min(margin_, ClippedLaws::margin_per_range * law.range);
 }
 
 // Returns whether the planes of `object` are used towards the other.
 bool ClippedAdhesionTerm::has_planes(int object, int other) const {
   const ClippedPlanes planes = laws_.planes(object, other);
+  if (planes == ClippedPlanes::of_both || object == other) return true;
   if (planes == ClippedPlanes::of_first || planes == ClippedPlanes::of_second) return planes == ClippedPlanes::of_first;
   if (planes == ClippedPlanes::of_coarser) return system_.pairs().finer(other, object);
   const double own = surface_area_[object], others = surface_area_[other];
@@ -60,150 +89,219 @@ bool ClippedAdhesionTerm::has_planes(int object, int other) const {
   return system_.pairs().finer(other, object);
 }
 
-void ClippedAdhesionTerm::add_pair(int triangle, int other, std::vector<TrianglePair>& pairs) const {
-  const CollisionMesh& mesh = system_.surface().mesh;
-  const int a = mesh.vertex_object[mesh.triangles[triangle][0]], b = mesh.vertex_object[mesh.triangles[other][0]];
-  if (a == b) return;
-  const int law = laws_.between(a, b);
-  if (law < 0) return;
-  if (has_planes(b, a)) pairs.push_back({triangle, other, law});
-  else pairs.push_back({other, triangle, law});
-}
-
-// Two triangles within range have a vertex and a triangle, or two edges, within range.
 void ClippedAdhesionTerm::find_pairs() {
-  const Candidates& candidates = system_.candidates();
-  const std::vector<Edge>& edges = system_.surface().mesh.edges;
-  const int points = static_cast<int>(candidates.point_triangle.size()), all = points + static_cast<int>(candidates.edge_edge.size());
+  const CollisionMesh& mesh = system_.surface().mesh;
+  const int all = static_cast<int>(mesh.triangles.size());
   std::vector<std::vector<TrianglePair>> found(chunk_count(all));
   for_each_chunk(all, [&](int chunk, int first, int last) {
-    for (int i = first; i < last; ++i) {
-      if (i < points) {
-        const auto& [point, triangle] = candidates.point_triangle[i];
-        for (const int t : topology_.triangles_at(point)) add_pair(t, triangle, found[chunk]);
-        continue;
+    std::vector<int> near_by;
+    for (int b = first; b < last; ++b) {
+      const int object = mesh.vertex_object[mesh.triangles[b][0]];
+      if (!has_planes_[object]) continue;
+      near_by.clear();
+      system_.broad_phase().triangles_near(mesh.triangles[b], near_by);
+      for (const int a : near_by) {
+        const int other = mesh.vertex_object[mesh.triangles[a][0]];
+        if (!laws_.any(other, object) || !has_planes(object, other)) continue;
+        const int law = laws_.between(other, object, system_.pairs().region_pair(other, object, mesh.triangles[a], mesh.triangles[b]));
+        if (law < 0 || (other == object && neighbours_at_rest(system_.surface(), a, b, laws_.laws()[law].range))) continue;
+        found[chunk].push_back({a, b, law});
       }
-      const auto& [ea, eb] = candidates.edge_edge[i - points];
-      const std::vector<int>& object = system_.surface().mesh.vertex_object;
-      if (laws_.between(object[edges[ea][0]], object[edges[eb][0]]) < 0) continue;
-      for (int k = first_at_edge_[ea]; k < first_at_edge_[ea + 1]; ++k)
-        for (int l = first_at_edge_[eb]; l < first_at_edge_[eb + 1]; ++l)
-          add_pair(triangles_at_edge_[k], triangles_at_edge_[l], found[chunk]);
     }
-    std::sort(found[chunk].begin(), found[chunk].end());
-    found[chunk].erase(std::unique(found[chunk].begin(), found[chunk].end()), found[chunk].end());
   });
   pairs_.clear();
   for (const auto& some : found) pairs_.insert(pairs_.end(), some.begin(), some.end());
-  std::sort(pairs_.begin(), pairs_.end());
-  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
 }
 
-// Takes the sides of two-sided triangles that face each other.
-ClippedAdhesionTerm::ActivePair ClippedAdhesionTerm::orient(const VecX& x, const TrianglePair& pair) const {
+// Returns a pair whose triangles face each other at x.
+ClippedAdhesionTerm::ClosePair ClippedAdhesionTerm::close_pair(const VecX& x, const TrianglePair& pair) const {
   const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
   const Triangle &ta = triangles[pair.a], &tb = triangles[pair.b];
-  const std::array<Vec3, 3> a = corners(x, ta), b = corners(x, tb);
-  const Vec3 normal_b = area_vector(b);
-  const bool flipped_b = topology_.two_sided(pair.b) && normal_b.dot(a[0] + a[1] + a[2] - b[0] - b[1] - b[2]) < 0;
-  const double facing = area_vector(a).dot(normal_b) * (flipped_b ? -1 : 1);
-  const bool flipped_a = topology_.two_sided(pair.a) && facing > 0;
-  ActivePair active{pair, {ta[0], ta[1], ta[2], tb[0], tb[1], tb[2]}, flipped_a, flipped_b};
-  if (flipped_a) std::swap(active.vertices[1], active.vertices[2]);
-  if (flipped_b) std::swap(active.vertices[4], active.vertices[5]);
-  return active;
-}
-
-ClippedPair ClippedAdhesionTerm::geometry(const VecX& x, const ActivePair& active) const {
-  const double strip = laws_.laws()[active.pair.law].strip;
-  // Swapping corners 1 and 2 turns edges 0, 1, 2 into 2, 1, 0.
-  const auto edge = [](bool flipped, int k) { return flipped ? 2 - k : k; };
-  ClippedPair pair;
+  ClosePair close{pair, {ta[0], ta[1], ta[2], tb[0], tb[1], tb[2]}, topology_.two_sided(pair.a) || topology_.two_sided(pair.b), {}, {}, {}};
+  const double strip = laws_.laws()[pair.law].strip;
   for (int k = 0; k < 3; ++k) {
-    pair.a[k] = vertex(x, active.vertices[k]);
-    pair.b[k] = vertex(x, active.vertices[3 + k]);
-    pair.boundary_a[k] = heights_[active.pair.a][edge(active.flipped_a, k)] > 0;
-    pair.owns_b[k] = active.vertices[3 + k] < active.vertices[3 + (k + 1) % 3];
-    pair.strip_b[k] = std::min(strip, 0.5 * heights_[active.pair.b][edge(active.flipped_b, k)]);
+    close.boundary_a[k] = !topology_.smooth_edge(pair.a, k);
+    close.owns_b[k] = tb[k] < tb[(k + 1) % 3];
+    close.strip_b[k] = std::min(strip, 0.5 * heights_[pair.b][k]);
   }
-  return pair;
+  if (!close.two_sided) return close;
+  const Oriented oriented = geometry(x, close);
+  if (oriented.swapped_a) std::swap(close.vertices[1], close.vertices[2]);
+  if (oriented.swapped_b) std::swap(close.vertices[4], close.vertices[5]);
+  close.boundary_a = oriented.boundary_a;
+  close.owns_b = oriented.owns_b;
+  close.strip_b = oriented.strip_b;
+  return close;
 }
 
-template <class Act>
-void ClippedAdhesionTerm::for_each_active(const VecX& x, int first, int last, const Act& act) const {
-  for (int i = first; i < last; ++i)
-    act(i, geometry(x, active_[i]), laws_.laws()[active_[i].pair.law]);
-}
-
-void ClippedAdhesionTerm::move_to(const VecX& x) {
+void ClippedAdhesionTerm::find_close_pairs(const VecX& x) {
   if (version_ != system_.candidates_version()) {
     find_pairs();
     version_ = system_.candidates_version();
   }
+  const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
   const int all = static_cast<int>(pairs_.size());
-  std::vector<std::vector<ActivePair>> found(chunk_count(all, pairs_per_chunk));
+  std::vector<std::vector<ClosePair>> found(chunk_count(all));
   for_each_chunk(all, [&](int chunk, int first, int last) {
-    ClipIntegrator integrator;
+    CloseTriangles test(margin_);
     for (int i = first; i < last; ++i) {
-      const ActivePair active = orient(x, pairs_[i]);
-      if (integrator.overlaps(geometry(x, active), laws_.laws()[pairs_[i].law].range)) found[chunk].push_back(active);
+      const TrianglePair& pair = pairs_[i];
+      const bool two_sided = topology_.two_sided(pair.a) || topology_.two_sided(pair.b);
+      if (test.may_overlap(corners(x, triangles[pair.a]), corners(x, triangles[pair.b]), laws_.laws()[pair.law].range, two_sided))
+        found[chunk].push_back(close_pair(x, pair));
     }
-  }, pairs_per_chunk);
-  active_.clear();
-  for (const auto& some : found) active_.insert(active_.end(), some.begin(), some.end());
+  });
+  close_.clear();
+  for (const auto& some : found) close_.insert(close_.end(), some.begin(), some.end());
+  close_at_ = x;
+  gradients_at_.resize(0);
+  value_at_.resize(0);
+  if (static_cast<int>(integrators_.size()) < chunk_count(pair_count(), pairs_per_chunk)) integrators_.resize(chunk_count(pair_count(), pairs_per_chunk));
+}
+
+void ClippedAdhesionTerm::begin_step(const StepStart& start) { find_close_pairs(start.x); }
+
+void ClippedAdhesionTerm::move_to(const VecX& x) {
+  if (close_at_.size() == x.size()) {
+    const std::vector<int>& vertices = system_.surface().mesh.vertices;
+    double largest = 0;
+    for (const int v : vertices) largest = std::max(largest, (vertex(x, v) - vertex(close_at_, v)).squaredNorm());
+    if (largest <= margin_ * margin_) return;
+  }
+  find_close_pairs(x);
 }
 
 void ClippedAdhesionTerm::clear_caches() {
   version_ = -1;
   pairs_.clear();
-  active_.clear();
+  close_.clear();
+  close_at_.resize(0);
+  gradients_at_.resize(0);
+  value_at_.resize(0);
 }
 
+// Swaps the corners of two-sided triangles so that they face each other.
+ClippedAdhesionTerm::Oriented ClippedAdhesionTerm::geometry(const VecX& x, const ClosePair& close) const {
+  Oriented pair;
+  for (int k = 0; k < 3; ++k) {
+    pair.a[k] = vertex(x, close.vertices[k]);
+    pair.b[k] = vertex(x, close.vertices[3 + k]);
+  }
+  pair.boundary_a = close.boundary_a;
+  pair.owns_b = close.owns_b;
+  pair.strip_b = close.strip_b;
+  if (!close.two_sided) return pair;
+  const Vec3 normal_b = area_vector(pair.b);
+  pair.swapped_b = topology_.two_sided(close.pair.b) && normal_b.dot(pair.a[0] + pair.a[1] + pair.a[2] - pair.b[0] - pair.b[1] - pair.b[2]) < 0;
+  pair.swapped_a = topology_.two_sided(close.pair.a) && (area_vector(pair.a).dot(normal_b) > 0) != pair.swapped_b;
+  // Edges 0, 1, 2 turn into 2, 1, 0, and run the other way.
+  if (pair.swapped_a) {
+    std::swap(pair.a[1], pair.a[2]);
+    std::swap(pair.boundary_a[0], pair.boundary_a[2]);
+  }
+  if (pair.swapped_b) {
+    std::swap(pair.b[1], pair.b[2]);
+    std::swap(pair.strip_b[0], pair.strip_b[2]);
+    pair.owns_b = {!close.owns_b[2], !close.owns_b[1], !close.owns_b[0]};
+  }
+  return pair;
+}
+
+// Calls packed(first index, lanes, pack, law, bit per lane) for the pairs whose integral a pack finds,
+// then single(index, pair, law) for others, pack after pack.
+template <class Packed, class Single>
+void ClippedAdhesionTerm::for_each_close(const VecX& x, int first, int last, const Packed& packed, const Single& single) const {
+  ClipPack pack;
+  for (int at = first; at < last; at += pack_width) {
+    const int lanes = std::min(pack_width, last - at), law = close_[at].pair.law;
+    unsigned found = (1u << lanes) - 1;
+    for (int l = 0; l < pack_width; ++l) {
+      const ClosePair& close = close_[at + std::min(l, lanes - 1)];
+      pack.set(l, x, close.vertices, close.strip_b, close.boundary_a);
+      if (close.pair.law != law || (close.two_sided && geometry(x, close).swapped())) found &= ~(1u << l);
+    }
+    found &= pack.clip(laws_.laws()[law].bands);
+    if (found != 0) packed(at, lanes, pack, laws_.laws()[law], found);
+    for (int l = 0; l < lanes; ++l)
+      if ((found >> l & 1u) == 0) single(at + l, geometry(x, close_[at + l]), laws_.laws()[close_[at + l].pair.law]);
+  }
+}
+
+// Minimisers and records ask for the value at one configuration several times.
 double ClippedAdhesionTerm::value(const VecX& x) const {
-  return sum_chunks(pair_count(), [&](int first, int last) {
-    ClipIntegrator integrator;
-    double sum = 0;
-    for_each_active(x, first, last, [&](int, const ClippedPair& pair, const ClippedLaw& law) {
-      sum += integrator.value(pair, law.law, law.bands).energy;
+  if (value_at_.size() == x.size() && value_at_ == x) return value_;
+  std::vector<double> partial(chunk_count(pair_count(), pairs_per_chunk), 0.0);
+  for_each_chunk(pair_count(), [&](int chunk, int first, int last) {
+    for_each_close(x, first, last, [&](int, int lanes, const ClipPack& pack, const ClippedLaw& law, unsigned found) {
+      std::array<double, 2 * pack_width> values;
+      law.law.values(2 * pack_width, pack.gaps(), values.data());
+      partial[chunk] += lane_sum(pack.energy(values.data()), lanes, found);
+    }, [&](int, const Oriented& pair, const ClippedLaw& law) {
+      partial[chunk] += integrators_[chunk].value(pair, law.law, law.bands).energy;
     });
-    return sum;
   }, pairs_per_chunk);
+  value_ = 0;
+  for (const double s : partial) value_ += s;
+  value_at_ = x;
+  return value_;
 }
 
 std::vector<StencilBatch> ClippedAdhesionTerm::batches() const {
   batch_vertices_.clear();
-  for (const ActivePair& active : active_) batch_vertices_.insert(batch_vertices_.end(), active.vertices.begin(), active.vertices.end());
+  for (const ClosePair& close : close_) batch_vertices_.insert(batch_vertices_.end(), close.vertices.begin(), close.vertices.end());
   return {{6, pair_count(), batch_vertices_.data()}};
 }
 
+// Writes the Hessian of a pair as a difference of the gradient.
+void ClippedAdhesionTerm::exact_hessian(const ClippedPair& pair, const ClippedLaw& law, ClipIntegrator& integrator, Mat18& h) {
+  const double step = difference_step * (pair.b[1] - pair.b[0]).norm();
+  h.setZero();
+  Vec18 g;
+  for (int k = 0; k < 18; ++k) {
+    ClippedPair moved = pair;
+    double& coordinate = (k < 9 ? moved.a[k / 3] : moved.b[k / 3 - 3])[k % 3];
+    const double at = coordinate;
+    for (const auto& [steps, weight] : {std::pair{-2, 1.0}, {-1, -8.0}, {1, 8.0}, {2, -1.0}}) {
+      coordinate = at + steps * step;
+      integrator.derivatives(moved, law.law, law.bands, g, nullptr);
+      h.col(k) += weight / (12 * step) * g;
+    }
+  }
+  h = (0.5 * (h + h.transpose())).eval();
+}
+
 void ClippedAdhesionTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
-  constexpr int slots = 9 * hessian_blocks(6);
-  for_each_chunk(pair_count(), [&](int, int first, int last) {
-    ClipIntegrator integrator;
-    for_each_active(x, first, last, [&](int i, const ClippedPair& pair, const ClippedLaw& law) {
+  constexpr int slots = ClipPack::hessian_slots;
+  const bool exact = hessian && projection == Projection::none;
+  for_each_chunk(pair_count(), [&](int chunk, int first, int last) {
+    ClipIntegrator& integrator = integrators_[chunk];
+    const auto packed = [&](int at, int lanes, const ClipPack& pack, const ClippedLaw& law, unsigned) {
+      std::array<LawSample, 2 * pack_width> samples;
+      law.law.samples(2 * pack_width, pack.gaps(), samples.data());
+      std::array<Pack, 18> g;
+      std::array<Pack, slots> h;
+      pack.derivatives(samples.data(), g.data(), hessian ? h.data() : nullptr);
+      store_lanes(g.data(), 18, gradient + 18 * static_cast<size_t>(at), lanes);
+      if (hessian) store_lanes(h.data(), slots, hessian + slots * static_cast<size_t>(at), lanes);
+    };
+    const auto single = [&](int i, const Oriented& pair, const ClippedLaw& law) {
       Vec18 g;
       Mat18 h;
-      integrator.derivatives(pair, law.law, law.bands, g, hessian && projection != Projection::none ? &h : nullptr);
+      integrator.derivatives(pair, law.law, law.bands, g, hessian && !exact ? &h : nullptr);
+      pair.swap_back(g);
       Eigen::Map<Vec18>{gradient + 18 * static_cast<size_t>(i)} = g;
       if (!hessian) return;
-      if (projection == Projection::none) {
-        const double step = difference_step * (pair.b[1] - pair.b[0]).norm();
-        for (int k = 0; k < 18; ++k) {
-          ClippedPair moved = pair;
-          double& coordinate = (k < 9 ? moved.a[k / 3] : moved.b[k / 3 - 3])[k % 3];
-          const double at = coordinate;
-          h.col(k).setZero();
-          for (const auto& [steps, weight] : {std::pair{-2, 1.0}, {-1, -8.0}, {1, 8.0}, {2, -1.0}}) {
-            coordinate = at + steps * step;
-            integrator.derivatives(moved, law.law, law.bands, g, nullptr);
-            h.col(k) += weight / (12 * step) * g;
-          }
-        }
-        h = (0.5 * (h + h.transpose())).eval();
-      }
+      if (exact) exact_hessian(pair, law, integrator, h);
+      pair.swap_back(h);
       store_blocks<6>(h, hessian + slots * static_cast<size_t>(i));
-    });
+    };
+    if (!exact) return for_each_close(x, first, last, packed, single);
+    for (int i = first; i < last; ++i) single(i, geometry(x, close_[i]), laws_.laws()[close_[i].pair.law]);
   }, pairs_per_chunk);
+  if (hessian) return;
+  gradients_.resize(close_.size());
+  for_each(pair_count(), [&](int i) { gradients_[i] = Eigen::Map<const Vec18>(gradient + 18 * static_cast<size_t>(i)); });
+  gradients_at_ = x;
 }
 
 // The gap of a pair is that of the centre of a over the plane of b.
@@ -212,56 +310,81 @@ void ClippedAdhesionTerm::mark_debonding(const VecX& from, const VecX& to, std::
     return area_vector(pair.b).normalized().dot((pair.a[0] + pair.a[1] + pair.a[2]) / 3 - pair.b[0]);
   };
   for_each(pair_count(), [&](int i) {
-    const ClippedLaw& law = laws_.laws()[active_[i].pair.law];
-    const double before = gap(geometry(from, active_[i])), after = gap(geometry(to, active_[i]));
-    if (!passes_peak(law.law, law.range, before, after)) return;
-    for (const int v : active_[i].vertices) mark(vertices[v]);
+    const ClippedLaw& law = laws_.laws()[close_[i].pair.law];
+    const Oriented pair = geometry(from, close_[i]);
+    const double before = gap(pair), after = gap(geometry(to, close_[i]));
+    if (!passes_peak(law.law, law.range, before, after) || !ClipIntegrator().overlaps(pair, law.range)) return;
+    for (const int v : close_[i].vertices) mark(vertices[v]);
   });
 }
 
 bool ClippedAdhesionTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
   ClipIntegrator integrator;
-  for_each_active(x, 0, pair_count(), [&](int i, const ClippedPair& pair, const ClippedLaw& law) {
-    visit(active_[i].vertices, integrator.value(pair, law.law, law.bands).energy);
-  });
+  for (const ClosePair& close : close_) {
+    const ClippedLaw& law = laws_.laws()[close.pair.law];
+    visit(close.vertices, integrator.value(geometry(x, close), law.law, law.bands).energy);
+  }
   return true;
+}
+
+// Returns the gradients of the close pairs, which minimisers have mostly asked for already.
+const std::vector<Vec18>& ClippedAdhesionTerm::gradients(const VecX& x) const {
+  if (gradients_at_.size() == x.size() && gradients_at_ == x) return gradients_;
+  std::vector<double> all(18 * close_.size());
+  derivatives(x, Projection::clamp, all.data(), nullptr);
+  return gradients_;
+}
+
+// One point per pair of triangles: the centroid of the part of b that is covered, with its area.
+void ClippedAdhesionTerm::add_points(const ContactPointsRequest& request, int first_index, ContactPoints& out) const {
+  const std::vector<int>& object = system_.surface().mesh.vertex_object;
+  ClipIntegrator integrator;
+  for (int i = 0; i < pair_count(); ++i) {
+    const ClosePair& close = close_[i];
+    const ClippedLaw& law = laws_.laws()[close.pair.law];
+    if (!request.wanted[law.of_table]) continue;
+    const Oriented pair = geometry(request.x, close);
+    const ClippedIntegral integral = integrator.value(pair, law.law, law.bands);
+    const double area = integral.area[0] + integral.area[1] + integral.area[2];
+    if (!(area > 0)) continue;
+    ContactPoint<6> point{close.vertices, {}, area_vector(pair.b).normalized(), {}, integral.gap, law.share * area, 0, 3, first_index + i,
+                          object[close.vertices[0]], object[close.vertices[3]], law.of_table};
+    for (int k = 0; k < 3; ++k) {
+      point.coefficients[k] = integral.area_a[k] / area;
+      point.coefficients[3 + k] = -integral.area[k] / area;
+    }
+    if (pair.swapped_a) std::swap(point.coefficients[1], point.coefficients[2]);
+    if (pair.swapped_b) std::swap(point.coefficients[4], point.coefficients[5]);
+    point.tangents = tangents_of(point.normal);
+    out.of<6>().push_back(point);
+  }
 }
 
 void ClippedAdhesionTerm::publish(Records& records) const {
   ForceRecord force{"clipped_adhesion", ForceDirection::normal, {"adhesion"}};
-  const auto gradients = [this](const VecX& x) {
-    std::vector<Vec18> all(active_.size());
-    for_each_chunk(pair_count(), [&](int, int first, int last) {
-      ClipIntegrator integrator;
-      for_each_active(x, first, last, [&](int i, const ClippedPair& pair, const ClippedLaw& law) {
-        integrator.derivatives(pair, law.law, law.bands, all[i], nullptr);
-      });
-    }, pairs_per_chunk);
-    return all;
-  };
-  force.add = [this, gradients](const VecX& x, std::string_view, VecX& forces) {
-    const std::vector<Vec18> all = gradients(x);
+  force.add = [this](const VecX& x, std::string_view, VecX& forces) {
+    const std::vector<Vec18>& all = gradients(x);
     for (size_t i = 0; i < all.size(); ++i)
-      for (int k = 0; k < 6; ++k) vertex(forces, active_[i].vertices[k]) -= all[i].segment<3>(3 * k);
+      for (int k = 0; k < 6; ++k) vertex(forces, close_[i].vertices[k]) -= all[i].segment<3>(3 * k);
   };
-  force.between = [this, gradients](const VecX& x, std::string_view, ObjectPair objects) {
-    const std::vector<Vec18> all = gradients(x);
+  force.between = [this](const VecX& x, std::string_view, ObjectPair objects) {
+    const std::vector<Vec18>& all = gradients(x);
     const std::vector<int>& object = system_.surface().mesh.vertex_object;
     Vec3 sum = Vec3::Zero();
     for (size_t i = 0; i < all.size(); ++i) {
-      const int a = object[active_[i].vertices[0]], b = object[active_[i].vertices[3]];
+      const int a = object[close_[i].vertices[0]], b = object[close_[i].vertices[3]];
       const int first = a == objects.a && b == objects.b ? 0 : a == objects.b && b == objects.a ? 3 : -1;
       for (int k = first; first >= 0 && k < first + 3; ++k) sum -= all[i].segment<3>(3 * k);
     }
     return sum;
   };
   // Along the normal of b, positive where the vertex is pressed.
-  force.add_compressions = [this, gradients](const VecX& x, std::string_view, VecX& pressed) {
-    const std::vector<Vec18> all = gradients(x);
+  force.add_compressions = [this](const VecX& x, std::string_view, VecX& pressed) {
+    const std::vector<Vec18>& all = gradients(x);
     for (size_t i = 0; i < all.size(); ++i) {
-      const Vec3 normal = area_vector(geometry(x, active_[i]).b).normalized();
+      const Vec3 normal = area_vector(geometry(x, close_[i]).b).normalized();
       for (int k = 0; k < 6; ++k)
-        pressed(3 * active_[i].vertices[k]) -= (k < 3 ? 1 : -1) * all[i].segment<3>(3 * k).dot(normal);
+        pressed(3 * close_[i].vertices[k]) -= (k < 3 ? 1 : -1) * all[i].segment<3>(3 * k).dot(normal);
     }
   };
   records.add(std::move(force));

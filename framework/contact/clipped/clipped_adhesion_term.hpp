@@ -1,4 +1,4 @@
-// Adhesion between the surfaces of different objects, integrated by clipping (clipped_pair.hpp):
+// Adhesion between surfaces, integrated by clipping (clipped_pair.hpp):
 //     E = sum over triangles t_a of a, t_b of b of E(t_a, t_b).
 // It is a function of the positions alone: no area, side or normal is kept from the start of a
 // step. Object b, whose planes are used, is chosen once: the one with the larger surface at rest,
@@ -8,14 +8,24 @@
 // Contact pressure is not part of it: the barrier acts between close pairs of primitives as without
 // adhesion (contact_term.hpp).
 //
-// Limits: pairs of an object with itself, regions, rods, particles and tangential adhesion are not
-// integrated in this way. Every pair of triangles in range is clipped, so that an evaluation takes
-// three to five times that of quadrature points at vertices.
+// Two lists of pairs of triangles, the second a part of the first:
+//   candidates  whose fat AABBs are within range; found again with those of the broad phase
+//   close       that can interact while vertices move by less than a margin; a function of the
+//               positions at the start of the step, or where vertices last left the margin
+// Close pairs are the stencils: the pattern of the Hessian seldom changes within a step. Those that
+// do not interact at a configuration have no energy there.
+//
+// Within an object, and where both sides integrate, planes of both are used in turn, with half of
+// the law each. Neighbours at rest (rest_neighbours.hpp) do not adhere. Regions have their laws: a
+// pair of triangles has that of its regions.
+//
+// Limits: rods, particles and bonds are not integrated in this way.
 #pragma once
 
 #include <vector>
 
 #include "framework/contact/clipped/clipped_laws.hpp"
+#include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/surface_topology.hpp"
 #include "framework/core/records.hpp"
@@ -38,44 +48,61 @@ class ClippedAdhesionTerm : public Term {
   bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override;
   void publish(Records& records) const override;
 
+  void begin_step(const StepStart& start) override;
   void move_to(const VecX& x) override;
   void clear_caches() override;
 
-  // The pairs of triangles that interact at the current configuration.
-  int pair_count() const { return static_cast<int>(active_.size()); }
+  // Appends the contact points of wanted laws at x, where the term must be: one per pair of
+  // triangles. They carry no pressure. first_index: of the first close pair, for point.
+  void add_points(const ContactPointsRequest& request, int first_index, ContactPoints& out) const;
+
+  // Close pairs of triangles.
+  int pair_count() const { return static_cast<int>(close_.size()); }
 
  private:
   // Indices of triangles, that of the object whose planes are used second.
   struct TrianglePair {
     int a, b, law;
-    auto operator<=>(const TrianglePair&) const = default;
   };
-  struct ActivePair {
+  struct ClosePair {
     TrianglePair pair;
-    std::array<int, 6> vertices;  // global; corners of a, then of b, in the order of their sides
-    bool flipped_a, flipped_b;    // of two-sided triangles: the other side
+    std::array<int, 6> vertices;  // global; corners of a, then of b
+    bool two_sided;               // whether one of the triangles is
+    std::array<bool, 3> boundary_a, owns_b;
+    std::array<double, 3> strip_b;  // m
   };
+  struct Oriented;
 
   void find_pairs();
-  void add_pair(int triangle, int other, std::vector<TrianglePair>& pairs) const;
+  void find_close_pairs(const VecX& x);
   bool has_planes(int object, int other) const;
-  ActivePair orient(const VecX& x, const TrianglePair& pair) const;
-  ClippedPair geometry(const VecX& x, const ActivePair& active) const;
-  // Calls act(index, geometry, law) for every active pair of a chunk.
-  template <class Act>
-  void for_each_active(const VecX& x, int first, int last, const Act& act) const;
+  ClosePair close_pair(const VecX& x, const TrianglePair& pair) const;
+  Oriented geometry(const VecX& x, const ClosePair& close) const;
+  template <class Packed, class Single>
+  void for_each_close(const VecX& x, int first, int last, const Packed& packed,
+                      const Single& single) const;
+  static void exact_hessian(const ClippedPair& pair, const ClippedLaw& law,
+                            ClipIntegrator& integrator, Mat18& hessian);
+  const std::vector<Vec18>& gradients(const VecX& x) const;
 
   const ContactSystem& system_;
   ClippedLaws laws_;
   SurfaceTopology topology_;
-  std::vector<int> first_at_edge_, triangles_at_edge_;  // of each edge of the mesh
-  std::vector<double> surface_area_;                    // per object, at rest [m^2]
+  std::vector<char> has_planes_;      // per object: whether its planes are used towards any other
+  std::vector<double> surface_area_;  // per object, at rest [m^2]
   std::vector<std::array<double, 3>>
       heights_;                      // per triangle and edge, at rest [m]; 0: no boundary
+  double margin_ = 0;                // of close pairs [m]
   long version_ = -1;                // of the candidates from which the pairs were found
-  std::vector<TrianglePair> pairs_;  // sorted
-  std::vector<ActivePair> active_;   // in the order of the pairs
+  std::vector<TrianglePair> pairs_;  // by b, then by a
+  std::vector<ClosePair> close_;     // in the order of the pairs
+  VecX close_at_;                    // positions at which the close pairs were found (3n) [m]
   mutable std::vector<int> batch_vertices_;
+  mutable std::vector<ClipIntegrator> integrators_;  // one per chunk: they keep their memory
+  mutable VecX value_at_;                            // positions of `value_` (3n) [m]
+  mutable double value_ = 0;                         // J
+  mutable VecX gradients_at_;                        // positions of `gradients_` (3n) [m]
+  mutable std::vector<Vec18> gradients_;             // of each close pair, for records
 };
 
 }  // namespace tack

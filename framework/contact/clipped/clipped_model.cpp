@@ -1,9 +1,10 @@
-// Contact model `clipped`: as area_integral, but the adhesion of the gap between the surfaces of two
-// objects is integrated over triangles that are clipped at the present positions
-// (clipped_adhesion_term.hpp). Contact pressure, and all other pairs, are those of area_integral.
+// Contact model `clipped`: as area_integral, but the adhesion of the gap between surfaces is
+// integrated over triangles that are clipped at the present positions (clipped_adhesion_term.hpp).
+// Contact pressure, bonds, rods and particles are those of area_integral.
 #include <optional>
 
 #include "framework/contact/area_integral/area_integral.hpp"
+#include "framework/contact/area_integral/surface_overlap.hpp"
 #include "framework/contact/clipped/clipped_adhesion_term.hpp"
 #include "framework/contact/contact_system.hpp"
 
@@ -15,6 +16,7 @@ ClippedPlanes planes_of(IntegrationSide side) {
     case IntegrationSide::first: return ClippedPlanes::of_second;
     case IntegrationSide::second: return ClippedPlanes::of_first;
     case IntegrationSide::finer: return ClippedPlanes::of_coarser;
+    case IntegrationSide::both: return ClippedPlanes::of_both;
     default: return ClippedPlanes::of_larger;
   }
 }
@@ -22,50 +24,69 @@ ClippedPlanes planes_of(IntegrationSide side) {
 class ClippedIntegral : public AreaIntegral {
  public:
   std::string refusal(ContactFeature feature, const PairSetup& pair) const override {
-    if (!clips(pair)) return "";
-    switch (feature) {
-      case ContactFeature::tangential_adhesion: return "it has no areas of contact points";
-      case ContactFeature::regions: return "it clips the surfaces of whole objects";
-      case ContactFeature::both_sides: return "it takes the planes of one side";
-      default: return "";
-    }
+    return feature == ContactFeature::bonds && pair.gap_adhesion && pair.surfaces ? "it clips whole surfaces, while regions of these objects adhere by a law of the gap" : "";
   }
 
-  // Clipped pairs have the barrier alone as pressure.
+  // Clipped pairs have the barrier alone as pressure. Their contact points have the law of rods and
+  // particles, barrier and adhesion, but no pressure.
   PairLawIds add_laws(const PairSetup& pair, const PreparedLaws& laws, PairTable& table) override {
-    if (!clips(pair) || pair.region) return AreaIntegral::add_laws(pair, laws, table);
+    if (!clips(pair)) return AreaIntegral::add_laws(pair, laws, table);
     PreparedLaws pressure = laws;
     pressure.adhesion = nullptr;
+    pressure.tangential.mu_a = 0;
     PairLawIds ids = AreaIntegral::add_laws(pair, pressure, table);
     ids.codimensional = table.add_law(laws.barrier_and_adhesion(), laws.tangential);
     PairLaw alone(laws.offset);
     alone.add(laws.adhesion);
     if (!laws_) laws_.emplace(table.classes());
-    ids.other = laws_->add(std::move(alone));
+    ids.other = laws_->add(std::move(alone), ids.codimensional);
     return ids;
   }
 
   PairRoles roles(const PairSetup& pair, const PairTable& table) override {
-    if (pair.laws.other < 0) return AreaIntegral::roles(pair, table);
-    laws_->set(pair.a, pair.b, pair.laws.other, planes_of(pair.side));
+    if (!clips(pair)) return AreaIntegral::roles(pair, table);
+    const bool both = pair.a == pair.b || pair.side == IntegrationSide::both;
+    if (laws_) laws_->set_planes(pair.a, pair.b, both ? ClippedPlanes::of_both : planes_of(pair.side));
+    if (pair.laws.other >= 0) set_law(pair, both ? laws_->half_of(pair.laws.other) : pair.laws.other, table);
+    // Regions with laws of pressure of their own are separated by their overlaps.
+    const bool regions = pair.region || pair.region_range > 0;
     PairSetup of_pressure = pair;
-    of_pressure.side = IntegrationSide::automatic;
-    of_pressure.overlap_only = of_pressure.gap_adhesion = false;
+    if (!regions) of_pressure.side = IntegrationSide::automatic;
+    of_pressure.overlap_only = pair.overlap_only && regions;
+    of_pressure.gap_adhesion = false;
     PairRoles roles = AreaIntegral::roles(of_pressure, table);
-    roles.edge.clipped_range = laws_->laws()[pair.laws.other].range;
+    // Both triangles may move by the margin.
+    if (pair.laws.other >= 0) roles.edge.clipped_range = laws_->laws()[pair.laws.other].range * (1 + 2 * ClippedLaws::margin_per_range);
     return roles;
+  }
+
+  ContactPoints points(const ContactPointsRequest& request) const override {
+    ContactPoints all = AreaIntegral::points(request);
+    if (clipped_) clipped_->add_points(request, static_cast<int>(overlap().interior_points().size()), all);
+    return all;
   }
 
  protected:
   void make_terms() override {
     AreaIntegral::make_terms();
-    if (laws_) add_term(std::make_unique<ClippedAdhesionTerm>(system(), *laws_));
+    if (!laws_) return;
+    auto term = std::make_unique<ClippedAdhesionTerm>(system(), *laws_);
+    clipped_ = term.get();
+    add_term(std::move(term));
   }
 
  private:
-  static bool clips(const PairSetup& pair) { return pair.a != pair.b && pair.surfaces && pair.gap_adhesion; }
+  static bool clips(const PairSetup& pair) { return pair.surfaces && pair.gap_adhesion; }
+
+  // The roles of a region pair have the next index; within one object, both orders follow.
+  void set_law(const PairSetup& pair, int law, const PairTable& table) {
+    if (!pair.region) return laws_->set(pair.a, pair.b, law, -1, -1);
+    const int next = table.region_pair_count(pair.a, pair.b);
+    laws_->set(pair.a, pair.b, law, next, pair.a == pair.b ? next + 1 : table.region_pair_count(pair.b, pair.a));
+  }
 
   std::optional<ClippedLaws> laws_;  // none: no pair is clipped
+  const ClippedAdhesionTerm* clipped_ = nullptr;
 };
 
 class ClippedModel : public ContactModel {
@@ -73,8 +94,7 @@ class ClippedModel : public ContactModel {
   std::unique_ptr<ContactPotential> make_potential() const override { return std::make_unique<ClippedIntegral>(); }
 };
 TACK_REGISTER(ContactModel, ClippedModel, "clipped",
-              "As area_integral, but adhesion of the gap is integrated over triangles clipped by the opposite ones at the present positions: exact areas and boundary forces, "
-              "at three to five times the cost of an evaluation.", "");
+              "As area_integral, but adhesion of the gap is integrated over triangles clipped by the opposite ones at the present positions: exact areas and boundary forces.", "");
 
 }  // namespace
 }  // namespace tack

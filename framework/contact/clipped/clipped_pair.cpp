@@ -3,23 +3,26 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <span>
 
 #include "framework/contact/clipped/boundary_weight.hpp"
+#include "framework/contact/clipped/gauss_rules.hpp"
 #include "framework/contact/law_peak.hpp"
 
 namespace tack {
 namespace {
 
-// Cosines between which the weight of a pair falls to zero: two surfaces at more than 81 degrees.
-constexpr double facing_cosine_min = 0.02, facing_cosine_full = 0.15;
 // Distance of a corner of a from a line of b, per length of that edge, at which it counts as on the
 // line. It then belongs to one of the two triangles there, so that where edges coincide, round-off
 // decides nothing and nothing is lost.
 constexpr double on_line_ratio = 1e-8;
+// Distance of a crossing from a line per its length, and of a mean gap from all gaps per these, below
+// which they differ by round-off.
+constexpr double round_off = 1e-12;
 // Spread of gaps or distances beyond a cut, per width of the band or strip, below which a piece is
-// not cut: crossings of nearly parallel sides have no accurate derivatives.
+// not cut. The force of a level is the difference of two parabolas over the slope of the gap, which
+// has no accurate digits on a gap that is even up to round-off.
 constexpr double cut_ratio_min = 1e-6;
 
 // Bands of gaps are halved until the law differs from its parabola (through both ends and the
@@ -27,57 +30,8 @@ constexpr double cut_ratio_min = 1e-6;
 // until a band is so narrow, per range. Energies of tilted plates are off by less than 2e-4 then.
 constexpr double energy_tolerance = 3e-4, traction_tolerance = 2e-2, band_width_min = 1.0 / 256;
 
-struct QuadraturePoint {
-  Vec3 share;
-  double weight;
-};
-// Exact for degree two: the midpoints of the edges.
-const std::array<QuadraturePoint, 3> midpoints{
-    {{{0.5, 0.5, 0}, 1.0 / 3}, {{0, 0.5, 0.5}, 1.0 / 3}, {{0.5, 0, 0.5}, 1.0 / 3}}};
-// Exact for degree eight (Dunavant 1985): rho of two strips times an even gap. A rule of lower
-// degree makes the energy jump where pieces are divided in another way.
-std::array<QuadraturePoint, 16> sixteen_points() {
-  std::array<QuadraturePoint, 16> all{{{Vec3::Constant(1.0 / 3), 0.144315607677787}}};
-  int count = 1;
-  for (const auto& [far, near_by, weight] : {std::array{0.081414823414554, 0.459292588292723, 0.095091634267285},
-                                             std::array{0.658861384496480, 0.170569307751760, 0.103217370534718},
-                                             std::array{0.898905543365938, 0.050547228317031, 0.032458497623198}})
-    for (int k = 0; k < 3; ++k) {
-      Vec3 share = Vec3::Constant(near_by);
-      share[k] = far;
-      all[count++] = {share, weight};
-    }
-  const std::array<double, 3> distinct{0.008394777409958, 0.263112829634638, 0.728492392955404};
-  for (int k = 0; k < 3; ++k)
-    for (const int turn : {1, 2})
-      all[count++] = {Vec3(distinct[k], distinct[(k + turn) % 3], distinct[(k + 2 * turn) % 3]), 0.027230314174435};
-  return all;
-}
-const std::array<QuadraturePoint, 16> points_in_strips = sixteen_points();
-
-struct FacingFactor {
-  double value, slope;  // F(c), dF/dc
-};
-FacingFactor facing_factor(double c) {
-  if (c >= facing_cosine_full) return {1, 0};
-  constexpr double width = facing_cosine_full - facing_cosine_min;
-  const double t = (c - facing_cosine_min) / width;
-  return {t * t * t * (10 - 15 * t + 6 * t * t), 30 * t * t * (1 - t) * (1 - t) / width};
-}
-
-// Adds factor times the derivative of n . v by the corners of a triangle with unit normal n, for a
-// fixed v; twice_area: of the triangle.
-void add_normal_slope(const std::array<Vec3, 3>& x, const Vec3& n, double twice_area, const Vec3& v,
-                      double factor, double* gradient) {
-  const Vec3 across = (v - v.dot(n) * n) * (factor / twice_area);
-  const Vec3 by_1 = (x[2] - x[0]).cross(across), by_2 = across.cross(x[1] - x[0]);
-  Eigen::Map<Vec3>(gradient) -= by_1 + by_2;
-  Eigen::Map<Vec3>(gradient + 3) += by_1;
-  Eigen::Map<Vec3>(gradient + 6) += by_2;
-}
-
-double twice_area_of(const Vec3& p, const Vec3& q, const Vec3& r) {
-  return (q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x());
+double twice_area_of(const PlaneCorner& p, const PlaneCorner& q, const PlaneCorner& r) {
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
 }
 
 // Returns whether the law is close to a parabola between two gaps.
@@ -115,296 +69,308 @@ GapBands gap_bands(const PairLaw& law) {
   return levels;
 }
 
-// Local coordinates of a pair: origin b0, axes along the first edge of b, across it, and n_b.
-struct ClipIntegrator::Frame {
-  Mat3 axes;  // columns
-  Vec3 normal_a, normal_b;
-  double twice_area_a, twice_area_b;  // m^2
-  double cosine;
-  FacingFactor facing;
-  std::array<Vec3, 3> a, b;  // local coordinates of the corners [m]
-};
-
-// Clips the projection of a by the edges of b. Returns false if nothing is left.
-bool ClipIntegrator::clip(const ClippedPair& pair, Frame& frame) {
+// Takes the plane of b and the local coordinates of a. Returns false if the two do not face each
+// other.
+bool ClipIntegrator::set(const ClippedPair& pair) {
+  plane_.set(pair.b);
   const Vec3 cross_a = (pair.a[1] - pair.a[0]).cross(pair.a[2] - pair.a[0]);
-  const Vec3 cross_b = (pair.b[1] - pair.b[0]).cross(pair.b[2] - pair.b[0]);
-  frame.twice_area_a = cross_a.norm();
-  frame.twice_area_b = cross_b.norm();
-  if (!(frame.twice_area_a > 0) || !(frame.twice_area_b > 0)) return false;
-  frame.normal_a = cross_a / frame.twice_area_a;
-  frame.normal_b = cross_b / frame.twice_area_b;
-  frame.cosine = -frame.normal_a.dot(frame.normal_b);
-  if (!(frame.cosine > facing_cosine_min)) return false;
-  frame.facing = facing_factor(frame.cosine);
-  const Vec3 along = (pair.b[1] - pair.b[0]).normalized();
-  frame.axes.col(0) = along;
-  frame.axes.col(1) = frame.normal_b.cross(along);
-  frame.axes.col(2) = frame.normal_b;
-  for (int k = 0; k < 3; ++k) {
-    frame.a[k] = frame.axes.transpose() * (pair.a[k] - pair.b[0]);
-    frame.b[k] = frame.axes.transpose() * (pair.b[k] - pair.b[0]);
-  }
-  tape_.clear();
-  // Seen from outside of b, the corners of a are clockwise.
-  piece_ = {{tape_.add(frame.a[2]), 1}, {tape_.add(frame.a[1]), 0}, {tape_.add(frame.a[0]), 2}};
-  for (int k = 0; k < 3; ++k) {
-    tape_.lines[k] = PlaneLine(frame.b[k].head<2>(), frame.b[(k + 1) % 3].head<2>());
-    for (ClipNode& node : tape_.nodes)
-      if (std::abs(tape_.lines[k].distance(node.at)) < on_line_ratio * tape_.lines[k].length) node.ties |= 1u << k;
-  }
-  for (int i = 0; i < 3; ++i) {
-    if (pair.boundary_a[piece_[i].side]) continue;
-    ClipNode &from = tape_.nodes[i], &to = tape_.nodes[(i + 1) % 3];
-    const unsigned both = from.ties & to.ties;
-    from.shared_ties |= both;
-    to.shared_ties |= both;
-  }
-  for (int k = 0; k < 3; ++k) {
-    tape_.keep_inside(piece_, k, pair.owns_b[k], within_);
-    piece_.swap(within_);
-    if (piece_.empty()) return false;
-  }
-  pieces_.assign(1, piece_);
+  twice_area_a_ = cross_a.norm();
+  if (!(twice_area_a_ > 0) || !(plane_.twice_area > 0)) return false;
+  normal_a_ = cross_a / twice_area_a_;
+  cosine_ = -normal_a_.dot(plane_.axes.col(2));
+  if (!(cosine_ > clip_cosine_min)) return false;
+  for (int k = 0; k < 3; ++k) a_[k] = plane_.to_local(pair.a[k]);
   return true;
 }
 
-// Cuts the pieces where a strip ends: rho is a polynomial in each of them.
-void ClipIntegrator::cut_strips(const ClippedPair& pair) {
+bool ClipIntegrator::overlaps(const ClippedPair& pair, double range) {
+  if (!set(pair)) return false;
+  if (std::min({a_[0].z(), a_[1].z(), a_[2].z()}) >= range || std::max({a_[0].z(), a_[1].z(), a_[2].z()}) <= 0) return false;
+  // Two triangles of a plane are apart if one of their six lines separates them.
+  for (const ClipPlane::Line& line : plane_.lines) {
+    double nearest = -1e300;
+    for (const Vec3& corner : a_) nearest = std::max(nearest, line.distance(corner.x(), corner.y()));
+    if (nearest < -on_line_ratio * line.length) return false;
+  }
   for (int k = 0; k < 3; ++k) {
-    if (!(pair.strip_b[k] > 0)) continue;
-    other_pieces_.clear();
-    for (const ClipPiece& piece : pieces_) {
-      tape_.cut_by_line(piece, k, pair.strip_b[k], cut_ratio_min * pair.strip_b[k], piece_, within_);
-      if (!piece_.empty()) other_pieces_.push_back(piece_);
-      if (!within_.empty()) other_pieces_.push_back(within_);
+    // The corners of a are clockwise.
+    const Vec2 from = a_[k].head<2>(), edge = from - a_[(k + 1) % 3].head<2>();
+    double nearest = -1e300;
+    for (const Vec2& corner : plane_.local)
+      nearest = std::max(nearest, edge.x() * (corner.y() - from.y()) - edge.y() * (corner.x() - from.x()));
+    if (nearest < -on_line_ratio * edge.squaredNorm()) return false;
+  }
+  return true;
+}
+
+// Clips the projection of a by the lines of b. Returns false if nothing is left.
+bool ClipIntegrator::clip(const ClippedPair& pair) {
+  // Seen from outside of b, the corners of a are clockwise.
+  polygon_.clear();
+  for (int k = 2; k >= 0; --k) polygon_.add({a_[k].x(), a_[k].y(), a_[k].z(), {k == 0 ? 1.0 : 0, k == 1 ? 1.0 : 0, k == 2 ? 1.0 : 0}, (k + 2) % 3, 0, 0});
+  for (int k = 0; k < 3; ++k) {
+    const ClipPlane::Line& line = plane_.lines[k];
+    int outside = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double distance = line.distance(polygon_[i].x, polygon_[i].y);
+      if (std::abs(distance) < on_line_ratio * line.length) polygon_[i].ties |= 1u << k;
+      if (distance < -on_line_ratio * line.length) ++outside;
     }
-    pieces_.swap(other_pieces_);
+    if (outside == 3) return false;
+    // An edge of a with a neighbour that lies along the line.
+    for (int i = 0; i < 3; ++i) {
+      const int next = (i + 1) % 3;
+      if (pair.boundary_a[polygon_[i].side] || (polygon_[i].ties & polygon_[next].ties & 1u << k) == 0) continue;
+      polygon_[i].along |= 1u << k;
+      polygon_[next].along |= 1u << k;
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    const ClipPlane::Line& line = plane_.lines[k];
+    std::array<double, PlanePolygon::capacity> distance;
+    std::array<bool, PlanePolygon::capacity> inside;
+    bool all = true;
+    for (int i = 0; i < polygon_.size(); ++i) {
+      distance[i] = line.distance(polygon_[i].x, polygon_[i].y);
+      const bool tie = (polygon_[i].ties >> k & 1) != 0 || std::abs(distance[i]) < round_off * line.length;
+      inside[i] = tie ? pair.owns_b[k] : distance[i] > 0;
+      // An edge of a along the line is cut at the line, even if it lies on the other side of it: what
+      // this adds to one triangle at the line, also with the opposite sign, it takes from the other.
+      if ((polygon_[i].along >> k & 1) == 0) distance[i] = inside[i] ? std::max(distance[i], 0.0) : std::min(distance[i], 0.0);
+      all &= inside[i];
+    }
+    if (all) continue;
+    cut_polygon(polygon_, distance.data(), inside.data(), PlaneSide::line_of_b + k, kept_, nullptr);
+    if (kept_.empty()) return false;
+    std::swap(polygon_, kept_);
+  }
+  return true;
+}
+
+ClipIntegrator::Piece& ClipIntegrator::next_piece() {
+  if (piece_count_ == static_cast<int>(pieces_.size())) pieces_.emplace_back();
+  return pieces_[piece_count_++];
+}
+
+// Makes the pieces of the polygon: cut where a strip ends, as rho is a polynomial in each of them.
+void ClipIntegrator::cut_strips(const ClippedPair& pair) {
+  piece_count_ = 0;
+  Piece& whole = next_piece();
+  whole.polygon = polygon_;
+  whole.strips = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double width = pair.strip_b[k];
+    if (!(width > 0)) continue;
+    for (int p = piece_count_ - 1; p >= 0; --p) {
+      const PlanePolygon& polygon = pieces_[p].polygon;
+      if (polygon.empty()) continue;
+      std::array<double, PlanePolygon::capacity> distance;
+      std::array<bool, PlanePolygon::capacity> beyond;
+      int count = 0;
+      for (int i = 0; i < polygon.size(); ++i) {
+        distance[i] = plane_.lines[k].distance(polygon[i].x, polygon[i].y) - width;
+        count += beyond[i] = distance[i] > -cut_ratio_min * width;
+        if (beyond[i]) distance[i] = std::max(distance[i], 0.0);
+      }
+      if (count == polygon.size()) continue;
+      if (count > 0) {
+        cut_polygon(polygon, distance.data(), beyond.data(), PlaneSide::interior, kept_, &rest_);
+        if (!kept_.empty()) {
+          Piece& more = next_piece();
+          more.polygon = kept_;
+          more.strips = pieces_[p].strips;
+        }
+        pieces_[p].polygon = rest_;
+      }
+      pieces_[p].strips |= 1u << k;
+    }
   }
 }
 
-// Cuts the pieces at the levels of the bands, and leaves out gaps below the first and above the
-// last.
+// Puts the pieces in bands: cuts them at the levels, and leaves out gaps below the first and above
+// the last.
 void ClipIntegrator::cut_bands(const GapBands& bands) {
-  other_pieces_.clear();
-  for (ClipPiece& piece : pieces_) {
-    double low = bands.back(), high = bands.front();
-    for (const PieceCorner& corner : piece) {
-      const double gap = tape_.nodes[corner.node].at.z();
-      low = std::min(low, gap);
-      high = std::max(high, gap);
+  for (int p = 0, whole = piece_count_; p < whole; ++p) {
+    pieces_[p].band = -1;
+    if (pieces_[p].polygon.empty()) continue;
+    double low = pieces_[p].polygon[0].gap, high = low;
+    for (int i = 1; i < pieces_[p].polygon.size(); ++i) {
+      low = std::min(low, pieces_[p].polygon[i].gap);
+      high = std::max(high, pieces_[p].polygon[i].gap);
     }
-    for (std::size_t i = 0; i < bands.size() && !piece.empty() && high > bands.front(); ++i) {
-      const double least = i > 0 ? cut_ratio_min * (bands[i] - bands[i - 1]) : 0;
-      if (high <= bands[i] + least) {
-        other_pieces_.push_back(piece);
+    for (int l = 0; l < static_cast<int>(bands.size()) && high > bands.front(); ++l) {
+      const double level = bands[l], least = l > 0 ? cut_ratio_min * (level - bands[l - 1]) : 0;
+      if (high <= level + least) {
+        pieces_[p].band = l - 1;
         break;
       }
-      if (low >= bands[i] - least) continue;
-      tape_.cut_by_level(piece, bands[i], piece_, within_);
-      if (i > 0 && !within_.empty()) other_pieces_.push_back(within_);
-      piece.swap(piece_);
-    }
-  }
-  pieces_.swap(other_pieces_);
-}
-
-void ClipIntegrator::add_points(const ClippedPair& pair) {
-  points_.clear();
-  for (const ClipPiece& piece : pieces_) {
-    Vec3 middle = Vec3::Zero();
-    for (const PieceCorner& corner : piece) middle += tape_.nodes[corner.node].at;
-    middle /= static_cast<double>(piece.size());
-    bool in_strip = false;
-    for (int k = 0; k < 3; ++k) in_strip |= tape_.lines[k].distance(middle) < pair.strip_b[k];
-    const std::span<const QuadraturePoint> rule =
-        in_strip ? std::span<const QuadraturePoint>(points_in_strips) : std::span<const QuadraturePoint>(midpoints);
-    for (std::size_t i = 1; i + 1 < piece.size(); ++i) {
-      Point point{{piece[0].node, piece[i].node, piece[i + 1].node}, {}, 0, 0, {}, 1};
-      const Vec3 &p = tape_.nodes[point.nodes[0]].at, &q = tape_.nodes[point.nodes[1]].at,
-                 &r = tape_.nodes[point.nodes[2]].at;
-      point.area = 0.5 * twice_area_of(p, q, r);
-      for (const QuadraturePoint& at : rule) {
-        point.share = at.share;
-        point.weight = at.weight;
-        point.at = at.share[0] * p + at.share[1] * q + at.share[2] * r;
-        point.rho = 1;
-        for (int k = 0; in_strip && k < 3; ++k)
-          if (pair.strip_b[k] > 0)
-            point.rho *= BoundaryWeight::at(tape_.lines[k].distance(point.at) / pair.strip_b[k]).value;
-        points_.push_back(point);
+      if (low >= level - least) continue;
+      const PlanePolygon& polygon = pieces_[p].polygon;
+      std::array<double, PlanePolygon::capacity> distance;
+      std::array<bool, PlanePolygon::capacity> above;
+      for (int i = 0; i < polygon.size(); ++i) {
+        distance[i] = polygon[i].gap - level;
+        above[i] = distance[i] > 0;
       }
+      cut_polygon(polygon, distance.data(), above.data(), PlaneSide::level, kept_, &rest_);
+      if (l > 0 && !rest_.empty()) {
+        Piece& below = next_piece();
+        below.polygon = rest_;
+        below.strips = pieces_[p].strips;
+        below.band = l - 1;
+      }
+      pieces_[p].polygon = kept_;
+      if (kept_.empty()) break;
     }
   }
 }
 
-ClippedIntegral ClipIntegrator::sum(const Frame& frame) const {
-  ClippedIntegral all;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Point& p = points_[i];
-    const double area = frame.facing.value * p.weight * p.area * p.rho;
-    all.energy += area * values_[i];
-    const double across = p.at.y() / frame.b[2].y();
-    const double along = (p.at.x() - across * frame.b[2].x()) / frame.b[1].x();
-    all.area[0] += area * (1 - along - across);
-    all.area[1] += area * along;
-    all.area[2] += area * across;
+// Adds the moments of a piece to its band.
+void ClipIntegrator::add_moments(const ClippedPair& pair, const Piece& piece) {
+  Band& band = bands_[piece.band];
+  const PlanePolygon& polygon = piece.polygon;
+  for (int i = 0; i < polygon.size(); ++i) {
+    band.low = std::min(band.low, polygon[i].gap);
+    band.high = std::max(band.high, polygon[i].gap);
   }
-  return all;
+  const PlaneCorner& o = polygon[0];
+  for (int i = 1; i + 1 < polygon.size(); ++i) {
+    const PlaneCorner &p = polygon[i], &q = polygon[i + 1];
+    const double area = 0.5 * twice_area_of(o, p, q);
+    const double o1 = o.share[1], p1 = p.share[1], q1 = q.share[1], o2 = o.share[2], p2 = p.share[2], q2 = q.share[2];
+    if (piece.strips == 0) {
+      const double sum1 = o1 + p1 + q1, sum2 = o2 + p2 + q2, twelfth = area / 12;
+      band.area += area;
+      band.first += area / 3 * sum1;
+      band.second += area / 3 * sum2;
+      band.first_first += twelfth * (sum1 * sum1 + o1 * o1 + p1 * p1 + q1 * q1);
+      band.first_second += twelfth * (sum1 * sum2 + o1 * o2 + p1 * p2 + q1 * q2);
+      band.second_second += twelfth * (sum2 * sum2 + o2 * o2 + p2 * p2 + q2 * q2);
+      continue;
+    }
+    const TriangleRule& rule = rules_in_strips(std::popcount(piece.strips)).triangle;
+    const int points = static_cast<int>(rule.weight.size());
+    std::array<double, TriangleRule::points_max> weight;
+    for (int j = 0; j < points; ++j) weight[j] = area * rule.weight[j];
+    for (int k = 0; k < 3; ++k) {
+      if ((piece.strips >> k & 1) == 0) continue;
+      const ClipPlane::Line& line = plane_.lines[k];
+      const double to_t = 1 / pair.strip_b[k], t = to_t * line.distance(o.x, o.y);
+      const double tp = to_t * line.distance(p.x, p.y) - t, tq = to_t * line.distance(q.x, q.y) - t;
+      for (int j = 0; j < points; ++j)
+        weight[j] *= BoundaryWeight::value_in_strip(t + rule.first[j] * tp + rule.second[j] * tq);
+    }
+    double sums[6] = {};
+    for (int j = 0; j < points; ++j) {
+      const double w = weight[j], s1 = o1 + rule.first[j] * (p1 - o1) + rule.second[j] * (q1 - o1),
+                   s2 = o2 + rule.first[j] * (p2 - o2) + rule.second[j] * (q2 - o2);
+      sums[0] += w;
+      sums[1] += w * s1;
+      sums[2] += w * s2;
+      sums[3] += w * s1 * s1;
+      sums[4] += w * s1 * s2;
+      sums[5] += w * s2 * s2;
+    }
+    band.area += sums[0];
+    band.first += sums[1];
+    band.second += sums[2];
+    band.first_first += sums[3];
+    band.first_second += sums[4];
+    band.second_second += sums[5];
+  }
 }
 
-bool ClipIntegrator::overlaps(const ClippedPair& pair, double range) {
-  const Vec3 normal = (pair.b[1] - pair.b[0]).cross(pair.b[2] - pair.b[0]);
-  double low = range, high = 0;
-  for (const Vec3& corner : pair.a) {
-    const double gap = normal.dot(corner - pair.b[0]) / normal.norm();
-    low = std::min(low, gap);
-    high = std::max(high, gap);
+// Turns moments into means and covariances, and finds the gaps at which the law is taken. Returns
+// whether there is anything.
+bool ClipIntegrator::find_gaps() {
+  const double rise1 = a_[1].z() - a_[0].z(), rise2 = a_[2].z() - a_[0].z();
+  const double slack = round_off * std::max({std::abs(a_[0].z()), std::abs(a_[1].z()), std::abs(a_[2].z())});
+  gaps_.clear();
+  for (Band& band : bands_) {
+    if (band.empty()) continue;
+    const double first_moment = band.area * a_[0].z() + rise1 * band.first + rise2 * band.second;
+    band.mean = first_moment / band.area;
+    if (band.mean >= band.low - slack && band.mean <= band.high + slack) {
+      band.mean = std::clamp(band.mean, band.low, band.high);
+      const double first = band.first / band.area, second = band.second / band.area;
+      band.first_first = band.first_first / band.area - first * first;
+      band.first_second = band.first_second / band.area - first * second;
+      band.second_second = band.second_second / band.area - second * second;
+      const double variance = rise1 * rise1 * band.first_first + 2 * rise1 * rise2 * band.first_second + rise2 * rise2 * band.second_second;
+      band.deviation = std::sqrt(std::clamp(variance, 0.0, (band.high - band.mean) * (band.mean - band.low)));
+    } else {
+      // Slivers along a line, with areas of both signs: phi is the parabola at the mean.
+      band.mean = 0.5 * (band.low + band.high);
+      band.excess = first_moment - band.area * band.mean;
+      const double z = a_[0].z() - band.mean;
+      band.second_excess = z * (z * band.area + 2 * (rise1 * band.first + rise2 * band.second)) + rise1 * rise1 * band.first_first +
+                           2 * rise1 * rise2 * band.first_second + rise2 * rise2 * band.second_second;
+      band.first_first = band.first_second = band.second_second = 0;
+    }
+    gaps_.push_back(band.mean - band.deviation);
+    gaps_.push_back(band.mean + band.deviation);
   }
-  if (!(low < range) || !(high > 0)) return false;
-  Frame frame;
-  return clip(pair, frame);
+  return !gaps_.empty();
 }
 
-// Makes the quadrature points of a pair and their gaps. Returns false if there are none.
-bool ClipIntegrator::prepare(const ClippedPair& pair, const GapBands& bands, Frame& frame) {
-  if (!clip(pair, frame)) return false;
+// Finds the pieces of a pair, their moments and gaps. Returns false if there are none.
+bool ClipIntegrator::prepare(const ClippedPair& pair, const GapBands& bands) {
+  if (!set(pair)) return false;
+  if (std::min({a_[0].z(), a_[1].z(), a_[2].z()}) >= bands.back() || std::max({a_[0].z(), a_[1].z(), a_[2].z()}) <= bands.front()) return false;
+  if (!clip(pair)) return false;
   cut_strips(pair);
   cut_bands(bands);
-  add_points(pair);
-  gaps_.resize(points_.size());
-  values_.resize(points_.size());
-  for (std::size_t i = 0; i < points_.size(); ++i) gaps_[i] = points_[i].at.z();
-  return !points_.empty();
+  bands_.assign(bands.size() - 1, Band());
+  for (int p = 0; p < piece_count_; ++p)
+    if (pieces_[p].band >= 0) add_moments(pair, pieces_[p]);
+  if (!find_gaps()) return false;
+  facing_ = 1;
+  facing_slope_ = 0;
+  if (cosine_ < clip_cosine_full) {
+    constexpr double width = clip_cosine_full - clip_cosine_min;
+    const double t = (cosine_ - clip_cosine_min) / width;
+    facing_ = t * t * t * (10 - 15 * t + 6 * t * t);
+    facing_slope_ = 30 * t * t * (1 - t) * (1 - t) / width;
+  }
+  return true;
+}
+
+ClippedIntegral ClipIntegrator::sum() const {
+  ClippedIntegral all;
+  std::array<double, 3> shares{};  // int of rho times the shares of a
+  int i = 0;
+  for (const Band& band : bands_) {
+    if (band.empty()) continue;
+    all.energy += 0.5 * band.area * (values_[i] + values_[i + 1]);
+    i += 2;
+    shares[0] += band.area - band.first - band.second;
+    shares[1] += band.first;
+    shares[2] += band.second;
+  }
+  all.energy *= facing_;
+  double moment = 0;
+  for (int k = 0; k < 3; ++k) {
+    all.area_a[k] = facing_ * shares[k];
+    moment += all.area_a[k] * a_[k].z();
+    const Vec3 of_b = plane_.shares(a_[k].x(), a_[k].y());
+    for (int j = 0; j < 3; ++j) all.area[j] += all.area_a[k] * of_b[j];
+  }
+  const double area = all.area_a[0] + all.area_a[1] + all.area_a[2];
+  if (area > 0) all.gap = moment / area;
+  return all;
 }
 
 ClippedIntegral ClipIntegrator::value(const ClippedPair& pair, const PairLaw& law, const GapBands& bands) {
-  Frame frame;
-  if (!prepare(pair, bands, frame)) return {};
+  if (!prepare(pair, bands)) return {};
+  values_.resize(gaps_.size());
   law.values(static_cast<int>(gaps_.size()), gaps_.data(), values_.data());
-  return sum(frame);
-}
-
-ClippedIntegral ClipIntegrator::derivatives(const ClippedPair& pair, const PairLaw& law, const GapBands& bands,
-                                            Vec18& gradient, Mat18* hessian) {
-  gradient.setZero();
-  if (hessian) hessian->setZero();
-  Frame frame;
-  if (!prepare(pair, bands, frame)) return {};
-  samples_.resize(points_.size());
-  law.samples(static_cast<int>(gaps_.size()), gaps_.data(), samples_.data());
-  for (std::size_t i = 0; i < points_.size(); ++i) values_[i] = samples_[i].value;
-  const ClippedIntegral all = sum(frame);
-  write_gradient(pair, frame, all.energy, gradient);
-  if (hessian) write_hessian(pair, frame, law, *hessian);
+  ClippedIntegral all = sum();
+  for (const Band& band : bands_) {
+    if (band.excess == 0) continue;
+    const LawSample sample = law.at(band.mean);
+    all.energy += facing_ * (band.excess * sample.slope + 0.5 * band.second_excess * sample.curvature);
+  }
   return all;
-}
-
-void ClipIntegrator::write_gradient(const ClippedPair& pair, const Frame& frame, double energy, Vec18& gradient) {
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Point& p = points_[i];
-    const LawSample& law = samples_[i];
-    const double factor = frame.facing.value * p.weight;
-    for (int m = 0; m < 3; ++m) {
-      ClipNode& node = tape_.nodes[p.nodes[m]];
-      const Vec3 &next = tape_.nodes[p.nodes[(m + 1) % 3]].at, &last = tape_.nodes[p.nodes[(m + 2) % 3]].at;
-      const double by_area = factor * p.rho * law.value;
-      node.slope += Vec3(0.5 * by_area * (next.y() - last.y()), 0.5 * by_area * (last.x() - next.x()),
-                         factor * p.area * p.rho * law.slope * p.share[m]);
-    }
-    for (int k = 0; k < 3; ++k) {
-      if (!(pair.strip_b[k] > 0)) continue;
-      const BoundaryWeight weight = BoundaryWeight::at(tape_.lines[k].distance(p.at) / pair.strip_b[k]);
-      if (weight.slope == 0) continue;
-      double others = 1;
-      for (int m = 0; m < 3; ++m)
-        if (m != k && pair.strip_b[m] > 0)
-          others *= BoundaryWeight::at(tape_.lines[m].distance(p.at) / pair.strip_b[m]).value;
-      const double by_distance = factor * p.area * law.value * others * weight.slope / pair.strip_b[k];
-      const Vec2 by_point = tape_.lines[k].add_slope(p.at, by_distance);
-      for (int m = 0; m < 3; ++m) tape_.nodes[p.nodes[m]].slope.head<2>() += p.share[m] * by_point;
-    }
-  }
-  tape_.pass_back();
-
-  std::array<Vec3, 6> local;  // derivatives by the local coordinates
-  for (int k = 0; k < 3; ++k) {
-    local[k] = tape_.nodes[2 - k].slope;
-    const PlaneLine &from = tape_.lines[k], &to = tape_.lines[(k + 2) % 3];
-    local[3 + k] << from.slope_begin + to.slope_end, 0;
-  }
-  // The frame turns with b: the moment of the local derivatives acts on the corners of b.
-  Vec3 moment = Vec3::Zero();
-  for (int k = 0; k < 6; ++k) moment += (k < 3 ? frame.a[k] : frame.b[k - 3]).cross(local[k]);
-  const double length = frame.b[1].x(), foot = frame.b[2].x(), height = frame.b[2].y();
-  Vec3 by_1 = local[4], by_2 = local[5];
-  by_1.y() -= moment.z() / length;
-  by_1.z() += moment.y() / length + moment.x() * foot / (length * height);
-  by_2.z() -= moment.x() / height;
-  for (int k = 0; k < 3; ++k) gradient.segment<3>(3 * k) = frame.axes * local[k];
-  gradient.segment<3>(12) = frame.axes * by_1;
-  gradient.segment<3>(15) = frame.axes * by_2;
-  gradient.segment<3>(9) =
-      -(gradient.segment<3>(0) + gradient.segment<3>(3) + gradient.segment<3>(6) + gradient.segment<3>(12) + gradient.segment<3>(15));
-  if (frame.facing.slope == 0 || frame.facing.value == 0) return;
-  const double by_cosine = energy / frame.facing.value * frame.facing.slope;
-  add_normal_slope(pair.a, frame.normal_a, frame.twice_area_a, frame.normal_b, -by_cosine, gradient.data());
-  add_normal_slope(pair.b, frame.normal_b, frame.twice_area_b, frame.normal_a, -by_cosine, gradient.data() + 9);
-}
-
-void ClipIntegrator::write_hessian(const ClippedPair& pair, const Frame& frame, const PairLaw& law,
-                                   Mat18& hessian) const {
-  using Vec6 = Eigen::Matrix<double, 6, 1>;
-  using Mat6 = Eigen::Matrix<double, 6, 6>;
-  // Motion of a relative to b at a point of the plane: sum of the six numbers times the corners'.
-  const double twice_projected = twice_area_of(frame.a[0], frame.a[1], frame.a[2]);
-  const auto relative = [&](const Vec3& at) {
-    Vec6 v;
-    for (int k = 0; k < 3; ++k)
-      v[k] = twice_area_of(at, frame.a[(k + 1) % 3], frame.a[(k + 2) % 3]) / twice_projected;
-    const double across = at.y() / frame.b[2].y();
-    const double along = (at.x() - across * frame.b[2].x()) / frame.b[1].x();
-    v.tail<3>() << along + across - 1, -along, -across;
-    return v;
-  };
-  const auto add = [&](const Mat6& scalar, const Vec3& direction) {
-    const Mat3 outer = direction * direction.transpose();
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j) hessian.block<3, 3>(3 * i, 3 * j) += scalar(i, j) * outer;
-  };
-  Mat6 normal = Mat6::Zero();
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Point& p = points_[i];
-    const double stiffness = frame.facing.value * p.weight * p.area * p.rho * samples_[i].curvature;
-    if (!(stiffness > 0)) continue;
-    const Vec6 v = relative(p.at);
-    normal += stiffness * v * v.transpose();
-  }
-  add(normal, frame.normal_b);
-
-  for (const ClipPiece& piece : pieces_)
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      if (piece[i].side < 0 || !pair.boundary_a[piece[i].side]) continue;
-      const Vec3 &p = tape_.nodes[piece[i].node].at, &q = tape_.nodes[piece[(i + 1) % piece.size()].node].at;
-      const Vec2 along = (q - p).head<2>();
-      const double length = along.norm();
-      if (!(length > 0)) continue;
-      const Vec2 outward = Vec2(along.y(), -along.x()) / length;
-      Mat6 edge = Mat6::Zero();
-      for (const double t : {0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)}) {
-        const Vec3 at = p + t * (q - p);
-        double slope = 0;
-        for (int k = 0; k < 3; ++k)
-          if (pair.strip_b[k] > 0)
-            slope += BoundaryWeight::at(tape_.lines[k].distance(at) / pair.strip_b[k]).slope / pair.strip_b[k] *
-                     tape_.lines[k].inward.dot(outward);
-        const double stiffness = 0.5 * length * frame.facing.value * law.at(at.z()).value * slope;
-        if (!(stiffness > 0)) continue;
-        const Vec6 v = relative(at);
-        edge += stiffness * v * v.transpose();
-      }
-      add(edge, frame.axes.leftCols<2>() * outward);
-    }
 }
 
 }  // namespace tack

@@ -169,6 +169,5 @@ TEST_CASE("clipped adhesion: settings that it does not know are refused", "[clip
   };
   const std::string adhesion = "adhesion: {type: fang, young: 1e3, critical_strain: 0.5}";
   refuses("contact: {distance: 0.01, integral: clipped, weights: pair, pairs: [{between: [a, b], " + adhesion + "}]}\n", "contact.model");
-  refuses("contact: {distance: 0.01, integral: clipped, pairs: [{between: [a, b], integrate: both, " + adhesion + "}]}\n", "integrate");
-  refuses("contact: {distance: 0.01, integral: clipped, pairs: [{between: [a, b], tangential_adhesion: {mu: 0.5}, " + adhesion + "}]}\n", "tangential_adhesion");
+  refuses("contact: {distance: 0.01, integral: clipped, pairs: [{between: [a, b], " + adhesion + "}, {between: [{object: a, select: all}, b], adhesion: {type: bilinear, peak_traction: 1 kPa, work_of_adhesion: 1}}]}\n", "regions");
 }

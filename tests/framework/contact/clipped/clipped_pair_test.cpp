@@ -8,7 +8,9 @@
 #include <random>
 #include <tuple>
 
+#include "framework/assembly/stencil_blocks.hpp"
 #include "framework/contact/clipped/boundary_weight.hpp"
+#include "framework/contact/clipped/clip_pack.hpp"
 
 namespace tack {
 namespace {
@@ -51,6 +53,34 @@ class TentLaw final : public NormalLaw {
 PairLaw tent_law() {
   PairLaw law;
   law.add(std::make_shared<TentLaw>(1.0, 1.0));
+  return law;
+}
+
+// -(1 + 4 g) exp(-4 g) (1 - g)^3.
+class SteepLaw final : public NormalLaw {
+ public:
+  std::string_view name() const override { return "steep"; }
+  void prepare(const PairMaterials&) override {}
+  double range() const override { return 1; }
+  void add_samples(int n, const double* d, LawSample* out) const override {
+    for (int i = 0; i < n; ++i) {
+      if (d[i] >= 1) continue;
+      const double e = std::exp(-4 * d[i]), f = -(1 + 4 * d[i]) * e, f1 = 16 * d[i] * e, f2 = 16 * (1 - 4 * d[i]) * e;
+      const double c = std::pow(1 - d[i], 3), c1 = -3 * std::pow(1 - d[i], 2), c2 = 6 * (1 - d[i]);
+      out[i].value += f * c;
+      out[i].slope += f1 * c + f * c1;
+      out[i].curvature += f2 * c + 2 * f1 * c1 + f * c2;
+    }
+  }
+  void add_values(int n, const double* d, double* out) const override {
+    for (int i = 0; i < n; ++i) out[i] += at(d[i]).value;
+  }
+  std::unique_ptr<NormalLaw> clone() const override { return std::make_unique<SteepLaw>(*this); }
+};
+
+PairLaw steep_law() {
+  PairLaw law;
+  law.add(std::make_shared<SteepLaw>());
   return law;
 }
 
@@ -142,13 +172,14 @@ PlatesResult between(const Plate& a, const Plate& b, double strip, const PairLaw
 TEST_CASE("the gradient of a clipped pair is that of its energy", "[clipped]") {
   std::mt19937 random(7);
   ClipIntegrator integrator;
-  const PairLaw law = tent_law();
-  const GapBands bands = gap_bands(law);
+  const PairLaw tent = tent_law(), steep = steep_law();
   int compared = 0;
   for (int trial = 0; trial < 400; ++trial) {
     ClippedPair pair = random_pair(random, trial % 4 == 0 ? 1.5 : 0.2);
     if (trial % 2) pair.strip_b = {0.25, 0, trial % 3 ? 0.25 : 0};
     Vec18 gradient;
+    const PairLaw& law = trial % 3 == 2 ? steep : tent;
+    const GapBands bands = gap_bands(law);
     if (integrator.derivatives(pair, law, bands, gradient, nullptr).energy == 0) continue;
     ++compared;
     std::array<Vec3, 6> x = corners_of(pair);
@@ -210,6 +241,78 @@ TEST_CASE("the Hessian of a clipped pair is symmetric and positive semi-definite
   CHECK(largest > 0.1);
 }
 
+TEST_CASE("packs of pairs give what pairs give one by one", "[clipped]") {
+  std::mt19937 random(10);
+  ClipIntegrator integrator;
+  const PairLaw law = tent_law();
+  const GapBands bands = gap_bands(law);
+  int found = 0, empty = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    ClipPack pack;
+    std::array<ClippedPair, pack_width> pairs;
+    for (int l = 0; l < pack_width; ++l) {
+      pairs[l] = random_pair(random, l % 4 == 3 ? 1.5 : l % 4 == 2 ? 0 : 0.05);
+      if (l % 2) pairs[l].strip_b = {l % 3 == 0 ? 0.25 : 0, l % 3 == 1 ? 0.25 : 0, l % 3 == 2 ? 0.25 : 0};
+      pairs[l].boundary_a = {trial % 2 == 0, trial % 3 == 0, trial % 5 == 0};
+      VecX x(18);
+      for (int k = 0; k < 6; ++k) vertex(x, k) = k < 3 ? pairs[l].a[k] : pairs[l].b[k - 3];
+      pack.set(l, x, {0, 1, 2, 3, 4, 5}, pairs[l].strip_b, pairs[l].boundary_a);
+    }
+    const unsigned plain = pack.clip(bands);
+    std::array<double, 2 * pack_width> values;
+    std::array<LawSample, 2 * pack_width> samples;
+    law.values(2 * pack_width, pack.gaps(), values.data());
+    law.samples(2 * pack_width, pack.gaps(), samples.data());
+    const Pack energy = pack.energy(values.data());
+    std::array<Pack, 18> gradient;
+    std::array<Pack, ClipPack::hessian_slots> hessian;
+    pack.derivatives(samples.data(), gradient.data(), hessian.data());
+    for (int l = 0; l < pack_width; ++l) {
+      if ((plain >> l & 1u) == 0) continue;
+      INFO("trial " << trial << ", lane " << l);
+      Vec18 g;
+      Mat18 h;
+      const double e = integrator.derivatives(pairs[l], law, bands, g, &h).energy;
+      ++(e == 0 ? empty : found);
+      CHECK(energy[l] == Approx(e).margin(1e-13));
+      std::array<double, ClipPack::hessian_slots> blocks;
+      store_blocks<6>(h, blocks.data());
+      for (int i = 0; i < 18; ++i) REQUIRE(gradient[i][l] == Approx(g[i]).margin(1e-12));
+      for (int i = 0; i < ClipPack::hessian_slots; ++i) REQUIRE(hessian[i][l] == Approx(blocks[i]).margin(1e-12));
+    }
+  }
+  CHECK(found > 500);
+  CHECK(empty > 50);
+}
+
+TEST_CASE("a gap that is even up to round-off may lie at a level", "[clipped]") {
+  // A law that no parabola fits: the force of a level is not zero, and is divided by the slope of the
+  // gap.
+  const PairLaw law = steep_law();
+  const GapBands bands = gap_bands(law);
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> u(-1, 1);
+  ClipIntegrator integrator;
+  for (const double spread : {0.0, 1e-17, 1e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6}) {
+    INFO("spread " << spread);
+    for (int trial = 0; trial < 100; ++trial) {
+      const double level = bands[1 + trial % (bands.size() - 2)];
+      ClippedPair pair = random_pair(random, 0);
+      pair.b = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0.5, 1.8, 0)};
+      ClippedPair below = pair;
+      for (int k = 0; k < 3; ++k) {
+        pair.a[k].z() = level + spread * u(random);
+        below.a[k].z() = (1 - 1e-3) * level;
+      }
+      Vec18 gradient, expected;
+      integrator.derivatives(pair, law, bands, gradient, nullptr);
+      integrator.derivatives(below, law, bands, expected, nullptr);
+      // Of gradients up to 2.
+      CHECK((gradient - expected).cwiseAbs().maxCoeff() < 0.01);
+    }
+  }
+}
+
 TEST_CASE("plates adhere by the area of their overlap, whatever their meshes", "[clipped]") {
   const PairLaw law = tent_law();
   for (const double gap : {0.1, 0.5, 0.9})
@@ -253,6 +356,45 @@ TEST_CASE("a boundary along lines of the other mesh has the whole boundary force
     CHECK(both.energy == Approx((5 - noise) * 7.5 * law.at(0.2).value).epsilon(1e-4));
     CHECK(both.force_on_a.x() == Approx(7.5 * law.at(0.2).value).epsilon(1e-4));
     CHECK(both.force_on_a.y() == Approx(5 * law.at(0.2).value).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("an edge along a crease of the other surface has no boundary force", "[clipped]") {
+  // Both sides of a crease see the edge at distances that do not add up to zero: by 4e-9 here.
+  const PairLaw law = tent_law();
+  Plate b = plate(0, 0, 0, 10, 4, true);
+  for (std::array<Vec3, 3>& triangle : b.triangles)
+    for (Vec3& corner : triangle) corner.z() += 1e-8 * std::abs(corner.x() - 5);
+  const double energy = between(plate(1, 1, 0.2, 8, 4, false), b, 0.25, law).energy;
+  for (int i = -12; i <= 12; ++i) {
+    const double shift = i * 1e-9;
+    INFO("shifted by " << shift);
+    const PlatesResult at = between(plate(1 + shift, 1, 0.2, 8, 4, false), b, 0.25, law);
+    // The work of adhesion times the length is 7.4.
+    CHECK(std::abs(at.force_on_a.x()) < 1e-6);
+    CHECK(std::abs(at.energy - energy) < 2e-13 * std::abs(energy));
+  }
+}
+
+TEST_CASE("an edge along a line of the other surface has the same force there and beside it", "[clipped]") {
+  const PairLaw law = tent_law();
+  const Plate b = plate(0, 0, 0, 10, 4, true);
+  // bend: of lines of a, which then cross those of b several times.
+  const auto tilted = [&](double shift, double bend) {
+    Plate a = plate(1, 1, 0.05, 8, 4, false);
+    for (std::array<Vec3, 3>& triangle : a.triangles)
+      for (Vec3& corner : triangle) {
+        corner.z() += 0.1 * (corner.y() - 1);
+        corner.x() += shift + bend * std::sin(3 * corner.y());
+      }
+    return between(a, b, 0.25, law);
+  };
+  const PlatesResult beside = tilted(1e-6, 0);
+  for (const auto& [shift, bend] : {std::pair{0.0, 0.0}, {1e-17, 0.0}, {-1e-9, 0.0}, {-1e-6, 0.0}, {0.0, 1e-15}, {0.0, 1e-12}, {1e-10, 1e-9}}) {
+    INFO("shifted by " << shift << ", bent by " << bend);
+    const PlatesResult at = tilted(shift, bend);
+    CHECK((at.force_on_a - beside.force_on_a).norm() < 1e-8 * beside.force_on_a.norm());
+    CHECK(at.energy == Approx(beside.energy).epsilon(1e-10));
   }
 }
 

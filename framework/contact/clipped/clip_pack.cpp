@@ -1,0 +1,282 @@
+#include "framework/contact/clipped/clip_pack.hpp"
+#include "framework/contact/clipped/strip_integrals.hpp"
+
+namespace tack {
+namespace {
+
+// Distance of a corner from a line, per length of the edge there, above which round-off decides
+// nothing.
+constexpr double clear_ratio = 1e-8;
+// Sine of the angle between edges that cross, above which both have the crossing at one point.
+constexpr double crossing_sine_min = 1e-4;
+
+// Area of S weighted by rho, over that without, below which rounding counts.
+constexpr double weighted_area_min = 1e-3;
+
+}  // namespace
+
+void ClipPack::set(int lane, const VecX& x, const std::array<int, 6>& vertices, const std::array<double, 3>& strip_b, const std::array<bool, 3>& boundary_a) {
+  for (int k = 0; k < 6; ++k)
+    for (int d = 0; d < 3; ++d) corner_[3 * k + d][lane] = x[3 * vertices[k] + d];
+  for (int k = 0; k < 3; ++k) {
+    strip_[k][lane] = strip_b[k];
+    boundary_[k][lane] = boundary_a[k];
+  }
+}
+
+void ClipPack::shares(const Pack& x, const Pack& y, Pack& first, Pack& second) const {
+  first = (of_a_[2].across_x * (y - of_a_[2].y) - of_a_[2].across_y * (x - of_a_[2].x)) * by_projected_;
+  second = (of_a_[0].across_x * (y - of_a_[0].y) - of_a_[0].across_y * (x - of_a_[0].x)) * by_projected_;
+}
+
+// Finds the strip that S enters, and the part of each side in it. Lanes with several strips are not
+// plain.
+void ClipPack::find_strip(PackMask& plain) {
+  Pack strip[3], entered[3] = {0, 0, 0};
+  for (int k = 0; k < 3; ++k) std::memcpy(&strip[k], strip_[k], sizeof strip[k]);
+  in_strip_ = strip_edge_[0] = strip_edge_[1] = strip_edge_[2] = PackMask{};
+  if (!any((strip[0] > 0) | (strip[1] > 0) | (strip[2] > 0))) return;
+  for (int k = 0; k < 3; ++k)
+    for (const Side* sides : {of_a_, of_b_})
+      for (int e = 0; e < 3; ++e) {
+        const Side& side = sides[e];
+        for (const Pack& at : {side.from, side.to}) {
+          const Pack px = side.x + at * side.across_x, py = side.y + at * side.across_y;
+          const Pack distance = of_b_[k].across_x * (py - of_b_[k].y) - of_b_[k].across_y * (px - of_b_[k].x);
+          entered[k] = select((side.from < side.to) & (strip[k] > 0) & (distance < strip[k] * edge_length_b_[k]), Pack(1), entered[k]);
+        }
+      }
+  const Pack count = entered[0] + entered[1] + entered[2];
+  plain &= count < 1.5;
+  in_strip_ = (count > 0.5) & plain;
+  if (!any(in_strip_)) return;
+  inward_x_ = inward_y_ = 0;
+  width_ = 1;
+  Pack x = 0, y = 0;
+  for (int k = 0; k < 3; ++k) {
+    strip_edge_[k] = in_strip_ & (entered[k] > 0.5);
+    inward_x_ = select(strip_edge_[k], -of_b_[k].across_y / edge_length_b_[k], inward_x_);
+    inward_y_ = select(strip_edge_[k], of_b_[k].across_x / edge_length_b_[k], inward_y_);
+    x = select(strip_edge_[k], of_b_[k].x, x);
+    y = select(strip_edge_[k], of_b_[k].y, y);
+    width_ = select(strip_edge_[k], strip[k], width_);
+  }
+  share_slope_1_ = (of_a_[2].across_x * inward_y_ - of_a_[2].across_y * inward_x_) * by_projected_;
+  share_slope_2_ = (of_a_[0].across_x * inward_y_ - of_a_[0].across_y * inward_x_) * by_projected_;
+  for (Side* sides : {of_a_, of_b_})
+    for (int e = 0; e < 3; ++e) {
+      Side& side = sides[e];
+      side.depth = inward_x_ * (side.x - x) + inward_y_ * (side.y - y);
+      side.deepening = inward_x_ * side.across_x + inward_y_ * side.across_y;
+      const Pack begin = width_ - side.depth, end = begin - side.deepening;
+      const PackMask out_begin = begin <= 0, out_end = end <= 0;
+      const Pack at = begin / select(out_begin ^ out_end, begin - end, 1);
+      side.strip_from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
+      side.strip_to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
+      side.strip_to = select(in_strip_, greater(side.strip_from, side.strip_to), side.strip_from);
+    }
+}
+
+// o1, o2: shares that count as zero. moments: area, of both shares, of their squares and product.
+void ClipPack::subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* moments) const {
+  for (const Side* sides : {of_a_, of_b_})
+    for (int e = 0; e < 3; ++e) {
+      const Side& side = sides[e];
+      // Inward component of the outward normal, times the length.
+      const Pack outward = inward_x_ * side.across_y - inward_y_ * side.across_x;
+      for_strip_points(side, [&](const Pack& at, const Pack& weight) {
+        const Pack t = (side.depth + at * side.deepening) / width_, factor = weight * outward * width_;
+        const Pack l0 = factor * weight_lost_0(t), l1 = factor * width_ * weight_lost_1(t), l2 = factor * width_ * width_ * weight_lost_2(t);
+        Pack s1, s2;
+        shares(side.x + at * side.across_x, side.y + at * side.across_y, s1, s2);
+        s1 -= o1, s2 -= o2;
+        moments[0] -= l0;
+        moments[1] -= l0 * s1 + l1 * share_slope_1_;
+        moments[2] -= l0 * s2 + l1 * share_slope_2_;
+        moments[3] -= l0 * s1 * s1 + 2 * l1 * s1 * share_slope_1_ + l2 * share_slope_1_ * share_slope_1_;
+        moments[4] -= l0 * s1 * s2 + l1 * (s1 * share_slope_2_ + s2 * share_slope_1_) + l2 * share_slope_1_ * share_slope_2_;
+        moments[5] -= l0 * s2 * s2 + 2 * l1 * s2 * share_slope_2_ + l2 * share_slope_2_ * share_slope_2_;
+      });
+    }
+}
+
+unsigned ClipPack::clip(const GapBands& bands) {
+  Pack c[18];
+  for (int i = 0; i < 18; ++i) std::memcpy(&c[i], corner_[i], sizeof c[i]);
+  const Pack *a = c, *b = c + 9;
+  const auto cross = [](const Pack* p, const Pack* q, Pack* out) {
+    out[0] = p[1] * q[2] - p[2] * q[1];
+    out[1] = p[2] * q[0] - p[0] * q[2];
+    out[2] = p[0] * q[1] - p[1] * q[0];
+  };
+  const auto dot = [](const Pack* p, const Pack* q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; };
+
+  Pack e1[3], e2[3], normal[3], f1[3], f2[3], normal_a[3];
+  for (int d = 0; d < 3; ++d) {
+    e1[d] = b[3 + d] - b[d];
+    e2[d] = b[6 + d] - b[d];
+    f1[d] = a[3 + d] - a[d];
+    f2[d] = a[6 + d] - a[d];
+  }
+  cross(e1, e2, normal);
+  cross(f1, f2, normal_a);
+  const Pack twice_area = sqrt(dot(normal, normal)), twice_area_a = sqrt(dot(normal_a, normal_a));
+  length_ = sqrt(dot(e1, e1));
+  PackMask plain = (twice_area > 0) & (twice_area_a > 0);
+  const Pack by_area = 1 / select(plain, twice_area, 1), by_length = 1 / select(plain, length_, 1);
+  for (int d = 0; d < 3; ++d) {
+    axes_[2][d] = normal[d] * by_area;
+    axes_[0][d] = e1[d] * by_length;
+  }
+  cross(axes_[2], axes_[0], axes_[1]);
+  plain &= -dot(normal_a, axes_[2]) > clip_cosine_full * twice_area_a;
+  height_ = twice_area * by_length;
+  foot_ = dot(axes_[0], e2);
+  for (int k = 0; k < 3; ++k) {
+    Pack from_b[3];
+    for (int d = 0; d < 3; ++d) from_b[d] = a[3 * k + d] - b[d];
+    x_[k] = dot(axes_[0], from_b);
+    y_[k] = dot(axes_[1], from_b);
+    z_[k] = dot(axes_[2], from_b);
+  }
+
+  // Distances of the corners of a from the lines of b, and the other way round, both positive inside
+  // and times the length of the edge.
+  const Pack bx[3] = {0, length_, foot_}, by[3] = {0, 0, height_};
+  Pack edge_length_a[3], of_a[3][3], of_b[3][3];
+  for (int e = 0; e < 3; ++e) {
+    const int n = (e + 1) % 3;
+    // Seen from outside of b, the corners of a are clockwise: its edges run from corner e + 1 to e.
+    Side& sa = of_a_[e];
+    sa.x = x_[n], sa.y = y_[n], sa.gap = z_[n];
+    sa.across_x = x_[e] - x_[n], sa.across_y = y_[e] - y_[n], sa.rise = z_[e] - z_[n];
+    Side& sb = of_b_[e];
+    sb.x = bx[e], sb.y = by[e];
+    sb.across_x = bx[n] - bx[e], sb.across_y = by[n] - by[e];
+    edge_length_a[e] = sqrt(sa.across_x * sa.across_x + sa.across_y * sa.across_y);
+    edge_length_b_[e] = sqrt(sb.across_x * sb.across_x + sb.across_y * sb.across_y);
+    for (int k = 0; k < 3; ++k) {
+      of_a[k][e] = sb.across_x * (y_[k] - sb.y) - sb.across_y * (x_[k] - sb.x);
+      of_b[k][e] = sa.across_x * (by[k] - sa.y) - sa.across_y * (bx[k] - sa.x);
+      plain &= (abs(of_a[k][e]) > clear_ratio * edge_length_b_[e] * edge_length_b_[e]) & (abs(of_b[k][e]) > clear_ratio * edge_length_a[e] * edge_length_a[e]);
+    }
+  }
+  // Shares of the corners of b in a: corner k of a lies opposite edge k + 1.
+  const Pack twice_projected = of_a_[0].across_x * (y_[2] - y_[1]) - of_a_[0].across_y * (x_[2] - x_[1]);
+  by_projected_ = 1 / select(plain, twice_projected, 1);
+  Pack gap_b[3];
+  for (int k = 0; k < 3; ++k) {
+    gap_b[k] = 0;
+    for (int m = 0; m < 3; ++m) gap_b[k] += of_b[k][(m + 1) % 3] * by_projected_ * z_[m];
+  }
+  for (int e = 0; e < 3; ++e) {
+    of_b_[e].gap = gap_b[e];
+    of_b_[e].rise = gap_b[(e + 1) % 3] - gap_b[e];
+  }
+
+  const auto cut = [&](Side& side, const Pack* begin, const Pack* end) {
+    side.from = 0;
+    side.to = 1;
+    for (int line = 0; line < 3; ++line) {
+      const Pack &p = begin[line], &q = end[line];
+      const PackMask out_begin = p < 0, out_end = q < 0, crosses = out_begin ^ out_end;
+      const Pack at = p / select(crosses, p - q, 1);
+      side.from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
+      side.to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
+    }
+    side.to = greater(side.from, side.to);
+  };
+  for (int e = 0; e < 3; ++e) {
+    const int n = (e + 1) % 3;
+    for (int line = 0; line < 3; ++line) {
+      const Pack &p = of_a[n][line], &q = of_a[e][line];
+      plain &= ~((p < 0) ^ (q < 0)) | (abs(p - q) > crossing_sine_min * edge_length_a[e] * edge_length_b_[line]);
+    }
+    cut(of_a_[e], of_a[n], of_a[e]);
+    cut(of_b_[e], of_b[e], of_b[n]);
+  }
+
+  // The common point: the mean of the ends of the sides.
+  Pack ox = 0, oy = 0, count = 0, low = 1e300, high = -1e300;
+  const auto for_each_side = [&](const auto& act) {
+    for (Side* sides : {of_a_, of_b_})
+      for (int e = 0; e < 3; ++e) act(sides[e]);
+  };
+  for_each_side([&](const Side& side) {
+    const PackMask some = side.from < side.to;
+    const Pack middle = side.from + side.to, one = select(some, Pack(1), 0);
+    ox += one * (side.x + 0.5 * middle * side.across_x);
+    oy += one * (side.y + 0.5 * middle * side.across_y);
+    count += one;
+    for (const Pack& at : {side.from, side.to}) {
+      const Pack gap = side.gap + at * side.rise;
+      low = select(some, lesser(low, gap), low);
+      high = select(some, greater(high, gap), high);
+    }
+  });
+  find_strip(plain);
+  const Pack by_count = 1 / greater(count, 1);
+  ox *= by_count;
+  oy *= by_count;
+
+  Pack o1, o2;
+  shares(ox, oy, o1, o2);
+  Pack moments[6] = {0, 0, 0, 0, 0, 0};
+  Pack &area = moments[0], &m1 = moments[1], &m2 = moments[2], &m11 = moments[3], &m12 = moments[4], &m22 = moments[5];
+  for_each_side([&](const Side& side) {
+    const Pack px = side.x + side.from * side.across_x, py = side.y + side.from * side.across_y;
+    const Pack qx = side.x + side.to * side.across_x, qy = side.y + side.to * side.across_y;
+    const Pack half = 0.5 * ((px - ox) * (qy - oy) - (py - oy) * (qx - ox)), twelfth = half * (1.0 / 12), third = half * (1.0 / 3);
+    Pack p1, p2, q1, q2;
+    shares(px, py, p1, p2);
+    shares(qx, qy, q1, q2);
+    p1 -= o1, p2 -= o2, q1 -= o1, q2 -= o2;
+    const Pack sum1 = p1 + q1, sum2 = p2 + q2;
+    area += half;
+    m1 += third * sum1;
+    m2 += third * sum2;
+    m11 += twelfth * (sum1 * sum1 + p1 * p1 + q1 * q1);
+    m12 += twelfth * (sum1 * sum2 + p1 * p2 + q1 * q2);
+    m22 += twelfth * (sum2 * sum2 + p2 * p2 + q2 * q2);
+  });
+  const Pack unweighted = area;
+  if (any(in_strip_)) subtract_strip_moments(o1, o2, moments);
+  const PackMask some = (count > 0) & (area > 0);
+  plain &= ~some | (area > weighted_area_min * unweighted);
+  const Pack by_moment = 1 / select(some, area, 1);
+  area_ = select(some, area, 0);
+  m1 *= by_moment;
+  m2 *= by_moment;
+  first_ = area_ * (o1 + m1);
+  second_ = area_ * (o2 + m2);
+  first_first_ = select(some, m11 * by_moment - m1 * m1, 0);
+  first_second_ = select(some, m12 * by_moment - m1 * m2, 0);
+  second_second_ = select(some, m22 * by_moment - m2 * m2, 0);
+  const Pack rise1 = z_[1] - z_[0], rise2 = z_[2] - z_[0];
+  mean_ = select(some, z_[0] + rise1 * (o1 + m1) + rise2 * (o2 + m2), bands.back());
+  const Pack variance = rise1 * rise1 * first_first_ + 2 * rise1 * rise2 * first_second_ + rise2 * rise2 * second_second_;
+  deviation_ = select(some, sqrt(greater(variance, 0)), 0);
+
+  unsigned found = 0;
+  for (int l = 0; l < pack_width; ++l) {
+    gaps_[2 * l] = mean_[l] - deviation_[l];
+    gaps_[2 * l + 1] = mean_[l] + deviation_[l];
+    if (!plain[l]) continue;
+    // Nothing, all beyond the range, or all in one band.
+    if (!some[l] || low[l] >= bands.back()) {
+      if (count[l] > 0 && low[l] < bands.back()) continue;
+      found |= 1u << l;
+      area_.set(l, 0), first_.set(l, 0), second_.set(l, 0);
+      continue;
+    }
+    if (!(low[l] > bands.front())) continue;
+    std::size_t band = 1;
+    while (bands[band] <= low[l]) ++band;
+    if (high[l] <= bands[band]) found |= 1u << l;
+  }
+  for (int l = 0; l < pack_width; ++l)
+    if ((found >> l & 1u) == 0) gaps_[2 * l] = gaps_[2 * l + 1] = bands.back();
+  return found;
+}
+
+}  // namespace tack

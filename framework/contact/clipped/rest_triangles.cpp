@@ -1,0 +1,31 @@
+#include "framework/contact/clipped/rest_triangles.hpp"
+
+#include <algorithm>
+
+#include "framework/contact/rest_neighbours.hpp"
+
+namespace tack {
+namespace {
+
+// Returns an edge with its vertices ascending.
+Edge edge_of(const Triangle& t, int side) {
+  const auto [first, last] = std::minmax(t[side], t[(side + 1) % 3]);
+  return {first, last};
+}
+
+}  // namespace
+
+bool neighbours_at_rest(const ContactSurface& surface, int a, int b, double range) {
+  const Triangle &ta = surface.mesh.triangles[a], &tb = surface.mesh.triangles[b];
+  for (const int v : ta)
+    if (std::find(tb.begin(), tb.end(), v) != tb.end()) return true;
+  if (box_gaps(corners(surface.rest, ta), corners(surface.rest, tb)).maxCoeff() >= range) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (rest_neighbours(surface, std::array{ta[k]}, tb, range) || rest_neighbours(surface, std::array{tb[k]}, ta, range)) return true;
+    for (int m = 0; m < 3; ++m)
+      if (rest_neighbours(surface, edge_of(ta, k), edge_of(tb, m), range)) return true;
+  }
+  return false;
+}
+
+}  // namespace tack
