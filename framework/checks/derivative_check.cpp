@@ -1,6 +1,7 @@
 #include "framework/checks/derivative_check.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 #include "framework/contact/friction_term.hpp"
@@ -42,6 +43,13 @@ VecX absolute_product(const BlockMatrix& matrix, const VecX& d) {
   return sum;
 }
 
+// Returns the unknowns less their mean position: terms take differences of positions, whose round-off is that of the distances.
+VecX centred(const VecX& q) {
+  Vec3 mean = Vec3::Zero();
+  for (Eigen::Index i = 0; i < q.size(); i += 3) mean += 3 * q.segment<3>(i) / static_cast<double>(q.size());
+  return q - mean.replicate(q.size() / 3, 1);
+}
+
 // One term as a function of the unknowns.
 class TermStudy {
  public:
@@ -56,6 +64,7 @@ class TermStudy {
     const BlockMatrix& hessian = potential_.hessian({Projection::none});
     const VecX gradient = potential_.gradient();
     const VecX rows = absolute_product(hessian, direction);
+    const VecX gradient_round_off = std::numeric_limits<double>::epsilon() * absolute_product(hessian, centred(q));
     std::vector<VecX> slope_errors, curvature_errors;
     std::vector<VecX> moved, products;
     double step = DifferenceStudy::first_step;
@@ -78,7 +87,8 @@ class TermStudy {
       curvature_errors.push_back((gradient_up - potential_.gradient() - products[k]) / (2 * step));
     }
     const VecX slope_scale = VecX::Constant(1, gradient.cwiseProduct(direction).norm());
-    check_.gradient.merge(study_differences(slope_errors, slope_scale, gradient_tolerance));
+    const VecX slope_round_off = VecX::Constant(1, direction.cwiseAbs().dot(gradient_round_off));
+    check_.gradient.merge(study_differences(slope_errors, slope_scale, gradient_tolerance, slope_round_off));
     // In units of energy, so that rows of different local lengths are comparable.
     const VecX unit = direction.cwiseAbs();
     for (VecX& e : curvature_errors) e = e.cwiseProduct(unit);

@@ -12,7 +12,7 @@ constexpr int window = 4;
 constexpr double own_spreads = 30, typical_spreads = 3;
 
 struct Limit {
-  double value = 0, spread = 0;
+  double value = 0, spread = 0, round_off = 0;
 };
 
 // Returns the limit of component i over the window of its smallest errors: a wrong derivative has
@@ -30,7 +30,7 @@ Limit limit_of(const std::vector<VecX>& extrapolated, Eigen::Index i) {
       sum += e;
     }
     const double largest = std::max(std::abs(low), std::abs(high));
-    if (k == 0 || largest < least) best = {sum / window, high - low};
+    if (k == 0 || largest < least) best = {sum / window, high - low, 0};
     least = std::min(least, largest);
   }
   return best;
@@ -57,7 +57,8 @@ void DifferenceStudy::merge(const DifferenceStudy& other) {
   wrong = wrong || other.wrong;
 }
 
-DifferenceStudy study_differences(const std::vector<VecX>& errors, const VecX& scales, double tolerance) {
+DifferenceStudy study_differences(const std::vector<VecX>& errors, const VecX& scales, double tolerance,
+                                  const VecX& round_off) {
   constexpr double order = DifferenceStudy::ratio * DifferenceStudy::ratio;
   std::vector<VecX> extrapolated;
   for (size_t k = 0; k + 1 < errors.size(); ++k)
@@ -73,13 +74,13 @@ DifferenceStudy study_differences(const std::vector<VecX>& errors, const VecX& s
     const double scale = std::max(scales(i), 1e-9 * largest) + std::abs(limit.value);
     if (scale == 0) continue;
     study.scale = std::max(study.scale, std::abs(limit.value));
-    limits.push_back({std::abs(limit.value) / scale, limit.spread / scale});
+    limits.push_back({std::abs(limit.value) / scale, limit.spread / scale, round_off.size() > 0 ? round_off(i) / scale : 0});
     spreads.push_back(limits.back().spread);
   }
   study.resolution = percentile(std::move(spreads), 0.95);
   study.components = static_cast<int>(limits.size());
   for (const Limit& l : limits) {
-    const bool small = l.value <= tolerance + typical_spreads * study.resolution;
+    const bool small = l.value <= tolerance + typical_spreads * study.resolution + l.round_off;
     if (!small && l.value <= own_spreads * l.spread) {
       ++study.unclear;
       continue;

@@ -26,8 +26,9 @@ struct DifferenceStudy {
 };
 
 // errors[k]: quotient less derivative, per component, at step k; scales: per component, the sum of
-// absolute values of the parts of the derivative before they cancel; tolerance: relative.
+// absolute values of the parts of the derivative before they cancel; tolerance: relative;
+// round_off: of the derivative itself, per component, which no difference shows; empty: none.
 DifferenceStudy study_differences(const std::vector<VecX>& errors, const VecX& scales,
-                                  double tolerance);
+                                  double tolerance, const VecX& round_off = {});
 
 }  // namespace tack

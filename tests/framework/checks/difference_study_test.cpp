@@ -70,3 +70,12 @@ TEST_CASE("one wrong component among many noisy ones is found, and no noise is",
     CHECK(found.resolution > 1e-7);
   }
 }
+
+TEST_CASE("errors of a derivative within its own round-off are none", "[scene]") {
+  const std::vector<VecX> errors(DifferenceStudy::steps, VecX::Constant(1, 5e-5));
+  const VecX scale = VecX::Ones(1);
+  CHECK(study_differences(errors, scale, 1e-6).wrong);
+  CHECK(study_differences(errors, scale, 1e-6, VecX::Constant(1, 4e-5)).wrong);
+  const DifferenceStudy right = study_differences(errors, scale, 1e-6, VecX::Constant(1, 6e-5));
+  CHECK((!right.wrong && right.unclear == 0 && right.error == Approx(5e-5).epsilon(1e-3)));
+}
