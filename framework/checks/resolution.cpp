@@ -13,7 +13,6 @@
 #include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/stencil_kinds.hpp"
 #include "framework/contact/surface_topology.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/scene/scene_config.hpp"
@@ -191,10 +190,8 @@ class Warnings {
     world_.contact->begin_step({world_.start.x});
     world_.contact->move_to(world_.start.x);
     std::set<int> on_themselves;
-    for_each_kind(world_.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
-      const auto& object = world_.contact->surface().mesh.vertex_object;
-      for (const auto& s : stencils)
-        if (const int i = object[s.vertices[0]]; i == object[s.vertices[decltype(kind)::first_vertices]]) on_themselves.insert(i);
+    world_.contact->potential().visit_active([&](int a, int b, int) {
+      if (a == b) on_themselves.insert(a);
     });
     for (const int i : on_themselves) {
       const VecX force = forces_within(i);

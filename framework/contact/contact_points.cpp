@@ -29,7 +29,7 @@ void add_integrated_laws(const PairTable& pairs, int a, int b, std::vector<char>
     // The contact points of clipped adhesion, which have the other law, cover the area of the barrier.
     const bool clipped = pairs.edge(a, b, region_pair).clipped_range > 0;
     for (const PairRole* role : {&pairs.point(a, b, region_pair), &pairs.point(b, a, region_pair)})
-      if (!clipped && role->law >= 0 && (role->carries_pressure || pairs.plain_sums)) laws[role->law] = 1;
+      if (!clipped && role->law >= 0 && role->carries_pressure) laws[role->law] = 1;
     if (const int codimensional = pairs.codimensional(a, b, region_pair).law; codimensional >= 0) laws[codimensional] = 1;
   }
 }

@@ -48,6 +48,15 @@ void ContactPotential::attach(ContactSystem& system) {
 
 ContactPoints ContactPotential::points(const ContactPointsRequest& request) const { return points_of_stencils(request); }
 
+int ContactPotential::active_count() const { return static_cast<int>(system().contacts().size()); }
+
+void ContactPotential::visit_active(const ActiveVisitor& visit) const {
+  const std::vector<int>& object = system().surface().mesh.vertex_object;
+  for_each_kind(system().contacts(), [&](auto kind, const auto& stencils, const double*) {
+    for (const auto& s : stencils) visit(object[s.vertices[0]], object[s.vertices[kind.first_vertices]], s.law);
+  });
+}
+
 void ContactPotential::make_terms() { add_term(std::make_unique<ContactTerm>(system())); }
 
 void ContactPotential::add_term(std::unique_ptr<Term> term) { terms_.push_back(std::move(term)); }

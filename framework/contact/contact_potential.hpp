@@ -143,6 +143,11 @@ class ContactPotential {
   /// adhere or slide. Friction, pressures, probes and checks read them. The default merges the
   /// active stencils.
   virtual ContactPoints points(const ContactPointsRequest& request) const;
+  /// Returns the number of pairs of primitives that act at the system's configuration.
+  virtual int active_count() const;
+  /// Calls visit(object, opposite, law) for each of them. The default visits the active stencils.
+  using ActiveVisitor = std::function<void(int object, int opposite, int law)>;
+  virtual void visit_active(const ActiveVisitor& visit) const;
   /// Returns the points of the overlap of pairs of objects for which wanted(a, b) is true; a: the
   /// object of the point. Bonds form there. None: the model finds no overlap.
   using PairFilter = std::function<bool(int a, int b)>;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "framework/contact/rest_neighbours.hpp"
+#include "geometry/broad_phase/candidate_kinds.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 
 namespace tack {
@@ -58,18 +59,11 @@ class Search {
 std::vector<Overclosure> find_overclosures(const ContactSystem& contact, const VecX& x) {
   Search search(contact, x);
   const CollisionMesh& mesh = contact.surface().mesh;
-  const Candidates& c = contact.candidates();
-  const auto each = [](const auto& pairs, const auto& distance_bounds, const auto& check) {
-    for (size_t i = 0; i < pairs.size(); ++i) check(pairs[i][0], pairs[i][1], distance_bounds[i]);
-  };
-  each(c.point_triangle, c.distance_bounds.point_triangle,
-       [&](int p, int t, double distance_bound) { search.check(std::array{p}, mesh.triangles[t], distance_bound); });
-  each(c.edge_edge, c.distance_bounds.edge_edge,
-       [&](int a, int b, double distance_bound) { search.check(mesh.edges[a], mesh.edges[b], distance_bound); });
-  each(c.point_edge, c.distance_bounds.point_edge,
-       [&](int p, int e, double distance_bound) { search.check(std::array{p}, mesh.edges[e], distance_bound); });
-  each(c.point_point, c.distance_bounds.point_point,
-       [&](int p, int q, double distance_bound) { search.check(std::array{p}, std::array{q}, distance_bound); });
+  const Candidates& candidates = contact.candidates();
+  for_each_kind(mesh, candidates, [&](const auto& kind) {
+    for (size_t i = 0; i < kind.pairs.size(); ++i)
+      search.check(kind.first(kind.pairs[i]), kind.second(kind.pairs[i]), (candidates.distance_bounds.*kind.lengths)[i]);
+  });
   return search.take();
 }
 

@@ -219,9 +219,6 @@ class PairTable {
     });
   }
 
-  // Plain IPC sums: every close pair of primitives counts, without inclusion-exclusion.
-  bool plain_sums = false;
-
  private:
   ObjectClasses classes_;
   std::vector<double> mean_tributary_areas_;  // per object [m^2]

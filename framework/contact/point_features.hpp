@@ -8,13 +8,6 @@
 // whatever the mesh. The sum is as smooth as phi(d_T). Each d reduces to the closest feature (face,
 // edge or vertex). Equal features are merged, so that on flat and convex surfaces one feature of
 // multiplicity 1 remains.
-//
-// With weights s_T of the point, and affinities k_TU of triangles that meet in E or V
-// (codimensional_weights.hpp), the sum is
-//     sum_T s_T phi(d_T) - sum_E j_E phi(d_E) + sum_V (sum_{E at V} j_E - j_V) phi(d_V),
-// where j is the weight of the maximum spanning tree over the triangles at E or V, whose edges
-// weigh min(s_T, s_U) k_TU. If all s and k are 0 or 1, it is the sum above over the triangles with
-// s_T = 1. It is continuous in all s and k.
 // Source: inclusion-exclusion of Li et al. 2023, Convergent Incremental Potential Contact.
 #pragma once
 
@@ -22,10 +15,18 @@
 #include <span>
 #include <vector>
 
-#include "framework/contact/area_integral/codimensional_weights.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
+
+// How the features of a surface count.
+enum class FeatureCount {
+  inclusion_exclusion,  // the sum above
+  each                  // every triangle, edge and vertex of the lists by itself
+};
+
+// Multiplicities below this are round-off of sums.
+inline constexpr double multiplicity_rounding = 1e-9;
 
 struct PointFeature {
   std::array<int, 3> vertices;  // ascending; of an edge the third is -1, of a vertex the second too
@@ -38,17 +39,20 @@ struct PointFeature {
 class PointFeatures {
  public:
   // Returns the features closer than range [m] of the surface near p [m]: triangles, edges of no
-  // triangle and vertices of no edge (global vertices). With plain sums, all count, without
-  // inclusion-exclusion.
+  // triangle and vertices of no edge (global vertices).
   const std::vector<PointFeature>& reduce(const VecX& x, const Vec3& p,
                                           std::span<const Triangle> triangles,
                                           std::span<const Edge> edges,
                                           std::span<const int> vertices, double range,
-                                          bool plain_sums);
-  // Returns the features of triangles with weights.
-  const std::vector<PointFeature>& reduce(const VecX& x, const Vec3& p,
-                                          std::span<const Triangle> triangles,
-                                          std::span<const TriangleWeight> weights, double range);
+                                          FeatureCount count);
+
+ protected:
+  bool add_triangle(const VecX& x, const Vec3& p, const Triangle& t, double range_squared);
+  void add_edge(const VecX& x, const Vec3& p, const Edge& e, double multiplicity,
+                double range_squared);
+  void merge();
+
+  std::vector<PointFeature> features_;
 
  private:
   struct EdgeUse {
@@ -59,24 +63,10 @@ class PointFeatures {
     int vertex;
     int coefficient;
   };
-  struct CornerUse {
-    std::array<int, 2> at;  // an edge, or a vertex and -1
-    int triangle;           // index in the list
-  };
-  bool add_triangle(const VecX& x, const Vec3& p, const Triangle& t, double range_squared);
-  void add_edge(const VecX& x, const Vec3& p, const Edge& e, double multiplicity,
-                double range_squared);
   void subtract_shared(const VecX& x, const Vec3& p, double range_squared);
-  void merge();
-  double spanning_tree_weight(std::span<const CornerUse> uses,
-                              std::span<const TriangleWeight> weights);
 
-  std::vector<PointFeature> features_;
   std::vector<EdgeUse> edge_uses_;
   std::vector<VertexUse> vertex_uses_;
-  std::vector<CornerUse> uses_;
-  std::vector<std::pair<int, double>> joined_;  // vertex, j_E of an edge at it
-  std::vector<double> tie_;                     // per triangle: its heaviest edge to the tree
 };
 
 }  // namespace tack

@@ -50,7 +50,7 @@ double rounded_down(double distance) {
 
 RestGaps::RestGaps(const ContactSurface& surface, PairTable& pairs) : surface_(surface), laws_(static_cast<int>(pairs.laws().size())) {
   for (int object = 0; object < pairs.objects(); ++object) search_radius_.push_back(own_search_radius(surface, pairs, object));
-  if (!pairs.plain_sums && std::any_of(search_radius_.begin(), search_radius_.end(), [](double radius) { return radius > 0; })) find_levels(pairs);
+  if (std::any_of(search_radius_.begin(), search_radius_.end(), [](double radius) { return radius > 0; })) find_levels(pairs);
   add_laws(pairs);
 }
 

@@ -4,8 +4,8 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_points.hpp"
+#include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/stencil_kinds.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
 #include "framework/world/world.hpp"
@@ -100,14 +100,10 @@ class AttachedObjects : public Probe {
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State& state) override {
     std::vector<char> attached(world.bodies.size(), 0);
-    const auto& object = world.contact->surface().mesh.vertex_object;
-    for_each_kind(world.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
-      for (const auto& s : stencils) {
-        if (!adhesive_[s.law]) continue;
-        const int a = object[s.vertices[0]], b = object[s.vertices[kind.first_vertices]];
-        if (a == index_ && b != index_) attached[b] = 1;
-        if (b == index_ && a != index_) attached[a] = 1;
-      }
+    world.contact->potential().visit_active([&](int a, int b, int law) {
+      if (!adhesive_[law]) return;
+      if (a == index_ && b != index_) attached[b] = 1;
+      if (b == index_ && a != index_) attached[a] = 1;
     });
     // Some models adhere without stencils of the system.
     for_each_record(points_of(world, state, adhesive_), [&](const auto& c) {

@@ -99,7 +99,6 @@ PairTable table_of(const PairTable& all, const Cut& cut) {
   std::vector<double> cells;
   for (int i = 0; i < cut.objects(); ++i) cells.push_back(all.mean_tributary_area(cut.body(i)));
   PairTable own(ObjectClasses::single(cut.objects()), std::move(cells));
-  own.plain_sums = all.plain_sums;
   for (size_t law = 0; law < all.laws().size(); ++law)
     own.add_law(all.laws()[law], all.tangential(static_cast<int>(law)));
   both_ways(cut, [&](int i, int j) {

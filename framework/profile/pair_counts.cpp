@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/broad_phase/candidate_kinds.hpp"
+
 namespace tack {
 namespace {
 
@@ -26,15 +28,13 @@ class Counter {
 };
 
 void count_candidates(const CollisionMesh& mesh, const Candidates& candidates, Counter& counter) {
-  for (const auto& [p, t] : candidates.point_triangle) ++counter.of(p, mesh.triangles[t][0]).candidates;
-  for (const auto& [i, j] : candidates.edge_edge) ++counter.of(mesh.edges[i][0], mesh.edges[j][0]).candidates;
-  for (const auto& [p, e] : candidates.point_edge) ++counter.of(p, mesh.edges[e][0]).candidates;
-  for (const auto& [p, q] : candidates.point_point) ++counter.of(p, q).candidates;
+  for_each_kind(mesh, candidates, [&](const auto& kind) {
+    for (const auto& pair : kind.pairs) ++counter.of(kind.first(pair)[0], kind.second(pair)[0]).candidates;
+  });
 }
 
-// The edges of a pair have the law of its safety barrier, unless all pairs of primitives simply add up.
+// The edges of a pair have the law of its safety barrier.
 bool is_safety_barrier(const PairTable& pairs, int a, int b, int law) {
-  if (pairs.plain_sums) return false;
   for (int part = -1; part < pairs.region_pair_count(a, b); ++part)
     if (pairs.original_law(law) == pairs.edge(a, b, part).law) return true;
   return false;

@@ -8,6 +8,7 @@
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/world/describe_primitive.hpp"
+#include "geometry/broad_phase/candidate_kinds.hpp"
 
 namespace tack {
 namespace {
@@ -15,17 +16,15 @@ namespace {
 // Returns the objects that have candidates with object a, ascending.
 std::vector<int> objects_near(const ContactSystem& contact, int a) {
   const CollisionMesh& mesh = contact.surface().mesh;
-  const Candidates& c = contact.candidates();
   std::vector<int> near;
   const auto add = [&](int v, int w) {
     const int i = mesh.vertex_object[v], j = mesh.vertex_object[w];
     if (i == a) near.push_back(j);
     else if (j == a) near.push_back(i);
   };
-  for (const auto& [p, t] : c.point_triangle) add(p, mesh.triangles[t][0]);
-  for (const auto& [i, j] : c.edge_edge) add(mesh.edges[i][0], mesh.edges[j][0]);
-  for (const auto& [p, e] : c.point_edge) add(p, mesh.edges[e][0]);
-  for (const auto& [p, q] : c.point_point) add(p, q);
+  for_each_kind(mesh, contact.candidates(), [&](const auto& kind) {
+    for (const auto& pair : kind.pairs) add(kind.first(pair)[0], kind.second(pair)[0]);
+  });
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;

@@ -7,6 +7,7 @@
 #include "framework/affine/orthogonality_term.hpp"
 #include "framework/body/extent.hpp"
 #include "framework/bond/bond_term.hpp"
+#include "framework/contact/contact_potential.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/energy_advice.hpp"
 #include "framework/stepping/time_stepper.hpp"
@@ -32,7 +33,7 @@ StepReport TimeStepper::report(const SolveResult& result, double h) const {
   r.metrics = result.metrics;
   r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
   if (world_.contact) {
-    r.contacts = static_cast<int>(world_.contact->contacts().size());
+    r.contacts = world_.contact->potential().active_count();
     r.candidates = static_cast<int>(world_.contact->candidates().size());
     const SmallestGaps gaps = world_.contact->smallest_gaps(state_.x);
     r.min_distance = gaps.of_all;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/contact/contact_system.hpp"
+#include "geometry/broad_phase/candidate_kinds.hpp"
 #include "geometry/broad_phase/candidate_finder.hpp"
 #include "geometry/ccd/accd.hpp"
 #include "geometry/distance/squared_distance.hpp"
@@ -98,29 +99,28 @@ struct TunnellingCheck::Search {
     return {a.displacement_against(b, size) - rest, rest};
   }
 
-  // Returns the components of the first candidate that meets.
-  template <class Primitives>
-  std::optional<std::array<int, 2>> first_met(const std::vector<std::array<int, 2>>& candidates, const Stage& stage,
-                                              const Primitives& primitives) const {
-    const int n = static_cast<int>(candidates.size());
+  // Returns the components of the first candidate of a kind that meets.
+  template <class Kind>
+  std::optional<std::array<int, 2>> first_met(const Kind& kind, const Stage& stage) const {
+    const int n = static_cast<int>(kind.pairs.size());
     const double first = min_chunks(n, n, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
-        const auto [a, b] = primitives(candidates[i]);
+        const auto &a = kind.first(kind.pairs[i]), &b = kind.second(kind.pairs[i]);
         if (meet(a, b, stage, criterion(components.component_of(a[0]), components.component_of(b[0])))) return double(i);
       }
       return double(n);
     });
     if (first == n) return std::nullopt;
-    const auto [a, b] = primitives(candidates[static_cast<size_t>(first)]);
-    return std::array{components.component_of(a[0]), components.component_of(b[0])};
+    const auto& pair = kind.pairs[static_cast<size_t>(first)];
+    return std::array{components.component_of(kind.first(pair)[0]), components.component_of(kind.second(pair)[0])};
   }
 
   std::optional<std::array<int, 2>> met(const Candidates& c, const Stage& stage) const {
-    const auto point = [](int v) { return std::array{v}; };
-    if (auto found = first_met(c.point_triangle, stage, [&](const auto& p) { return std::pair{point(p[0]), mesh.triangles[p[1]]}; })) return found;
-    if (auto found = first_met(c.edge_edge, stage, [&](const auto& p) { return std::pair{mesh.edges[p[0]], mesh.edges[p[1]]}; })) return found;
-    if (auto found = first_met(c.point_edge, stage, [&](const auto& p) { return std::pair{point(p[0]), mesh.edges[p[1]]}; })) return found;
-    return first_met(c.point_point, stage, [&](const auto& p) { return std::pair{point(p[0]), point(p[1])}; });
+    std::optional<std::array<int, 2>> found;
+    for_each_kind(mesh, c, [&](const auto& kind) {
+      if (!found) found = first_met(kind, stage);
+    });
+    return found;
   }
 };
 

@@ -3,9 +3,8 @@
 #include <limits>
 
 #include "framework/contact/contact_system.hpp"
-#include "geometry/distance/edge_edge.hpp"
-#include "geometry/distance/point_edge.hpp"
-#include "geometry/distance/point_triangle.hpp"
+#include "geometry/broad_phase/candidate_kinds.hpp"
+#include "geometry/distance/squared_distance.hpp"
 #include "geometry/mesh/quality.hpp"
 
 namespace tack {
@@ -34,7 +33,6 @@ class Lengths {
     for (const int v : element) lengths_(v) = std::min(lengths_(v), length);
   }
   Vec3 rest(int v) const { return vertex(world_.rest, v); }
-  Vec3 at(int v) const { return vertex(x_, v); }
 
   void add_triangle(const Triangle& t) {
     const Vec3 a = rest(t[0]), b = rest(t[1]), c = rest(t[2]);
@@ -55,25 +53,14 @@ class Lengths {
   }
 
   void add_gaps(const CollisionMesh& mesh, const Candidates& candidates) {
-    for (const auto& [p, t] : candidates.point_triangle) {
-      const Triangle& f = mesh.triangles[t];
-      const double d = std::sqrt(point_triangle_distance(at(p), at(f[0]), at(f[1]), at(f[2])));
-      lower(f, d);
-      lower(std::array{p}, d);
-    }
-    for (const auto& [i, j] : candidates.edge_edge) {
-      const Edge &a = mesh.edges[i], &b = mesh.edges[j];
-      const double d = std::sqrt(edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1])));
-      lower(a, d);
-      lower(b, d);
-    }
-    for (const auto& [p, i] : candidates.point_edge) {
-      const Edge& e = mesh.edges[i];
-      const double d = std::sqrt(point_edge_closest(at(p), at(e[0]), at(e[1])).s);
-      lower(e, d);
-      lower(std::array{p}, d);
-    }
-    for (const auto& pair : candidates.point_point) lower(pair, (at(pair[0]) - at(pair[1])).norm());
+    for_each_kind(mesh, candidates, [&](const auto& kind) {
+      for (const auto& pair : kind.pairs) {
+        const auto &first = kind.first(pair), &second = kind.second(pair);
+        const double distance = std::sqrt(squared_distance(corners(x_, first), corners(x_, second)));
+        lower(first, distance);
+        lower(second, distance);
+      }
+    });
   }
 
   const World& world_;

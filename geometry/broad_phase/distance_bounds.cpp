@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/broad_phase/candidate_kinds.hpp"
 #include "geometry/distance/slab_bounds.hpp"
 #include "geometry/parallel.hpp"
 
@@ -25,18 +26,6 @@ template <size_t N>
 void set_positions(const VecX& x, const std::array<int, N>& v, const Vec3& origin, int lane, std::array<PackVec3, N>& positions) {
   for (size_t i = 0; i < N; ++i)
     for (int d = 0; d < 3; ++d) positions[i](d).set(lane, x[3 * v[i] + d] - origin[d]);
-}
-
-// Calls visit(pairs, vertices of the first, of the second, members of CandidateLengths and CandidateIndices) for each kind of candidates.
-template <class Visit>
-void for_each_kind(const CollisionMesh& mesh, const Candidates& c, const Visit& visit) {
-  const auto point = [](int v) { return std::array{v}; };
-  const auto edge = [&](int e) { return mesh.edges[e]; };
-  const auto triangle = [&](int t) { return mesh.triangles[t]; };
-  visit(c.point_triangle, point, triangle, &CandidateLengths::point_triangle, &CandidateIndices::point_triangle);
-  visit(c.edge_edge, edge, edge, &CandidateLengths::edge_edge, &CandidateIndices::edge_edge);
-  visit(c.point_edge, point, edge, &CandidateLengths::point_edge, &CandidateIndices::point_edge);
-  visit(c.point_point, point, point, &CandidateLengths::point_point, &CandidateIndices::point_point);
 }
 
 // Returns, per vertex, the largest distance from its reference position to a point of its box [m].
@@ -69,20 +58,20 @@ void for_indices(size_t all, const std::vector<int>* some, int chunk, const Body
 // Sets the reference distances of all candidates (some: null) or of some.
 void find_reference_distances(const CollisionMesh& mesh, const CandidateIndices* some, Candidates& candidates) {
   const VecX& x = candidates.reference;
-  for_each_kind(mesh, candidates, [&](const auto& pairs, const auto& first, const auto& second, auto member, auto indices) {
-    std::vector<double>& distances = candidates.reference_distances.*member;
-    distances.resize(pairs.size());
-    for_indices(pairs.size(), some ? &(some->*indices) : nullptr, 512, [&](int begin, int end, const auto& at) {
-      std::array<PackVec3, std::tuple_size_v<decltype(first(0))>> a;
-      std::array<PackVec3, std::tuple_size_v<decltype(second(0))>> b;
+  for_each_kind(mesh, candidates, [&](const auto& kind) {
+    std::vector<double>& distances = candidates.reference_distances.*kind.lengths;
+    distances.resize(kind.pairs.size());
+    for_indices(kind.pairs.size(), some ? &(some->*kind.indices) : nullptr, 512, [&](int begin, int end, const auto& at) {
+      std::array<PackVec3, std::tuple_size_v<std::decay_t<decltype(kind.first({}))>>> a;
+      std::array<PackVec3, std::tuple_size_v<std::decay_t<decltype(kind.second({}))>>> b;
       for (int i = begin; i < end; i += pack_width) {
         const int n = std::min(pack_width, end - i);
         for (int l = 0; l < pack_width; ++l) {
-          const auto& pair = pairs[at(i + std::min(l, n - 1))];
-          const auto va = first(pair[0]);
+          const auto& pair = kind.pairs[at(i + std::min(l, n - 1))];
+          const auto va = kind.first(pair);
           const Vec3 origin = vertex(x, va[0]);
           set_positions(x, va, origin, l, a);
-          set_positions(x, second(pair[1]), origin, l, b);
+          set_positions(x, kind.second(pair), origin, l, b);
         }
         const Pack slab_distance = slab_bound(a, b);
         for (int l = 0; l < n; ++l) distances[at(i + l)] = std::max(0.0, (1 - distance_tolerance) * slab_distance[l]);
@@ -93,14 +82,14 @@ void find_reference_distances(const CollisionMesh& mesh, const CandidateIndices*
 
 // Sets the distance bounds of all candidates (some: null) or of some, from their reference distances.
 void set_distance_bounds(const CollisionMesh& mesh, const std::vector<double>& radii, const CandidateIndices* some, Candidates& candidates) {
-  for_each_kind(mesh, candidates, [&](const auto& pairs, const auto& first, const auto& second, auto member, auto indices) {
-    std::vector<double>& distance_bounds = candidates.distance_bounds.*member;
-    distance_bounds.resize(pairs.size());
-    for_indices(pairs.size(), some ? &(some->*indices) : nullptr, 2048, [&](int begin, int end, const auto& at) {
+  for_each_kind(mesh, candidates, [&](const auto& kind) {
+    std::vector<double>& distance_bounds = candidates.distance_bounds.*kind.lengths;
+    distance_bounds.resize(kind.pairs.size());
+    for_indices(kind.pairs.size(), some ? &(some->*kind.indices) : nullptr, 2048, [&](int begin, int end, const auto& at) {
       for (int k = begin; k < end; ++k) {
         const int i = at(k);
-        const double motion = largest_radius(radii, first(pairs[i][0])) + largest_radius(radii, second(pairs[i][1]));
-        distance_bounds[i] = std::max(0.0, (candidates.reference_distances.*member)[i] - motion);
+        const double motion = largest_radius(radii, kind.first(kind.pairs[i])) + largest_radius(radii, kind.second(kind.pairs[i]));
+        distance_bounds[i] = std::max(0.0, (candidates.reference_distances.*kind.lengths)[i] - motion);
       }
     });
   });

@@ -80,7 +80,8 @@ cd "$scratch/elsewhere"
 block '## A cohesive law with history variables' "$source/docs/extending.md" >fading.cpp
 block '## Add an interaction' "$source/docs/extending.md" >tether.cpp
 block '## Ask for unknowns' "$source/docs/extending.md" >moisture.cpp
-cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DTETHER="$PWD/tether.cpp" -DMOISTURE="$PWD/moisture.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-1.0" >/dev/null
+block '## Add a contact model' "$source/docs/extending.md" >penalty.cpp
+cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DTETHER="$PWD/tether.cpp" -DMOISTURE="$PWD/moisture.cpp" -DPENALTY="$PWD/penalty.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-1.0" >/dev/null
 cmake --build build >/dev/null
 scene=$scratch/elsewhere/scene.yaml
 refused() {
@@ -156,6 +157,21 @@ END
 tack check hoist.yaml >check.txt || { cat check.txt; fail "interactions from outside"; }
 grep -q ropes check.txt && grep -q swelling check.txt || { cat check.txt; fail "the terms of interactions from outside"; }
 tack run hoist.yaml -q -o hoist || fail "a run with interactions from outside"
+
+# A contact model: a crate falls on a floor and rests where the penalty carries its weight.
+cat >resting.yaml <<'END'
+name: resting
+plugins: [build/libpenalty.so]
+time: {step: 10 ms, duration: 0.5 s}
+gravity: [0, -10, 0]
+objects:
+  - {name: floor, shape: {type: box, size: [0.4, 0.1, 0.4], cells: [4, 1, 4]}, place: {translate: [0, -0.05, 0]}, motion: [fixed]}
+  - {name: crate, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0.013, 0.055, 0.017]}, energies: [{type: neo_hookean, young: 1e6, poisson: 0.3, density: 1000}], damping: {mass: 20}}
+contact: {distance: 5 mm, model: {type: penalty, stiffness: 1 MPa/m}, friction: {mu: 0.5}}
+probes: [{name: force, type: contact_force, on: floor, direction: [0, -1, 0]}]
+expect: [{name: the floor carries 1 kg, probe: force, statistic: final, target: 10, within: 1%}]
+END
+tack run resting.yaml -q -o resting || fail "a contact model from outside"
 
 # A plugin without optimisation, with assertions; a plugin named twice.
 sed "s|\[build/libmine.so\]|[build/libunoptimised.so, $scratch/elsewhere/build/../build/libunoptimised.so]|" "$scratch/guide/mine/pull.yaml" >"$scene"

@@ -57,3 +57,24 @@ TEST_CASE("no include goes up", "[structure]") {
   CHECK(files > 300);
   CHECK(includes > files);
 }
+
+TEST_CASE("files of a contact model are included by contact models alone", "[structure]") {
+  // Of a path or an include: whether it is in a folder below framework/contact.
+  const std::regex of_model("framework/contact/[^/]+/.*"), include("\n#include \"([^\"]+)\"");
+  CHECK(std::regex_match("framework/contact/ipc/pair_sums.hpp", of_model));
+  CHECK_FALSE(std::regex_match("framework/contact/contact_model.hpp", of_model));
+  int included = 0;
+  for (const char* top : {"geometry", "framework", "energies", "solvers", "python"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(TACK_SOURCE_DIR) / top)) {
+      if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
+      const std::string path = fs::relative(entry.path(), TACK_SOURCE_DIR).string(), text = "\n" + file_text(entry.path());
+      INFO(path);
+      for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i) {
+        if (!std::regex_match((*i)[1].str(), of_model)) continue;
+        INFO("includes " << (*i)[1]);
+        CHECK(std::regex_match(path, of_model));
+        ++included;
+      }
+    }
+  CHECK(included > 20);
+}

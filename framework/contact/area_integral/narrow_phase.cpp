@@ -2,56 +2,21 @@
 
 #include <algorithm>
 #include <iterator>
-#include <span>
 
-#include "framework/contact/area_integral/sorted_cursor.hpp"
-#include "framework/contact/point_features.hpp"
+#include "framework/contact/area_integral/weighted_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
-#include "geometry/broad_phase/displacement_bounds.hpp"
+#include "framework/contact/sorted_cursor.hpp"
 #include "geometry/concatenate.hpp"
-#include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
 
-// Returns whether any vertex is marked; an empty list marks all.
-bool any_of(const std::vector<char>& marked, std::span<const int> vertices) {
-  return marked.empty() || std::any_of(vertices.begin(), vertices.end(), [&](int v) { return marked[v] != 0; });
-}
-
-using FoundStencils = ContactSet;  // of one chunk, without thresholds; chunks are joined in order
-
-// Base of the searches for stencils of vertices and of interior points.
-class StencilSearch {
- protected:
-  StencilSearch(const CollisionMesh& mesh, const PairTable& pairs, const FreeVertices& free, const VecX& x,
-                FoundStencils& found)
-      : mesh_(mesh), pairs_(pairs), x_(x), found_(found), free_(free) {}
-
-  // Adds a stencil that may move. Own: the number of vertices of the point, before those of the feature.
-  template <int Own, class Stencil>
-  void add_if_free(std::vector<Stencil>& stencils, const std::type_identity_t<Stencil>& stencil) {
-    const std::span<const int> all(stencil.vertices);
-    if (any_of(free_.free, all.first(Own)) || any_of(free_.one_ring, all.subspan(Own))) stencils.push_back(stencil);
-  }
-
-  const CollisionMesh& mesh_;
-  const PairTable& pairs_;
-  const VecX& x_;
-  FoundStencils& found_;
-  PointFeatures features_;
-  std::vector<Triangle> triangles_;
-
- private:
-  const FreeVertices& free_;
-};
-
-class VertexSearch : StencilSearch {
+class VertexSearch : PointSearch {
  public:
-  VertexSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const DisplacementBounds& displacements,
+  VertexSearch(const ContactSurface& surface, const Candidates& candidates, const DisplacementBounds& displacements,
                const VertexQuadrature& quadrature, const FreeVertices& free, const VecX& x, FoundStencils& found)
-      : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), displacements_(displacements), quadrature_(quadrature) {}
+      : PointSearch(surface.mesh, free, x, found), candidates_(candidates), displacements_(displacements), quadrature_(quadrature) {}
 
   void search(const VertexQuadraturePoint& point) {
     triangles_.clear();
@@ -73,32 +38,24 @@ class VertexSearch : StencilSearch {
     for (int i = point.edge_begin; i < point.edge_end; ++i) edges_.push_back(mesh_.edges[quadrature_.edges[i]]);
     const std::span<const int> others(quadrature_.others.data() + point.other_begin, quadrature_.others.data() + point.other_end);
     for (const PointFeature& f : features_.reduce(x_, vertex(x_, point.point), triangles_, edges_, others, point.range,
-                                                  pairs_.plain_sums))
+                                                  FeatureCount::inclusion_exclusion))
       add(point.point, f, point.law, point.area * f.multiplicity);
   }
 
  private:
-  void add(int p, const PointFeature& f, int law, double weight) {
-    const auto& v = f.vertices;
-    switch (f.count()) {
-      case 1: add_if_free<1>(found_.point_point, {{p, v[0]}, law, weight}); break;
-      case 2: add_if_free<1>(found_.point_edge, {{p, v[0], v[1]}, law, weight}); break;
-      default: add_if_free<1>(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, weight});
-    }
-  }
-
   const Candidates& candidates_;
   const DisplacementBounds& displacements_;
   const VertexQuadrature& quadrature_;
+  WeightedFeatures features_;
   std::vector<TriangleWeight> weights_;
   std::vector<Edge> edges_;
 };
 
-class InteriorSearch : StencilSearch {
+class InteriorSearch : PointSearch {
  public:
   InteriorSearch(const ContactSurface& surface, const PairTable& pairs, const std::vector<InteriorPoint>& points,
                  const InteriorPatches& patches, const FreeVertices& free, const VecX& x, FoundStencils& found)
-      : StencilSearch(surface.mesh, pairs, free, x, found), points_(points), patches_(patches) {}
+      : PointSearch(surface.mesh, free, x, found), pairs_(pairs), points_(points), patches_(patches) {}
 
   void search(int i) {
     const InteriorPoint& point = points_[i];
@@ -107,7 +64,7 @@ class InteriorSearch : StencilSearch {
     triangles_.clear();
     for (int k = patches_.ranges[i].begin; k < patches_.ranges[i].end; ++k) triangles_.push_back(mesh_.triangles[patches_.triangles[k]]);
     const Vec3 p = point_inside(x_, own, point.inside);
-    for (const PointFeature& f : features_.reduce(x_, p, triangles_, {}, {}, role.range, false)) {
+    for (const PointFeature& f : features_.reduce(x_, p, triangles_, {}, {}, role.range, FeatureCount::inclusion_exclusion)) {
       const auto [a, b, c] = own;
       const auto& v = f.vertices;
       const double weight = role.area_factor * point.area * f.multiplicity;
@@ -120,41 +77,11 @@ class InteriorSearch : StencilSearch {
   }
 
  private:
+  const PairTable& pairs_;
+  PointFeatures features_;
   const std::vector<InteriorPoint>& points_;
   const InteriorPatches& patches_;
 };
-
-const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, const Edge& a, const Edge& b) {
-  const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
-  return pairs.edge(object, other, pairs.region_pair(object, other, a, b));
-}
-
-// Returns the area of a pair of edges. An edge without area does not limit the area of the other.
-double shared_area(double a, double b, double area_ratio_max) {
-  const auto [smaller, larger] = std::minmax(a, b);
-  return smaller > 0 ? smaller + std::min(larger, area_ratio_max * smaller) : larger;
-}
-
-void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
-                  const std::vector<EdgePair>& edge_pairs, const DisplacementBounds& displacements, const std::vector<char>& free, const VecX& x,
-                  int first, int last, FoundStencils& found) {
-  const CollisionMesh& mesh = surface.mesh;
-  const double largest = pairs.largest_edge_range();
-  for (int i = first; i < last; ++i) {
-    const auto [ia, ib] = edge_pairs[i].edges;
-    if (candidates.reference_distances.edge_edge[edge_pairs[i].candidate] - displacements.edge(ia) - displacements.edge(ib) >= largest) continue;
-    const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
-    const PairRole& role = edge_role(mesh, pairs, a, b);
-    const int law = edge_pairs[i].law;
-    const double range = law == role.law ? role.range : surface.rest_gaps->range(law);
-    const auto ca = corners(x, a), cb = corners(x, b);
-    if (box_gaps(ca, cb).maxCoeff() >= range) continue;  // their boxes are too far apart already
-    if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < range * range)) continue;
-    if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
-    const double weight = role.area_factor * shared_area(surface.edge_area[ia], surface.edge_area[ib], role.area_ratio_max);
-    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, weight});
-  }
-}
 
 // Finds the stencils of crossing rods, weighted with the area of their overlap.
 void search_crossings(const ContactSurface& surface, const PairTable& pairs, const std::vector<RodOverlaps::Crossing>& crossings,
@@ -173,20 +100,11 @@ void search_crossings(const ContactSurface& surface, const PairTable& pairs, con
   }
 }
 
-template <class Stencils>
-void join(const std::vector<FoundStencils>& chunks, Stencils FoundStencils::* member, Stencils& all) {
-  all.clear();
-  for (const FoundStencils& chunk : chunks)
-    all.insert(all.end(), (chunk.*member).begin(), (chunk.*member).end());
-  const auto by_law = [](const auto& a, const auto& b) { return a.law < b.law; };
-  if (!std::is_sorted(all.begin(), all.end(), by_law)) std::stable_sort(all.begin(), all.end(), by_law);
-}
-
 }  // namespace
 
 NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const LaggedSurface& lagged, const BroadPhase& broad_phase)
     : surface_(surface), pairs_(pairs), lagged_(lagged), sides_(pairs), overlap_(surface, pairs, lagged_),
-      broad_phase_(broad_phase), rods_(surface, pairs) {}
+      broad_phase_(broad_phase), edges_(surface, pairs, EdgePairs::RestNeighbours::do_not_press), rods_(surface, pairs) {}
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
   const int own = surface_.mesh.vertex_object[group.point];
@@ -231,43 +149,9 @@ std::vector<GroupPatches> NarrowPhase::find_patches(const Candidates& candidates
   return found;
 }
 
-// Chooses the pairs of edges that press, and their laws. Edges of one object that are neighbours at
-// rest do not press. changed: pairs without changed edges keep their law; null: none does.
-void NarrowPhase::choose_edges(const Candidates& candidates, const ChangedPrimitives* changed) {
-  constexpr int chunk = 4096;
-  const CollisionMesh& mesh = surface_.mesh;
-  // Returns the law of an edge-edge candidate; -1: it does not press.
-  const auto law_of = [&, largest = pairs_.largest_edge_range()](int i) {
-    if (candidates.distance_bounds.edge_edge[i] >= largest) return -1;
-    const auto [ia, ib] = candidates.edge_edge[i];
-    const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
-    const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
-    const PairRole& role = edge_role(mesh, pairs_, a, b);
-    if (role.law < 0 || candidates.distance_bounds.edge_edge[i] >= role.range) return -1;
-    if (object != other || pairs_.plain_sums || !close_at_rest(surface_, a, b, role.range)) return role.law;
-    if (!surface_.rest_gaps || !surface_.rest_gaps->gap_between(a, b)) return -1;
-    return surface_.rest_gaps->law_of_edges(role.law, a, b);
-  };
-  const int n = static_cast<int>(candidates.edge_edge.size());
-  std::vector<std::vector<EdgePair>> chunks(chunk_count(n, chunk));
-  for_each_chunk(n, [&](int c, int first, int last) {
-    SortedCursor<EdgePair> before(edge_pairs_);
-    for (int i = first; i < last; ++i) {
-      const std::array<int, 2>& edges = candidates.edge_edge[i];
-      const bool decided = changed && !changed->edges[edges[0]] && !changed->edges[edges[1]];
-      const EdgePair* known = decided ? before.find(edges) : nullptr;
-      const int law = known ? known->law : decided ? -1 : law_of(i);
-      if (law >= 0) chunks[c].push_back({i, edges, law});
-    }
-  }, chunk);
-  std::vector<EdgePair> all;
-  concatenate(chunks, all);
-  edge_pairs_ = std::move(all);
-}
-
 void NarrowPhase::prepare(const Candidates& candidates, const ChangedPrimitives* changed) {
   groups_.make(candidates, surface_.mesh);
-  choose_edges(candidates, changed);
+  edges_.choose(candidates, changed);
 }
 
 void NarrowPhase::set_candidates(const Candidates& candidates) {
@@ -308,57 +192,36 @@ void NarrowPhase::begin_step(const Candidates& candidates) {
 
 // Makes the quadrature points and the patches of interior points. earlier: null: none in this step.
 void NarrowPhase::make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier) {
-  if (!pairs_.plain_sums) rods_.find(candidates, lagged_);
+  rods_.find(candidates, lagged_);
   const VertexQuadratureRequest request{surface_, pairs_, lagged_, sides_, rods_, candidates, groups_, patches_, later_patches_, weights_at_start_};
   quadrature_ = make_vertex_quadrature(request, earlier);
   if (earlier) update_interior_patches(earlier->changed, overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_, interior_patches_);
   else interior_patches_ = make_interior_patches(overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_);
 }
 
-void NarrowPhase::set_free(std::vector<char> free) {
-  free_ = {std::move(free), {}};
-  if (free_.free.empty()) return;
-  free_.one_ring = free_.free;
-  for (const auto& [a, b] : surface_.mesh.edges) {
-    free_.one_ring[a] |= free_.free[b];
-    free_.one_ring[b] |= free_.free[a];
-  }
-}
-
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) {
   if (const std::vector<int> added = overlap_.subdivide_approached(x); !added.empty())
     add_interior_patches(added, overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_, interior_patches_);
-  const int points = static_cast<int>(quadrature_.points.size());
-  const int edges = static_cast<int>(edge_pairs_.size());
+  const int points = static_cast<int>(quadrature_.points.size()), interior_points = static_cast<int>(overlap_.interior_points().size());
   const DisplacementBounds displacements(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
-  std::vector<FoundStencils> found_points(chunk_count(points)), found_edges(chunk_count(edges));
+  FoundChunks found;
+  found.points.resize(chunk_count(points));
+  found.edges.resize(chunk_count(edges_.size()));
+  found.interior.resize(chunk_count(interior_points));
   for_each_chunk(points, [&](int c, int first, int last) {
-    VertexSearch search(surface_, pairs_, candidates, displacements, quadrature_, free_, x, found_points[c]);
+    VertexSearch search(surface_, candidates, displacements, quadrature_, free_, x, found.points[c]);
     for (int i = first; i < last; ++i) search.search(quadrature_.points[i]);
   });
-  for_each_chunk(edges, [&](int c, int first, int last) {
-    search_edges(surface_, pairs_, candidates, edge_pairs_, displacements, free_.free, x, first, last, found_edges[c]);
+  for_each_chunk(edges_.size(), [&](int c, int first, int last) {
+    edges_.search(candidates, displacements, free_.free, x, first, last, surface_.edge_area, found.edges[c]);
   });
   if (!rods_.crossings().empty())
-    search_crossings(surface_, pairs_, rods_.crossings(), free_.free, x, found_edges.emplace_back());
-  const int interior_points = static_cast<int>(overlap_.interior_points().size());
-  std::vector<FoundStencils> found_interior(chunk_count(interior_points));
+    search_crossings(surface_, pairs_, rods_.crossings(), free_.free, x, found.edges.emplace_back());
   for_each_chunk(interior_points, [&](int c, int first, int last) {
-    InteriorSearch search(surface_, pairs_, overlap_.interior_points(), interior_patches_, free_, x, found_interior[c]);
+    InteriorSearch search(surface_, pairs_, overlap_.interior_points(), interior_patches_, free_, x, found.interior[c]);
     for (int i = first; i < last; ++i) search.search(i);
   });
-  join(found_interior, &FoundStencils::interior_point, contacts.interior_point);
-  join(found_interior, &FoundStencils::interior_edge, contacts.interior_edge);
-  join(found_interior, &FoundStencils::interior_triangle, contacts.interior_triangle);
-  join(found_points, &FoundStencils::point_point, contacts.point_point);
-  join(found_points, &FoundStencils::point_edge, contacts.point_edge);
-  join(found_points, &FoundStencils::point_triangle, contacts.point_triangle);
-  join(found_edges, &FoundStencils::edge_edge, contacts.edge_edge);
-  contacts.mollifier_threshold.clear();
-  for (const auto& s : contacts.edge_edge)
-    contacts.mollifier_threshold.push_back(edge_edge_mollifier_threshold(
-        vertex(surface_.rest, s.vertices[0]), vertex(surface_.rest, s.vertices[1]),
-        vertex(surface_.rest, s.vertices[2]), vertex(surface_.rest, s.vertices[3])));
+  join(found, surface_.rest, contacts);
 }
 
 }  // namespace tack

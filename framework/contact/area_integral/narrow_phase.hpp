@@ -10,28 +10,12 @@
 #pragma once
 
 #include "framework/contact/contact_set.hpp"
+#include "framework/contact/stencil_search.hpp"
 #include "framework/contact/area_integral/vertex_quadrature.hpp"
 #include "framework/contact/area_integral/overlap_boundary_forces.hpp"
 #include "framework/contact/area_integral/interior_patches.hpp"
 
 namespace tack {
-
-// Flags per global vertex; empty: all vertices are free. A stencil of a fixed point and a fixed
-// feature is constant, but the nearest feature may change to one with a free vertex of the same
-// triangle. Such stencils are left out only where no vertex of the feature is in the one-ring.
-struct FreeVertices {
-  std::vector<char> free;
-  std::vector<char> one_ring;  // free, or on an edge with a free vertex
-};
-
-// A candidate between two edges of the mesh.
-struct EdgePair {
-  int candidate = 0;
-  std::array<int, 2> edges{};
-  int law = -1;  // of the pair table
-
-  const std::array<int, 2>& key() const { return edges; }
-};
 
 class NarrowPhase {
  public:
@@ -59,7 +43,7 @@ class NarrowPhase {
   void set_previous_weights(LaggedWeights weights) { previous_weights_ = std::move(weights); }
   // Sets the free vertices (non-zero). Stencils without a free vertex are left out, as their
   // potential is constant. Empty: every candidate has a free vertex.
-  void set_free(std::vector<char> free);
+  void set_free(std::vector<char> free) { free_ = {surface_.mesh, std::move(free)}; }
   // Finds the stencils closer than the range of their law.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts);
   // Overlaps and overlap-boundary forces of this step.
@@ -73,7 +57,6 @@ class NarrowPhase {
   std::vector<GroupPatches> find_patches(const Candidates& candidates,
                                          const std::vector<PointGroup>& groups, bool later) const;
   void make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier);
-  void choose_edges(const Candidates& candidates, const ChangedPrimitives* changed);
 
   const ContactSurface& surface_;
   const PairTable& pairs_;
@@ -89,10 +72,10 @@ class NarrowPhase {
   std::vector<GroupPatches> later_patches_;  // of later groups, by key
   VertexQuadrature quadrature_;
   InteriorPatches interior_patches_;  // of the samples of the overlap
-  RodOverlaps rods_;                  // of this step
-  LaggedWeights previous_weights_;    // of the step before the next
-  LaggedWeights weights_at_start_;    // of the step before this one
-  std::vector<EdgePair> edge_pairs_;  // that may press, in the order of candidates
+  EdgePairs edges_;
+  RodOverlaps rods_;                // of this step
+  LaggedWeights previous_weights_;  // of the step before the next
+  LaggedWeights weights_at_start_;  // of the step before this one
 };
 
 }  // namespace tack

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <limits>
 
-#include "framework/contact/area_integral/sorted_cursor.hpp"
-#include "framework/contact/point_features.hpp"
+#include "framework/contact/area_integral/weighted_features.hpp"
+#include "framework/contact/sorted_cursor.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "geometry/distance/point_triangle.hpp"
 #include "geometry/parallel.hpp"
@@ -39,10 +39,6 @@ class QuadratureMaker {
     region_pair_ = nearest_region_pair(group, own);
     const PairRole& role = r_.pairs.point(own, group.object, region_pair_);
     if (role.law < 0) return;
-    if (r_.pairs.plain_sums) {
-      add_all(group, {role.law, role.range, role.area_factor * tributary_area(group.point)});
-      return;
-    }
     if (!topology().triangles_at(group.point).empty()) {
       if (r_.sides.integrates(own, group.object)) add_pressure(group, role);
       else add_safety_barrier(group, safety_barrier_of(role), r_.lagged.tributary_area(group.point));
@@ -142,15 +138,6 @@ class QuadratureMaker {
   }
   static bool has_rods_or_particles(const PointGroup& g) {
     return g.edge_end > g.edge_begin || g.other_end > g.other_begin;
-  }
-
-  void add_all(const PointGroup& group, const ActingLaw& acting) {
-    begin_point(group, acting);
-    for (int i = group.triangle_begin; i < group.triangle_end; ++i)
-      if (may_come_within(i, acting.range)) out_.triangles.push_back(i);
-    for (int i = group.edge_begin; i < group.edge_end; ++i) out_.edges.push_back(rod(i));
-    for (int i = group.other_begin; i < group.other_end; ++i) out_.others.push_back(particle(i));
-    end_point();
   }
 
   void add_patch(const PointGroup& group, const ActingLaw& acting, int patch) {
@@ -347,7 +334,7 @@ class QuadratureMaker {
   std::vector<NearTriangle> near_;  // of a group
   std::vector<int> triangles_;      // of a group
   std::vector<Triangle> near_triangles_;
-  PointFeatures features_;
+  WeightedFeatures features_;
   std::vector<std::pair<double, Vec3>> feature_directions_;  // multiplicity, direction to the point
 };
 

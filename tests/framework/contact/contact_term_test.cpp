@@ -35,7 +35,7 @@ struct Cluster {
   VecX x;
 };
 
-const std::vector<std::string> weightings = {"weights: area, ", "weights: pair, "};
+const std::vector<std::string> weightings = {"", "model: ipc, ", "model: {type: ipc, weights: rest_area, inclusion_exclusion: true}, "};
 
 int nearly_parallel(const ContactSet& set, const VecX& x) {
   int count = 0;

@@ -87,7 +87,7 @@ double sum(Sheet& sheet, const Vec3& p, bool plain = false) {
   vertex(sheet.x, 0) = p;
   double total = 0;
   for (const PointFeature& f :
-       features.reduce(sheet.x, vertex(sheet.x, 0), sheet.triangles, sheet.edges, sheet.vertices, range, plain))
+       features.reduce(sheet.x, vertex(sheet.x, 0), sheet.triangles, sheet.edges, sheet.vertices, range, plain ? FeatureCount::each : FeatureCount::inclusion_exclusion))
     total += f.multiplicity * phi(feature_distance(sheet.x, f));
   return total;
 }
@@ -119,7 +119,7 @@ TEST_CASE("a point over a vertex or an edge of a flat sheet counts it once, by o
       const Vec3 p = below + Vec3(0, height, 0);
       REQUIRE(sum(sheet, p) == Approx(phi(height)).margin(1e-12));
       const auto& found =
-          features.reduce(sheet.x, vertex(sheet.x, 0), sheet.triangles, sheet.edges, sheet.vertices, range, false);
+          features.reduce(sheet.x, vertex(sheet.x, 0), sheet.triangles, sheet.edges, sheet.vertices, range, FeatureCount::inclusion_exclusion);
       int multiplicities = 0;
       for (const PointFeature& f : found) multiplicities += f.multiplicity;
       CHECK(multiplicities == 1);

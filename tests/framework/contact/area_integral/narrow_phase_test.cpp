@@ -40,7 +40,7 @@ std::string boxes_over_sheet(const std::string& contact) {
 }  // namespace
 
 TEST_CASE("contacts do not depend on the distance bounds of candidates", "[contact]") {
-  for (const char* contact : {"weights: area, safety_barrier: 1, ", "weights: area, ", "weights: pair, "}) {
+  for (const char* contact : {"weights: area, safety_barrier: 1, ", "weights: area, "}) {
     TestScene scene(boxes_over_sheet(contact));
     const ContactSystem& system = *scene.world->contact;
     RandomMotions random(23);

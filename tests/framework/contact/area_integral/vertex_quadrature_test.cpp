@@ -144,15 +144,6 @@ TEST_CASE("quadrature points leave out triangles that stay out of range", "[cont
   }
 }
 
-TEST_CASE("plain sums have one quadrature point for a vertex, of its whole area times the weight", "[contact][quadrature]") {
-  Points points(plates({3, 3}, {2, 2}));
-  points.pairs.plain_sums = true;
-  points.pairs.point(0, 1) = points.pairs.point(1, 0) = {whole_law, 0.25, range};
-  const VertexQuadrature quadrature = points.make();
-  CHECK(quadrature.points.size() == points.groups.groups.size());
-  for (int object = 0; object < 2; ++object) CHECK(area(points, quadrature, whole_law, object) == Approx(0.25));
-}
-
 TEST_CASE("pairs without a law have no quadrature points", "[contact][quadrature]") {
   Points points(plates({3, 3}, {2, 2}));
   const VertexQuadrature quadrature = points.make();
