@@ -7,10 +7,10 @@
 #include "framework/core/term.hpp"
 
 namespace tack {
+namespace {
 
-void project_mixed_psd(int arity, int scalars, double* slots, Projection projection) {
-  if (projection == Projection::none) return;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * largest_arity, 3 * largest_arity>;
+template <class Matrix>
+void project(int arity, int scalars, double* slots, Projection projection) {
   const int positions = arity - scalars, relative = std::max(positions - 1, 0);
   // Columns: an orthonormal basis of the displacements that change the energy (Helmert's basis for the positions).
   Matrix basis = Matrix::Zero(3 * arity, 3 * relative + scalars);
@@ -27,8 +27,8 @@ void project_mixed_psd(int arity, int scalars, double* slots, Projection project
   const double* in = slots;
   for (int i = 0; i < arity; ++i)
     for (int j = 0; j <= i; ++j, in += 9) {
-      hessian.block<3, 3>(3 * i, 3 * j) = Eigen::Map<const Mat3>(in);
-      hessian.block<3, 3>(3 * j, 3 * i) = Eigen::Map<const Mat3>(in).transpose();
+      hessian.template block<3, 3>(3 * i, 3 * j) = Eigen::Map<const Mat3>(in);
+      hessian.template block<3, 3>(3 * j, 3 * i) = Eigen::Map<const Mat3>(in).transpose();
     }
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(Matrix(basis.transpose() * hessian * basis));
   if (eigen.info() != Eigen::Success || eigen.eigenvalues()(0) >= 0) return;
@@ -37,7 +37,17 @@ void project_mixed_psd(int arity, int scalars, double* slots, Projection project
   for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k)
     after += projected(eigen.eigenvalues()(k), projection) * vectors.col(k) * vectors.col(k).transpose();
   for (int i = 0; i < arity; ++i)
-    for (int j = 0; j <= i; ++j, slots += 9) Eigen::Map<Mat3>{slots} = after.block<3, 3>(3 * i, 3 * j);
+    for (int j = 0; j <= i; ++j, slots += 9) Eigen::Map<Mat3>{slots} = after.template block<3, 3>(3 * i, 3 * j);
+}
+
+}  // namespace
+
+void project_mixed_psd(int arity, int scalars, double* slots, Projection projection) {
+  if (projection == Projection::none) return;
+  if (arity <= largest_arity)
+    project<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3 * largest_arity, 3 * largest_arity>>(arity, scalars, slots, projection);
+  else
+    project<Eigen::MatrixXd>(arity, scalars, slots, projection);
 }
 
 }  // namespace tack

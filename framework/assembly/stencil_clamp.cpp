@@ -33,7 +33,7 @@ void project_relative(int arity, double* slots, Projection projection) {
     case 9: return project<9>(slots, projection);
     case 10: return project<10>(slots, projection);
   }
-  throw std::logic_error("no projection of stencils of this arity");
+  project_mixed_psd(arity, 0, slots, projection);
 }
 
 // c v v^T is negative if its trace is.

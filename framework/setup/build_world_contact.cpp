@@ -122,8 +122,13 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
   builder.build();
   BondTable bonds = std::move(builder.bonds());
   check_range(builder.table(), root, world.rest);
-  world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
-                                                  builder.colliding(), clock, std::move(potential));
+  try {
+    world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
+                                                    builder.colliding(), clock, std::move(potential));
+  } catch (const InputError& error) {  // of a surface that the contact model does not take
+    const Value* contact = root.find("contact");
+    throw InputError((contact ? contact->mark.text() + ": " : "") + error.what());
+  }
   if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, std::move(bonds));
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, contact_spins(scene, world));

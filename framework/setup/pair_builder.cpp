@@ -114,6 +114,15 @@ void PairBuilder::check_regions(int a, int b, const std::vector<int>& regions, b
   regions_.require_distinct(regions, a, b);
 }
 
+// Throws InputError at the contact block if the model has no roles for the pair.
+PairRoles PairBuilder::roles_of(const PairSetup& setup) const {
+  try {
+    return potential_.roles(setup, table_);
+  } catch (const InputError& error) {
+    throw InputError(contact_location() + error.what());
+  }
+}
+
 std::string PairBuilder::contact_location() const {
   const Value* contact = root_.find("contact");
   return contact ? contact->mark.text() + ": " : "";
@@ -315,7 +324,7 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& re
     if (of_regions[i].bond >= 0) refuse_bond(a, b, regions[i]);
   if (of_objects.bond >= 0) bonds_.set(a, b, of_objects.bond);
   setup.laws = of_objects.laws;
-  const PairRoles roles = potential_.roles(setup, table_);
+  const PairRoles roles = roles_of(setup);
   table_.point(a, b) = roles.first;
   table_.point(b, a) = roles.second;
   table_.set_edge(a, b, roles.edge);

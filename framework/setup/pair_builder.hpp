@@ -38,6 +38,7 @@ class PairBuilder {
     int bond;     // of the bond table; -1: without bonds
   };
 
+  PairRoles roles_of(const PairSetup& setup) const;
   std::string contact_location() const;
   TangentialLaw tangential_of(const PairConfig* pair, double peak_traction) const;
   double offset_of(int a, int b) const;
