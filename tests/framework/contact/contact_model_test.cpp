@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "framework/config/yaml_text.hpp"
+#include "framework/config/describe.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/experiment/retired_key_warnings.hpp"
 #include "tests/support/contact_terms.hpp"
