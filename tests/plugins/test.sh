@@ -8,6 +8,9 @@ guide=$source/docs/plugins.md
 rm -rf "$scratch"
 mkdir -p "$scratch/home" "$scratch/guide/mine"
 export HOME=$scratch/home PATH=$scratch/home/tack-1.0/bin:$PATH
+# Plugins are built by the compiler of the program.
+CXX=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
+export CXX
 cd "$scratch/guide"
 
 fail() {
