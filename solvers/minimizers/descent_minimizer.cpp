@@ -90,10 +90,18 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
       const double step_norm = problem.stopping_norm(q - before, objective.gradient());
       if (stagnation_.stagnates(step_norm, problem.force_residual(objective.gradient()))) return end(MinimizerStatus::converged);
     }
+    if (moved == MinimizerStatus::line_search_failed && nearly_newton() && at_equilibrium(problem, p, result)) return end(MinimizerStatus::converged);
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;
     if (moved != MinimizerStatus::converged) return end(moved);
   }
   return end(MinimizerStatus::iteration_limit);
+}
+
+// Returns whether a direction along which nothing decreases the objective is within the tolerance,
+// and forces balance: an equilibrium whose forces are round-off.
+bool DescentMinimizer::at_equilibrium(const MinimizerProblem& problem, const VecX& p, MinimizerResult& result) const {
+  result.residual = problem.stopping_norm(p, problem.objective.gradient());
+  return result.residual <= 1 && balanced(problem, result);
 }
 
 // p <- p + beta s, with the last step s, so that p . (change of the gradient along s) = 0. This

@@ -40,6 +40,9 @@ class DescentMinimizer : public Minimizer {
   /// Returns true if the length of p measures the distance to the minimum, as for a Newton
   /// direction.
   virtual bool newton_like() const { return false; }
+  /// Returns true if p is a Newton direction but for the smallest shift of a Hessian that is
+  /// semi-definite (free rigid motions), which round-off may make indefinite.
+  virtual bool nearly_newton() const { return false; }
   /// Returns the stopping norm of p, a newton_like() direction, and of the error of p against the
   /// exact direction.
   virtual double newton_norm(const MinimizerProblem& problem, VecX& p, MinimizerResult&) {
@@ -53,6 +56,8 @@ class DescentMinimizer : public Minimizer {
   MinimizerResult descend(const MinimizerProblem& problem, VecX& q, MinimizerResult& result);
   MinimizerStatus advance(const MinimizerProblem& problem, const VecX& p, VecX& q,
                           MinimizerResult& result);
+  bool at_equilibrium(const MinimizerProblem& problem, const VecX& p,
+                      MinimizerResult& result) const;
   bool advance_with_retraction(const MinimizerProblem& problem, const VecX& p, VecX& q,
                                MinimizerResult& result);
   void conjugate(const MinimizerProblem& problem, const VecX& q, VecX& p, bool within);

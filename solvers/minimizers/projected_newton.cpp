@@ -38,6 +38,7 @@ class ProjectedNewton : public DescentMinimizer {
 
  protected:
   bool newton_like() const override { return shift_ == 0; }
+  bool nearly_newton() const override { return shift_ <= smallest_shift; }
   double newton_norm(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
     return check_.norm(*linear_, *hessian_, problem, p, result);
   }

@@ -5,7 +5,7 @@
 namespace tack {
 namespace {
 
-constexpr double shifts[] = {1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 2, 10, 100};
+constexpr double shifts[] = {smallest_shift, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 2, 10, 100};
 
 double largest_diagonal(const BlockMatrix& matrix) {
   double largest = 0;

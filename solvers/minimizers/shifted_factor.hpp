@@ -10,6 +10,10 @@
 
 namespace tack {
 
+// The first shift that is tried, in units of the largest diagonal entry: far above the round-off of
+// a factorisation, far below the stiffness of any deformation.
+inline constexpr double smallest_shift = 1e-10;
+
 // p <- -H^-1 g. Returns false if H cannot be factorised or p is not finite. Counts as a linear
 // solve.
 bool newton_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,

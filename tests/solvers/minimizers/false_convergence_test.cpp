@@ -144,13 +144,15 @@ TEST_CASE("a scene of a micrometre is solved as well as one of a metre", "[minim
   }
 }
 
+// The bar hangs on one vertex and turns freely about it: its Hessian is singular, and round-off decides whether it is definite.
 TEST_CASE("a quasi-static body without stress is at rest with any minimiser", "[minimizer]") {
+  const double angle = GENERATE(0.3, 0.5, 0.7, 1.2, 1.5);
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
-    INFO(type);
+    INFO(type << ", turned by " << angle);
     TestRun s("time: {step: 10 ms, duration: 20 ms, integrator: quasi_static, max_cutbacks: 0}\n"
                  "solver: {type: " + type + "}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.2, 0.1, 0.1], cells: [4, 3, 3]},\n"
-                 "  place: {axis: [1, 2, 3], angle: 0.5, translate: [0.3, 0.1, 0.77]},\n"
+                 "  place: {axis: [1, 2, 3], angle: " + fmt::to_string(angle) + ", translate: [0.3, 0.1, 0.77]},\n"
                  "  energies: [{type: neo_hookean, young: 1e5, poisson: 0.4, density: 1000}],\n"
                  "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}]}]\n");
     for (int i = 0; i < 2; ++i) CHECK(s.step().converged);
