@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/contact/chunked_search.hpp"
 #include "framework/contact/gcp/gcp_energy.hpp"
 #include "framework/contact/gcp/smooth_steps.hpp"
 #include "framework/contact/rest_neighbours.hpp"
@@ -253,26 +254,8 @@ void gcp_positions(const VecX& x, std::span<const int> vertices, std::array<Vec3
 }
 
 GcpStencils find_gcp_stencils(const GcpSearchRequest& request, const Candidates& candidates, const VecX& x) {
-  std::vector<int> groups;  // first candidate of each vertex, and the end
-  const auto& points = candidates.point_triangle;
-  for (size_t i = 0; i < points.size(); ++i)
-    if (i == 0 || points[i][0] != points[i - 1][0]) groups.push_back(static_cast<int>(i));
-  const int vertices = static_cast<int>(groups.size()), edges = static_cast<int>(candidates.edge_edge.size());
-  groups.push_back(static_cast<int>(points.size()));
-  constexpr int chunk = 64;
-  const int vertex_chunks = chunk_count(vertices, chunk);
-  std::vector<GcpStencils> found(vertex_chunks + chunk_count(edges));
-  for_each_chunk(
-      vertices,
-      [&](int c, int first, int last) {
-        GcpSearch search(request, candidates, x, found[c]);
-        for (int g = first; g < last; ++g) search.search_vertex(groups[g], groups[g + 1]);
-      },
-      chunk);
-  for_each_chunk(edges, [&](int c, int first, int last) {
-    GcpSearch search(request, candidates, x, found[vertex_chunks + c]);
-    for (int i = first; i < last; ++i) search.search_edges(i);
-  });
+  const std::vector<GcpStencils> found =
+      search_in_chunks<GcpStencils>(candidates, [&](GcpStencils& chunk) { return GcpSearch(request, candidates, x, chunk); });
   return by_arity(found);
 }
 

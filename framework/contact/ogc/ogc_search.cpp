@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "framework/contact/chunked_search.hpp"
 #include "framework/contact/ogc/feasible_cones.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "geometry/distance/closest_parameters.hpp"
@@ -135,26 +136,8 @@ void join(const std::vector<ContactSet>& chunks, List ContactSet::* member, List
 }  // namespace
 
 void find_ogc_contacts(const OgcSearchRequest& request, const Candidates& candidates, const VecX& x, ContactSet& contacts) {
-  std::vector<int> groups;  // first candidate of each vertex, and the end
-  const auto& points = candidates.point_triangle;
-  for (size_t i = 0; i < points.size(); ++i)
-    if (i == 0 || points[i][0] != points[i - 1][0]) groups.push_back(static_cast<int>(i));
-  const int vertices = static_cast<int>(groups.size()), edges = static_cast<int>(candidates.edge_edge.size());
-  groups.push_back(static_cast<int>(points.size()));
-  constexpr int chunk = 64;
-  const int vertex_chunks = chunk_count(vertices, chunk);
-  std::vector<ContactSet> found(vertex_chunks + chunk_count(edges));
-  for_each_chunk(
-      vertices,
-      [&](int c, int first, int last) {
-        OgcSearch search(request, candidates, x, found[c]);
-        for (int g = first; g < last; ++g) search.search_vertex(groups[g], groups[g + 1]);
-      },
-      chunk);
-  for_each_chunk(edges, [&](int c, int first, int last) {
-    OgcSearch search(request, candidates, x, found[vertex_chunks + c]);
-    for (int i = first; i < last; ++i) search.search_edges(i);
-  });
+  const std::vector<ContactSet> found =
+      search_in_chunks<ContactSet>(candidates, [&](ContactSet& chunk) { return OgcSearch(request, candidates, x, chunk); });
   contacts = {};
   join(found, &ContactSet::point_point, contacts.point_point);
   join(found, &ContactSet::point_edge, contacts.point_edge);
