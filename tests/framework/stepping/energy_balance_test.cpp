@@ -242,6 +242,8 @@ TEST_CASE("a step with numerical energy gain is repeated with smaller steps", "[
 }
 
 // A box fixed at the middle of its bottom spins about its axis, inclined by 20 degrees, by 0.1 rad in a step.
+// Round-off decides which steps are repeated for their energy: in 12 runs with gravity changed by 1e-9 of itself the lowest energy is
+// 0.9877 to 0.9962 of the start, the highest 1.0026.
 TEST_CASE("Newmark keeps the energy of a heavy top, and its precession", "[energy_balance]") {
   constexpr double width = 0.1, height = 0.06, spin = 100, lean = 20 * std::numbers::pi / 180, duration = 0.2;
   TestRun run(fmt::format(
@@ -261,7 +263,7 @@ TEST_CASE("Newmark keeps the energy of a heavy top, and its precession", "[energ
     CHECK_FALSE(r.flows.damped);
   }
   CHECK(refined);
-  CHECK(lowest >= 0.99 * start);
+  CHECK(lowest >= 0.98 * start);  // implicit Euler: 0.86
   CHECK(highest <= 1.01 * start);
   // Euler's equations of the symmetric top, per mass.
   const double arm = height / 2, axial = width * width / 6, across = (width * width + height * height) / 12 + arm * arm;
