@@ -18,6 +18,21 @@ void join_kind(const std::vector<FoundStencils>& chunks, Stencils FoundStencils:
   if (!std::is_sorted(all.begin(), all.end(), by_law)) std::stable_sort(all.begin(), all.end(), by_law);
 }
 
+void join_all(const std::vector<FoundStencils>& points, const std::vector<FoundStencils>& edges, const std::vector<FoundStencils>& interior, const VecX& rest,
+              ContactSet& contacts) {
+  join_kind(interior, &FoundStencils::interior_point, contacts.interior_point);
+  join_kind(interior, &FoundStencils::interior_edge, contacts.interior_edge);
+  join_kind(interior, &FoundStencils::interior_triangle, contacts.interior_triangle);
+  join_kind(points, &FoundStencils::point_point, contacts.point_point);
+  join_kind(points, &FoundStencils::point_edge, contacts.point_edge);
+  join_kind(points, &FoundStencils::point_triangle, contacts.point_triangle);
+  join_kind(edges, &FoundStencils::edge_edge, contacts.edge_edge);
+  contacts.mollifier_threshold.clear();
+  for (const auto& s : contacts.edge_edge)
+    contacts.mollifier_threshold.push_back(edge_edge_mollifier_threshold(
+        vertex(rest, s.vertices[0]), vertex(rest, s.vertices[1]), vertex(rest, s.vertices[2]), vertex(rest, s.vertices[3])));
+}
+
 double shared_area(double a, double b, double area_ratio_max) {
   const auto [smaller, larger] = std::minmax(a, b);
   return smaller > 0 ? smaller + std::min(larger, area_ratio_max * smaller) : larger;
@@ -89,18 +104,8 @@ void EdgePairs::search(const Candidates& candidates, const DisplacementBounds& d
   }
 }
 
-void join(const FoundChunks& chunks, const VecX& rest, ContactSet& contacts) {
-  join_kind(chunks.interior, &FoundStencils::interior_point, contacts.interior_point);
-  join_kind(chunks.interior, &FoundStencils::interior_edge, contacts.interior_edge);
-  join_kind(chunks.interior, &FoundStencils::interior_triangle, contacts.interior_triangle);
-  join_kind(chunks.points, &FoundStencils::point_point, contacts.point_point);
-  join_kind(chunks.points, &FoundStencils::point_edge, contacts.point_edge);
-  join_kind(chunks.points, &FoundStencils::point_triangle, contacts.point_triangle);
-  join_kind(chunks.edges, &FoundStencils::edge_edge, contacts.edge_edge);
-  contacts.mollifier_threshold.clear();
-  for (const auto& s : contacts.edge_edge)
-    contacts.mollifier_threshold.push_back(edge_edge_mollifier_threshold(
-        vertex(rest, s.vertices[0]), vertex(rest, s.vertices[1]), vertex(rest, s.vertices[2]), vertex(rest, s.vertices[3])));
-}
+void join(const FoundChunks& chunks, const VecX& rest, ContactSet& contacts) { join_all(chunks.points, chunks.edges, chunks.interior, rest, contacts); }
+
+void join(const std::vector<FoundStencils>& chunks, const VecX& rest, ContactSet& contacts) { join_all(chunks, chunks, chunks, rest, contacts); }
 
 }  // namespace tack

@@ -114,5 +114,7 @@ struct FoundChunks {
   std::vector<FoundStencils> points, edges, interior;
 };
 void join(const FoundChunks& chunks, const VecX& rest, ContactSet& contacts);
+// The same for chunks that may have stencils of all kinds.
+void join(const std::vector<FoundStencils>& chunks, const VecX& rest, ContactSet& contacts);
 
 }  // namespace tack

@@ -6,9 +6,9 @@
 #include "framework/contact/chunked_search.hpp"
 #include "framework/contact/ogc/feasible_cones.hpp"
 #include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencil_search.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 #include "geometry/distance/edge_edge.hpp"
-#include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/distance/point_triangle.hpp"
 #include "geometry/parallel.hpp"
 
@@ -113,7 +113,7 @@ class OgcSearch {
 
   template <int K>
   void add(ContactStencils<K>& list, const ContactStencil<K>& s) {
-    if (r_.free.empty() || std::any_of(s.vertices.begin(), s.vertices.end(), [&](int v) { return r_.free[v] != 0; })) list.push_back(s);
+    if (any_of(r_.free, s.vertices)) list.push_back(s);
   }
 
   const OgcSearchRequest& r_;
@@ -125,28 +125,10 @@ class OgcSearch {
   std::vector<int> taken_edges_, taken_vertices_;  // of blocks that are found, or adjacent to them
 };
 
-template <class List>
-void join(const std::vector<ContactSet>& chunks, List ContactSet::* member, List& all) {
-  all.clear();
-  for (const ContactSet& chunk : chunks) all.insert(all.end(), (chunk.*member).begin(), (chunk.*member).end());
-  const auto by_law = [](const auto& a, const auto& b) { return a.law < b.law; };
-  if (!std::is_sorted(all.begin(), all.end(), by_law)) std::stable_sort(all.begin(), all.end(), by_law);
-}
-
 }  // namespace
 
 void find_ogc_contacts(const OgcSearchRequest& request, const Candidates& candidates, const VecX& x, ContactSet& contacts) {
-  const std::vector<ContactSet> found =
-      search_in_chunks<ContactSet>(candidates, [&](ContactSet& chunk) { return OgcSearch(request, candidates, x, chunk); });
-  contacts = {};
-  join(found, &ContactSet::point_point, contacts.point_point);
-  join(found, &ContactSet::point_edge, contacts.point_edge);
-  join(found, &ContactSet::point_triangle, contacts.point_triangle);
-  join(found, &ContactSet::edge_edge, contacts.edge_edge);
-  for (const auto& s : contacts.edge_edge) {
-    const auto [a0, a1, b0, b1] = corners(request.surface.rest, s.vertices);
-    contacts.mollifier_threshold.push_back(edge_edge_mollifier_threshold(a0, a1, b0, b1));
-  }
+  join(search_in_chunks<FoundStencils>(candidates, [&](FoundStencils& chunk) { return OgcSearch(request, candidates, x, chunk); }), request.surface.rest, contacts);
 }
 
 }  // namespace tack
