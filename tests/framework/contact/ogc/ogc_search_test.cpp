@@ -3,12 +3,12 @@
 
 #include <catch2/catch.hpp>
 
-#include "framework/contact/ogc/displacement_bounds.hpp"
 #include "framework/contact/ogc/feasible_cones.hpp"
 #include "framework/contact/rest_gaps.hpp"
 #include "framework/contact/stencil_energy.hpp"
 #include "geometry/distance/squared_distance.hpp"
 #include "tests/framework/contact/model_scene.hpp"
+#include "tests/framework/contact/ogc/displacement_bounds.hpp"
 #include "tests/support/dense_term.hpp"
 
 using namespace tack;
