@@ -164,8 +164,11 @@ void ClippedAdhesionTerm::begin_step(const StepStart& start) { find_close_pairs(
 void ClippedAdhesionTerm::move_to(const VecX& x) {
   if (close_at_.size() == x.size()) {
     const std::vector<int>& vertices = system_.surface().mesh.vertices;
-    double largest = 0;
-    for (const int v : vertices) largest = std::max(largest, (vertex(x, v) - vertex(close_at_, v)).squaredNorm());
+    const double largest = -min_chunks(static_cast<int>(vertices.size()), 0, [&](int first, int last) {
+      double least = 0;
+      for (int i = first; i < last; ++i) least = std::min(least, -(vertex(x, vertices[i]) - vertex(close_at_, vertices[i])).squaredNorm());
+      return least;
+    });
     if (largest <= margin_ * margin_) return;
   }
   find_close_pairs(x);

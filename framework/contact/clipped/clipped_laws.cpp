@@ -1,5 +1,7 @@
 #include "framework/contact/clipped/clipped_laws.hpp"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 namespace tack {
@@ -14,24 +16,30 @@ class HalfLaw final : public NormalLaw {
   void prepare(const PairMaterials&) override {}
   double range() const override { return whole_->range(); }
   void add_samples(int n, const double* gap, LawSample* out) const override {
-    for (int i = 0; i < n; ++i) {
-      LawSample sample;
-      whole_->add_samples(1, gap + i, &sample);
-      out[i].value += 0.5 * sample.value;
-      out[i].slope += 0.5 * sample.slope;
-      out[i].curvature += 0.5 * sample.curvature;
+    for (int first = 0; first < n; first += chunk) {
+      const int count = std::min(chunk, n - first);
+      std::array<LawSample, chunk> samples{};
+      whole_->add_samples(count, gap + first, samples.data());
+      for (int i = 0; i < count; ++i) {
+        out[first + i].value += 0.5 * samples[i].value;
+        out[first + i].slope += 0.5 * samples[i].slope;
+        out[first + i].curvature += 0.5 * samples[i].curvature;
+      }
     }
   }
   void add_values(int n, const double* gap, double* out) const override {
-    for (int i = 0; i < n; ++i) {
-      double value = 0;
-      whole_->add_values(1, gap + i, &value);
-      out[i] += 0.5 * value;
+    for (int first = 0; first < n; first += chunk) {
+      const int count = std::min(chunk, n - first);
+      std::array<double, chunk> values{};
+      whole_->add_values(count, gap + first, values.data());
+      for (int i = 0; i < count; ++i) out[first + i] += 0.5 * values[i];
     }
   }
   std::unique_ptr<NormalLaw> clone() const override { return std::make_unique<HalfLaw>(*this); }
 
  private:
+  static constexpr int chunk = 16;  // gaps at a time: those of a pack of pairs
+
   std::shared_ptr<const NormalLaw> whole_;
 };
 
