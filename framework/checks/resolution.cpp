@@ -14,6 +14,7 @@
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/surface_topology.hpp"
+#include "framework/core/term_gradient.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/world/world.hpp"
@@ -209,22 +210,12 @@ class Warnings {
   // Returns the forces of an object on itself at the start (3n) [N].
   VecX forces_within(int object) const {
     const std::vector<int>& object_of = world_.contact->surface().mesh.vertex_object;
-    VecX forces = VecX::Zero(world_.start.x.size());
-    for (const auto& term : world_.contact->potential().terms()) {
-      const std::vector<StencilBatch> batches = term->batches();
-      size_t slots = 0;
-      for (const StencilBatch& batch : batches) slots += static_cast<size_t>(batch.arity) * batch.count;
-      std::vector<double> gradient(3 * slots);
-      if (slots > 0) term->derivatives(world_.start.x, Projection::none, gradient.data(), nullptr);
-      const double* slot = gradient.data();
-      for (const StencilBatch& batch : batches)
-        for (int s = 0; s < batch.count; ++s, slot += 3 * batch.arity) {
-          const int* vertices = batch.vertices + static_cast<size_t>(batch.arity) * s;
-          if (!std::all_of(vertices, vertices + batch.arity, [&](int v) { return object_of[v] == object; })) continue;
-          for (int i = 0; i < batch.arity; ++i) vertex(forces, vertices[i]) -= Eigen::Map<const Vec3>(slot + 3 * i);
-        }
-    }
-    return forces;
+    VecX gradient = VecX::Zero(world_.start.x.size());
+    for (const auto& term : world_.contact->potential().terms())
+      add_stencil_gradient(*term, world_.start.x, gradient, [&](std::span<const int> vertices) {
+        return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return object_of[v] == object; });
+      });
+    return -gradient;
   }
 
   // Forces of bodies on each other that no rest can have.
