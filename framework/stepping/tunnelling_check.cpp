@@ -105,7 +105,8 @@ struct TunnellingCheck::Search {
     const int n = static_cast<int>(kind.pairs.size());
     const double first = min_chunks(n, n, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
-        const auto &a = kind.first(kind.pairs[i]), &b = kind.second(kind.pairs[i]);
+        const auto& a = kind.first(kind.pairs[i]);
+        const auto& b = kind.second(kind.pairs[i]);
         if (meet(a, b, stage, criterion(components.component_of(a[0]), components.component_of(b[0])))) return double(i);
       }
       return double(n);
