@@ -15,25 +15,30 @@ namespace tack {
 //   search_edges(i)             one edge-edge candidate
 template <class Found, class MakeSearch>
 std::vector<Found> search_in_chunks(const Candidates& candidates, const MakeSearch& make_search) {
-  std::vector<int> groups;  // first candidate of each vertex, and the end
   const auto& points = candidates.point_triangle;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (i == 0 || points[i][0] != points[i - 1][0]) groups.push_back(static_cast<int>(i));
-  const int vertices = static_cast<int>(groups.size());
+  const int all = static_cast<int>(points.size());
   const int edges = static_cast<int>(candidates.edge_edge.size());
-  groups.push_back(static_cast<int>(points.size()));
-  constexpr int vertices_per_chunk = 64;
-  const int vertex_chunks = chunk_count(vertices, vertices_per_chunk);
-  std::vector<Found> found(vertex_chunks + chunk_count(edges));
+  // Returns the first candidate from i on whose vertex has none before it, or the end.
+  const auto next_vertex = [&](int i) {
+    while (i > 0 && i < all && points[i][0] == points[i - 1][0]) ++i;
+    return i;
+  };
+  constexpr int candidates_per_chunk = 1024;
+  const int point_chunks = chunk_count(all, candidates_per_chunk);
+  std::vector<Found> found(point_chunks + chunk_count(edges));
   for_each_chunk(
-      vertices,
+      all,
       [&](int c, int first, int last) {
         auto search = make_search(found[c]);
-        for (int g = first; g < last; ++g) search.search_vertex(groups[g], groups[g + 1]);
+        const int end = next_vertex(last);
+        for (int from = next_vertex(first), to; from < end; from = to) {
+          to = next_vertex(from + 1);
+          search.search_vertex(from, to);
+        }
       },
-      vertices_per_chunk);
+      candidates_per_chunk);
   for_each_chunk(edges, [&](int c, int first, int last) {
-    auto search = make_search(found[vertex_chunks + c]);
+    auto search = make_search(found[point_chunks + c]);
     for (int i = first; i < last; ++i) search.search_edges(i);
   });
   return found;

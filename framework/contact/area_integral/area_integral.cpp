@@ -67,10 +67,14 @@ PairRoles AreaIntegral::roles(const PairSetup& pair, const PairTable& table) {
 
 std::unique_ptr<ContactPotential> AreaIntegral::isolated(int a, int b) const {
   auto potential = std::make_unique<AreaIntegral>();
-  const IntegrationSides::Pairs& all = narrow_phase_->coarse_pairs();
-  potential->previous_coarse_pairs_.emplace();
-  if (std::binary_search(all.begin(), all.end(), std::pair(a, b))) potential->previous_coarse_pairs_->emplace_back(0, 1);
+  potential->take_history(*this, a, b);
   return potential;
+}
+
+void AreaIntegral::take_history(const AreaIntegral& other, int a, int b) {
+  const IntegrationSides::Pairs& all = other.narrow_phase_->coarse_pairs();
+  previous_coarse_pairs_.emplace();
+  if (std::binary_search(all.begin(), all.end(), std::pair(a, b))) previous_coarse_pairs_->emplace_back(0, 1);
 }
 
 void AreaIntegral::make_terms() {

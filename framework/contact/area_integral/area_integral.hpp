@@ -45,6 +45,8 @@ class AreaIntegral : public ContactPotential {
 
  protected:
   void make_terms() override;
+  // Takes the history of the objects a and b of another potential, which are 0 and 1 here.
+  void take_history(const AreaIntegral& other, int a, int b);
 
  private:
   std::unique_ptr<NarrowPhase> narrow_phase_;

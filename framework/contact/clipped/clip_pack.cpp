@@ -15,13 +15,14 @@ constexpr double weighted_area_min = 1e-3;
 
 }  // namespace
 
-void ClipPack::set(int lane, const VecX& x, const std::array<int, 6>& vertices, const std::array<double, 3>& strip_b, const std::array<bool, 3>& boundary_a) {
+void ClipPack::set(int lane, const VecX& x, const std::array<int, 6>& vertices, const std::array<double, 3>& strip_b, const std::array<bool, 3>& boundary_a, bool two_sided_b) {
   for (int k = 0; k < 6; ++k)
     for (int d = 0; d < 3; ++d) corner_[3 * k + d][lane] = x[3 * vertices[k] + d];
   for (int k = 0; k < 3; ++k) {
     strip_[k][lane] = strip_b[k];
     boundary_[k][lane] = boundary_a[k];
   }
+  two_sided_b_[lane] = two_sided_b;
 }
 
 void ClipPack::shares(const Pack& x, const Pack& y, Pack& first, Pack& second) const {
@@ -139,6 +140,9 @@ unsigned ClipPack::clip(const GapBands& bands) {
     y_[k] = dot(axes_[1], from_b);
     z_[k] = dot(axes_[2], from_b);
   }
+  Pack two_sided_b;
+  std::memcpy(&two_sided_b, two_sided_b_, sizeof two_sided_b);
+  plain &= ~((two_sided_b > 0.5) & (z_[0] + z_[1] + z_[2] < 0));
 
   // Distances of the corners of a from the lines of b, and the other way round, both positive inside
   // and times the length of the edge.

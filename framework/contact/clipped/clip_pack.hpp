@@ -24,9 +24,10 @@ class ClipPack {
   static constexpr int hessian_slots = 9 * 21;  // lower triangle of 6 x 6 blocks, by rows
 
   // vertices: of the corners of a, then of b, in the positions x (3n) [m];
-  // strip_b as ClippedPair's.
+  // strip_b as ClippedPair's; two_sided_b: a may lie on the other side of b.
   void set(int lane, const VecX& x, const std::array<int, 6>& vertices,
-           const std::array<double, 3>& strip_b, const std::array<bool, 3>& boundary_a);
+           const std::array<double, 3>& strip_b, const std::array<bool, 3>& boundary_a,
+           bool two_sided_b);
   // Clips the pairs in all lanes. Returns a bit per lane whose integral is
   // found here, also if it is zero.
   unsigned clip(const GapBands& bands);
@@ -34,6 +35,8 @@ class ClipPack {
   const double* gaps() const { return gaps_; }
   // Returns the energy of each lane, from the law at these gaps [J].
   Pack energy(const double* values) const;
+  // Returns the integral of a lane with this energy [J].
+  ClippedIntegral integral(int lane, double energy) const;
   // Writes derivatives: gradient[18], corners of a, then of b; unless null,
   // hessian[hessian_slots].
   void derivatives(const LawSample* samples, Pack* gradient, Pack* hessian) const;
@@ -67,7 +70,7 @@ class ClipPack {
   void shares(const Pack& x, const Pack& y, Pack& first, Pack& second) const;
 
   alignas(64) double corner_[18][pack_width];
-  alignas(64) double strip_[3][pack_width], boundary_[3][pack_width];
+  alignas(64) double strip_[3][pack_width], boundary_[3][pack_width], two_sided_b_[pack_width];
   Pack axes_[3][3];          // axis, coordinate
   Pack x_[3], y_[3], z_[3];  // local coordinates of a [m]
   Pack length_, foot_,

@@ -14,6 +14,20 @@ Pack ClipPack::energy(const double* values) const {
   return 0.5 * area_ * (low + high);
 }
 
+ClippedIntegral ClipPack::integral(int lane, double energy) const {
+  ClippedIntegral one;
+  one.energy = energy;
+  one.area_a = {area_[lane] - first_[lane] - second_[lane], first_[lane], second_[lane]};
+  one.gap = mean_[lane];
+  for (int k = 0; k < 3; ++k) {
+    const double across = y_[k][lane] / height_[lane], along = (x_[k][lane] - across * foot_[lane]) / length_[lane];
+    one.area[0] += one.area_a[k] * (1 - along - across);
+    one.area[1] += one.area_a[k] * along;
+    one.area[2] += one.area_a[k] * across;
+  }
+  return one;
+}
+
 void ClipPack::derivatives(const LawSample* samples, Pack* gradient, Pack* hessian) const {
   Pack value, slope, curvature, stiffness;
   for (int l = 0; l < pack_width; ++l) {

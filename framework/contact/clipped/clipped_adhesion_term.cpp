@@ -111,13 +111,20 @@ void ClippedAdhesionTerm::find_pairs() {
   });
   pairs_.clear();
   for (const auto& some : found) pairs_.insert(pairs_.end(), some.begin(), some.end());
+  std::vector<char> in_pair(mesh.vertex_object.size(), 0);
+  for (const TrianglePair& pair : pairs_)
+    for (const int t : {pair.a, pair.b})
+      for (const int v : mesh.triangles[t]) in_pair[v] = 1;
+  pair_vertices_.clear();
+  for (const int v : mesh.vertices)
+    if (in_pair[v]) pair_vertices_.push_back(v);
 }
 
 // Returns a pair whose triangles face each other at x.
 ClippedAdhesionTerm::ClosePair ClippedAdhesionTerm::close_pair(const VecX& x, const TrianglePair& pair) const {
   const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
   const Triangle &ta = triangles[pair.a], &tb = triangles[pair.b];
-  ClosePair close{pair, {ta[0], ta[1], ta[2], tb[0], tb[1], tb[2]}, topology_.two_sided(pair.a) || topology_.two_sided(pair.b), {}, {}, {}};
+  ClosePair close{pair, {ta[0], ta[1], ta[2], tb[0], tb[1], tb[2]}, topology_.two_sided(pair.a) || topology_.two_sided(pair.b), topology_.two_sided(pair.b), {}, {}, {}};
   const double strip = laws_.laws()[pair.law].strip;
   for (int k = 0; k < 3; ++k) {
     close.boundary_a[k] = !topology_.smooth_edge(pair.a, k);
@@ -139,21 +146,54 @@ void ClippedAdhesionTerm::find_close_pairs(const VecX& x) {
     find_pairs();
     version_ = system_.candidates_version();
   }
+  close_at_ = x;
+  is_close_.resize(pairs_.size());
+  test_pairs({});
+  list_close_pairs(x);
+}
+
+// Tests the pairs with a vertex that has moved (non-zero), or all if `moved` is empty. Returns whether
+// any result is another one than before.
+bool ClippedAdhesionTerm::test_pairs(const std::vector<char>& moved) {
   const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
+  const int all = static_cast<int>(pairs_.size());
+  std::vector<char> changed(chunk_count(all), 0);
+  for_each_chunk(all, [&](int chunk, int first, int last) {
+    CloseTriangles test(margin_);
+    std::array<int, pack_width> tested;
+    int lanes = 0;
+    const auto finish = [&] {
+      const unsigned close = test.may_overlap();
+      for (int l = 0; l < lanes; ++l) {
+        const char is_close = static_cast<char>(close >> l & 1u);
+        changed[chunk] |= is_close != is_close_[tested[l]];
+        is_close_[tested[l]] = is_close;
+      }
+      lanes = 0;
+    };
+    for (int i = first; i < last; ++i) {
+      const TrianglePair& pair = pairs_[i];
+      const Triangle &a = triangles[pair.a], &b = triangles[pair.b];
+      const std::array vertices{a[0], a[1], a[2], b[0], b[1], b[2]};
+      if (!moved.empty() && std::none_of(vertices.begin(), vertices.end(), [&](int v) { return moved[v] != 0; })) continue;
+      test.set(lanes, close_at_, vertices, laws_.laws()[pair.law].range, topology_.two_sided(pair.a) || topology_.two_sided(pair.b));
+      tested[lanes++] = i;
+      if (lanes == pack_width) finish();
+    }
+    if (lanes > 0) finish();
+  });
+  return std::find(changed.begin(), changed.end(), 1) != changed.end();
+}
+
+void ClippedAdhesionTerm::list_close_pairs(const VecX& x) {
   const int all = static_cast<int>(pairs_.size());
   std::vector<std::vector<ClosePair>> found(chunk_count(all));
   for_each_chunk(all, [&](int chunk, int first, int last) {
-    CloseTriangles test(margin_);
-    for (int i = first; i < last; ++i) {
-      const TrianglePair& pair = pairs_[i];
-      const bool two_sided = topology_.two_sided(pair.a) || topology_.two_sided(pair.b);
-      if (test.may_overlap(corners(x, triangles[pair.a]), corners(x, triangles[pair.b]), laws_.laws()[pair.law].range, two_sided))
-        found[chunk].push_back(close_pair(x, pair));
-    }
+    for (int i = first; i < last; ++i)
+      if (is_close_[i]) found[chunk].push_back(close_pair(x, pairs_[i]));
   });
   close_.clear();
   for (const auto& some : found) close_.insert(close_.end(), some.begin(), some.end());
-  close_at_ = x;
   gradients_at_.resize(0);
   value_at_.resize(0);
   if (static_cast<int>(integrators_.size()) < chunk_count(pair_count(), pairs_per_chunk)) integrators_.resize(chunk_count(pair_count(), pairs_per_chunk));
@@ -161,22 +201,28 @@ void ClippedAdhesionTerm::find_close_pairs(const VecX& x) {
 
 void ClippedAdhesionTerm::begin_step(const StepStart& start) { find_close_pairs(start.x); }
 
+// Vertices outside of the pairs do not count: the broad phase finds new candidates before they come
+// within range.
 void ClippedAdhesionTerm::move_to(const VecX& x) {
-  if (close_at_.size() == x.size()) {
-    const std::vector<int>& vertices = system_.surface().mesh.vertices;
-    const double largest = -min_chunks(static_cast<int>(vertices.size()), 0, [&](int first, int last) {
-      double least = 0;
-      for (int i = first; i < last; ++i) least = std::min(least, -(vertex(x, vertices[i]) - vertex(close_at_, vertices[i])).squaredNorm());
-      return least;
-    });
-    if (largest <= margin_ * margin_) return;
-  }
-  find_close_pairs(x);
+  if (close_at_.size() != x.size() || version_ != system_.candidates_version()) return find_close_pairs(x);
+  const int all = static_cast<int>(pair_vertices_.size());
+  std::vector<char> left(chunk_count(all), 0), moved(x.size() / 3, 0);
+  for_each_chunk(all, [&](int chunk, int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const int v = pair_vertices_[i];
+      if ((vertex(x, v) - vertex(close_at_, v)).squaredNorm() <= margin_ * margin_) continue;
+      moved[v] = left[chunk] = 1;
+      vertex(close_at_, v) = vertex(x, v);
+    }
+  });
+  if (std::find(left.begin(), left.end(), 1) != left.end() && test_pairs(moved)) list_close_pairs(x);
 }
 
 void ClippedAdhesionTerm::clear_caches() {
   version_ = -1;
   pairs_.clear();
+  is_close_.clear();
+  pair_vertices_.clear();
   close_.clear();
   close_at_.resize(0);
   gradients_at_.resize(0);
@@ -211,22 +257,22 @@ ClippedAdhesionTerm::Oriented ClippedAdhesionTerm::geometry(const VecX& x, const
 }
 
 // Calls packed(first index, lanes, pack, law, bit per lane) for the pairs whose integral a pack finds,
-// then single(index, pair, law) for others, pack after pack.
+// then single(index, pair, law) for others, pack after pack. The pairs of a pack have one law.
 template <class Packed, class Single>
 void ClippedAdhesionTerm::for_each_close(const VecX& x, int first, int last, const Packed& packed, const Single& single) const {
   ClipPack pack;
-  for (int at = first; at < last; at += pack_width) {
-    const int lanes = std::min(pack_width, last - at), law = close_[at].pair.law;
-    unsigned found = (1u << lanes) - 1;
+  for (int at = first, lanes; at < last; at += lanes) {
+    const ClippedLaw& law = laws_.laws()[close_[at].pair.law];
+    lanes = 1;
+    while (lanes < pack_width && at + lanes < last && close_[at + lanes].pair.law == close_[at].pair.law) ++lanes;
     for (int l = 0; l < pack_width; ++l) {
       const ClosePair& close = close_[at + std::min(l, lanes - 1)];
-      pack.set(l, x, close.vertices, close.strip_b, close.boundary_a);
-      if (close.pair.law != law || (close.two_sided && geometry(x, close).swapped())) found &= ~(1u << l);
+      pack.set(l, x, close.vertices, close.strip_b, close.boundary_a, close.two_sided_b);
     }
-    found &= pack.clip(laws_.laws()[law].bands);
-    if (found != 0) packed(at, lanes, pack, laws_.laws()[law], found);
+    const unsigned found = pack.clip(law.bands) & ((1u << lanes) - 1);
+    if (found != 0) packed(at, lanes, pack, law, found);
     for (int l = 0; l < lanes; ++l)
-      if ((found >> l & 1u) == 0) single(at + l, geometry(x, close_[at + l]), laws_.laws()[close_[at + l].pair.law]);
+      if ((found >> l & 1u) == 0) single(at + l, geometry(x, close_[at + l]), law);
   }
 }
 
@@ -301,97 +347,39 @@ void ClippedAdhesionTerm::derivatives(const VecX& x, Projection projection, doub
     if (!exact) return for_each_close(x, first, last, packed, single);
     for (int i = first; i < last; ++i) single(i, geometry(x, close_[i]), laws_.laws()[close_[i].pair.law]);
   }, pairs_per_chunk);
-  if (hessian) return;
+  if (hessian || !keeps_gradients_) return;
   gradients_.resize(close_.size());
   for_each(pair_count(), [&](int i) { gradients_[i] = Eigen::Map<const Vec18>(gradient + 18 * static_cast<size_t>(i)); });
   gradients_at_ = x;
 }
 
-// The gap of a pair is that of the centre of a over the plane of b.
 void ClippedAdhesionTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
-  const auto gap = [](const ClippedPair& pair) {
-    return area_vector(pair.b).normalized().dot((pair.a[0] + pair.a[1] + pair.a[2]) / 3 - pair.b[0]);
-  };
   for_each(pair_count(), [&](int i) {
-    const ClippedLaw& law = laws_.laws()[close_[i].pair.law];
-    const Oriented pair = geometry(from, close_[i]);
-    const double before = gap(pair), after = gap(geometry(to, close_[i]));
-    if (!passes_peak(law.law, law.range, before, after) || !ClipIntegrator().overlaps(pair, law.range)) return;
-    for (const int v : close_[i].vertices) mark(vertices[v]);
+    const ClosePair& close = close_[i];
+    const ClippedLaw& law = laws_.laws()[close.pair.law];
+    if (!passes_peak(law.law, law.range, mean_gap(from, close), mean_gap(to, close)) || !ClipIntegrator().overlaps(geometry(from, close), law.range)) return;
+    for (const int v : close.vertices) mark(vertices[v]);
   });
 }
 
-bool ClippedAdhesionTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
-  ClipIntegrator integrator;
-  for (const ClosePair& close : close_) {
-    const ClippedLaw& law = laws_.laws()[close.pair.law];
-    visit(close.vertices, integrator.value(geometry(x, close), law.law, law.bands).energy);
-  }
-  return true;
+// Returns the integrals of the close pairs.
+std::vector<ClippedIntegral> ClippedAdhesionTerm::integrals(const VecX& x) const {
+  std::vector<ClippedIntegral> all(close_.size());
+  for_each_chunk(pair_count(), [&](int chunk, int first, int last) {
+    for_each_close(x, first, last, [&](int at, int lanes, const ClipPack& pack, const ClippedLaw& law, unsigned found) {
+      std::array<double, 2 * pack_width> values;
+      law.law.values(2 * pack_width, pack.gaps(), values.data());
+      const Pack energy = pack.energy(values.data());
+      for (int l = 0; l < lanes; ++l)
+        if (found >> l & 1u) all[at + l] = pack.integral(l, energy[l]);
+    }, [&](int i, const Oriented& pair, const ClippedLaw& law) {
+      all[i] = integrators_[chunk].value(pair, law.law, law.bands);
+      if (pair.swapped_a) std::swap(all[i].area_a[1], all[i].area_a[2]);
+      if (pair.swapped_b) std::swap(all[i].area[1], all[i].area[2]);
+    });
+  }, pairs_per_chunk);
+  return all;
 }
 
-// Returns the gradients of the close pairs, which minimisers have mostly asked for already.
-const std::vector<Vec18>& ClippedAdhesionTerm::gradients(const VecX& x) const {
-  if (gradients_at_.size() == x.size() && gradients_at_ == x) return gradients_;
-  std::vector<double> all(18 * close_.size());
-  derivatives(x, Projection::clamp, all.data(), nullptr);
-  return gradients_;
-}
-
-// One point per pair of triangles: the centroid of the part of b that is covered, with its area.
-void ClippedAdhesionTerm::add_points(const ContactPointsRequest& request, int first_index, ContactPoints& out) const {
-  const std::vector<int>& object = system_.surface().mesh.vertex_object;
-  ClipIntegrator integrator;
-  for (int i = 0; i < pair_count(); ++i) {
-    const ClosePair& close = close_[i];
-    const ClippedLaw& law = laws_.laws()[close.pair.law];
-    if (!request.wanted[law.of_table]) continue;
-    const Oriented pair = geometry(request.x, close);
-    const ClippedIntegral integral = integrator.value(pair, law.law, law.bands);
-    const double area = integral.area[0] + integral.area[1] + integral.area[2];
-    if (!(area > 0)) continue;
-    ContactPoint<6> point{close.vertices, {}, area_vector(pair.b).normalized(), {}, integral.gap, law.share * area, 0, 3, first_index + i,
-                          object[close.vertices[0]], object[close.vertices[3]], law.of_table};
-    for (int k = 0; k < 3; ++k) {
-      point.coefficients[k] = integral.area_a[k] / area;
-      point.coefficients[3 + k] = -integral.area[k] / area;
-    }
-    if (pair.swapped_a) std::swap(point.coefficients[1], point.coefficients[2]);
-    if (pair.swapped_b) std::swap(point.coefficients[4], point.coefficients[5]);
-    point.tangents = tangents_of(point.normal);
-    out.of<6>().push_back(point);
-  }
-}
-
-void ClippedAdhesionTerm::publish(Records& records) const {
-  ForceRecord force{"clipped_adhesion", ForceDirection::normal, {"adhesion"}};
-  force.add = [this](const VecX& x, std::string_view, VecX& forces) {
-    const std::vector<Vec18>& all = gradients(x);
-    for (size_t i = 0; i < all.size(); ++i)
-      for (int k = 0; k < 6; ++k) vertex(forces, close_[i].vertices[k]) -= all[i].segment<3>(3 * k);
-  };
-  force.between = [this](const VecX& x, std::string_view, ObjectPair objects) {
-    const std::vector<Vec18>& all = gradients(x);
-    const std::vector<int>& object = system_.surface().mesh.vertex_object;
-    Vec3 sum = Vec3::Zero();
-    for (size_t i = 0; i < all.size(); ++i) {
-      const int a = object[close_[i].vertices[0]], b = object[close_[i].vertices[3]];
-      const int first = a == objects.a && b == objects.b ? 0 : a == objects.b && b == objects.a ? 3 : -1;
-      for (int k = first; first >= 0 && k < first + 3; ++k) sum -= all[i].segment<3>(3 * k);
-    }
-    return sum;
-  };
-  // Along the normal of b, positive where the vertex is pressed.
-  force.add_compressions = [this](const VecX& x, std::string_view, VecX& pressed) {
-    const std::vector<Vec18>& all = gradients(x);
-    for (size_t i = 0; i < all.size(); ++i) {
-      const Vec3 normal = area_vector(geometry(x, close_[i]).b).normalized();
-      for (int k = 0; k < 6; ++k)
-        pressed(3 * close_[i].vertices[k]) -= (k < 3 ? 1 : -1) * all[i].segment<3>(3 * k).dot(normal);
-    }
-  };
-  records.add(std::move(force));
-  records.add(EnergyRecord{"adhesion", EnergyKind::contact, [this](const VecX& x) { return value(x); }});
-}
 
 }  // namespace tack

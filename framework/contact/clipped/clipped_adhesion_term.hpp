@@ -10,8 +10,8 @@
 //
 // Two lists of pairs of triangles, the second a part of the first:
 //   candidates  whose fat AABBs are within range; found again with those of the broad phase
-//   close       that can interact while vertices move by less than a margin; a function of the
-//               positions at the start of the step, or where vertices last left the margin
+//   close       that can interact while vertices move by less than a margin from where each was at
+//               the start of the step, or last left its margin
 // Close pairs are the stencils: the pattern of the Hessian seldom changes within a step. Those that
 // do not interact at a configuration have no energy there.
 //
@@ -67,7 +67,7 @@ class ClippedAdhesionTerm : public Term {
   struct ClosePair {
     TrianglePair pair;
     std::array<int, 6> vertices;  // global; corners of a, then of b
-    bool two_sided;               // whether one of the triangles is
+    bool two_sided, two_sided_b;  // whether one of the triangles is, and b
     std::array<bool, 3> boundary_a, owns_b;
     std::array<double, 3> strip_b;  // m
   };
@@ -75,14 +75,19 @@ class ClippedAdhesionTerm : public Term {
 
   void find_pairs();
   void find_close_pairs(const VecX& x);
+  bool test_pairs(const std::vector<char>& moved);
+  void list_close_pairs(const VecX& x);
   bool has_planes(int object, int other) const;
   ClosePair close_pair(const VecX& x, const TrianglePair& pair) const;
   Oriented geometry(const VecX& x, const ClosePair& close) const;
+  static Vec3 normal_of_b(const VecX& x, const ClosePair& close);
+  static double mean_gap(const VecX& x, const ClosePair& close);
   template <class Packed, class Single>
   void for_each_close(const VecX& x, int first, int last, const Packed& packed,
                       const Single& single) const;
   static void exact_hessian(const ClippedPair& pair, const ClippedLaw& law,
                             ClipIntegrator& integrator, Mat18& hessian);
+  std::vector<ClippedIntegral> integrals(const VecX& x) const;
   const std::vector<Vec18>& gradients(const VecX& x) const;
 
   const ContactSystem& system_;
@@ -95,12 +100,15 @@ class ClippedAdhesionTerm : public Term {
   double margin_ = 0;                // of close pairs [m]
   long version_ = -1;                // of the candidates from which the pairs were found
   std::vector<TrianglePair> pairs_;  // by b, then by a
+  std::vector<char> is_close_;       // per pair
+  std::vector<int> pair_vertices_;   // of the pairs, ascending
   std::vector<ClosePair> close_;     // in the order of the pairs
-  VecX close_at_;                    // positions at which the close pairs were found (3n) [m]
+  VecX close_at_;                    // positions for which is_close_ holds (3n) [m]
   mutable std::vector<int> batch_vertices_;
   mutable std::vector<ClipIntegrator> integrators_;  // one per chunk: they keep their memory
   mutable VecX value_at_;                            // positions of `value_` (3n) [m]
   mutable double value_ = 0;                         // J
+  mutable bool keeps_gradients_ = false;             // records have asked for them
   mutable VecX gradients_at_;                        // positions of `gradients_` (3n) [m]
   mutable std::vector<Vec18> gradients_;             // of each close pair, for records
 };

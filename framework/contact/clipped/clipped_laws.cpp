@@ -61,4 +61,18 @@ int ClippedLaws::half_of(int law) {
   return half_[law] = index;
 }
 
+ClippedLaws ClippedLaws::of_objects(int a, int b) const {
+  const int last = a == b ? 0 : 1;
+  ClippedLaws own(ObjectClasses::single(last + 1));
+  own.laws_ = laws_;
+  own.half_ = half_;
+  const auto copy = [&](std::size_t from, std::size_t to) {
+    own.laws_of_pair_[to] = laws_of_pair_[from];
+    own.planes_[to] = planes_[from];
+  };
+  copy(classes_.index(a, b), own.classes_.index(0, last));
+  copy(classes_.index(b, a), own.classes_.index(last, 0));
+  return own;
+}
+
 }  // namespace tack

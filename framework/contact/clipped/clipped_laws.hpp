@@ -67,6 +67,8 @@ class ClippedLaws {
   ClippedPlanes planes(int a, int b) const { return planes_[classes_.index(a, b)]; }
   // Returns the index of half of a law: of the sum over the planes of both.
   int half_of(int law);
+  // Returns the laws between a and b alone, which become objects 0 and 1; a = b: object 0.
+  ClippedLaws of_objects(int a, int b) const;
 
  private:
   void store(int a, int b, int law, int region_pair) {

@@ -60,6 +60,13 @@ class ClippedIntegral : public AreaIntegral {
     return roles;
   }
 
+  std::unique_ptr<ContactPotential> isolated(int a, int b) const override {
+    auto potential = std::make_unique<ClippedIntegral>();
+    potential->take_history(*this, a, b);
+    if (laws_) potential->laws_.emplace(laws_->of_objects(a, b));
+    return potential;
+  }
+
   ContactPoints points(const ContactPointsRequest& request) const override {
     ContactPoints all = AreaIntegral::points(request);
     if (clipped_) clipped_->add_points(request, static_cast<int>(overlap().interior_points().size()), all);

@@ -188,8 +188,19 @@ void ClipIntegrator::cut_strips(const ClippedPair& pair) {
 }
 
 // Puts the pieces in bands: cuts them at the levels, and leaves out gaps below the first and above
-// the last.
+// the last. Bands are numbered from the lowest one that the polygon may reach.
 void ClipIntegrator::cut_bands(const GapBands& bands) {
+  double lowest = polygon_[0].gap, highest = lowest;
+  for (int i = 1; i < polygon_.size(); ++i) {
+    lowest = std::min(lowest, polygon_[i].gap);
+    highest = std::max(highest, polygon_[i].gap);
+  }
+  const int levels = static_cast<int>(bands.size());
+  // The last level below the polygon, and the first above it.
+  const int begin = std::max(0, static_cast<int>(std::upper_bound(bands.begin(), bands.end(), lowest) - bands.begin()) - 1);
+  const int end = std::min(levels - 1, static_cast<int>(std::lower_bound(bands.begin() + begin, bands.end(), highest) - bands.begin()));
+  const int first = std::max(0, begin - 1);
+  bands_.assign(std::max(1, end - first), Band());
   for (int p = 0, whole = piece_count_; p < whole; ++p) {
     pieces_[p].band = -1;
     if (pieces_[p].polygon.empty()) continue;
@@ -198,10 +209,10 @@ void ClipIntegrator::cut_bands(const GapBands& bands) {
       low = std::min(low, pieces_[p].polygon[i].gap);
       high = std::max(high, pieces_[p].polygon[i].gap);
     }
-    for (int l = 0; l < static_cast<int>(bands.size()) && high > bands.front(); ++l) {
+    for (int l = begin; l < levels && high > bands.front(); ++l) {
       const double level = bands[l], least = l > 0 ? cut_ratio_min * (level - bands[l - 1]) : 0;
       if (high <= level + least) {
-        pieces_[p].band = l - 1;
+        pieces_[p].band = l - 1 - first;
         break;
       }
       if (low >= level - least) continue;
@@ -217,7 +228,7 @@ void ClipIntegrator::cut_bands(const GapBands& bands) {
         Piece& below = next_piece();
         below.polygon = rest_;
         below.strips = pieces_[p].strips;
-        below.band = l - 1;
+        below.band = l - 1 - first;
       }
       pieces_[p].polygon = kept_;
       if (kept_.empty()) break;
@@ -320,7 +331,6 @@ bool ClipIntegrator::prepare(const ClippedPair& pair, const GapBands& bands) {
   if (!clip(pair)) return false;
   cut_strips(pair);
   cut_bands(bands);
-  bands_.assign(bands.size() - 1, Band());
   for (int p = 0; p < piece_count_; ++p)
     if (pieces_[p].band >= 0) add_moments(pair, pieces_[p]);
   if (!find_gaps()) return false;

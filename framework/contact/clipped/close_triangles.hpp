@@ -1,4 +1,5 @@
-// Which pairs of triangles can interact while their vertices move a little (clipped_pair.hpp).
+// Which pairs of triangles can interact while their vertices move a little (clipped_pair.hpp),
+// several pairs side by side.
 //
 // A point p of a lies over a point q of b at a gap up to the range, along the normal n of b. Undo a
 // motion of vertices by m at most: p - q changes by 2 m at most and n by a bounded turn. So at the
@@ -8,7 +9,8 @@
 
 #include <array>
 
-#include "framework/contact/clipped/clip_plane.hpp"
+#include "geometry/pack.hpp"
+#include "geometry/types.hpp"
 
 namespace tack {
 
@@ -16,16 +18,19 @@ class CloseTriangles {
  public:
   explicit CloseTriangles(double motion) : motion_(motion) {}  // of vertices [m]
 
-  // Returns false if the triangles do not interact at any positions of their vertices within the
-  // motion of these. Corners counter-clockwise seen from outside; two_sided: the order of the
-  // corners of one of them tells nothing. Keeps the plane of b for the next call.
-  bool may_overlap(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double range,
-                   bool two_sided);
+  // vertices: of the corners of a, then of b, in the positions x (3n) [m], counter-clockwise seen
+  // from outside; range: of the law [m]; two_sided: the order of the corners of one of the
+  // triangles tells nothing.
+  void set(int lane, const VecX& x, const std::array<int, 6>& vertices, double range,
+           bool two_sided);
+  // Returns a bit per lane, 0 if the triangles do not interact at any positions of their vertices
+  // within the motion of these.
+  unsigned may_overlap() const;
 
  private:
   double motion_;
-  ClipPlane plane_;
-  double turn_b_ = 0;  // bound of the change of the normal of b
+  alignas(64) double corner_[18][pack_width] = {};
+  alignas(64) double range_[pack_width] = {}, two_sided_[pack_width] = {};
 };
 
 }  // namespace tack

@@ -131,7 +131,7 @@ TEST_CASE("packs of pairs give what pairs give one by one", "[clipped]") {
       pairs[l].boundary_a = {trial % 2 == 0, trial % 3 == 0, trial % 5 == 0};
       VecX x(18);
       for (int k = 0; k < 6; ++k) vertex(x, k) = k < 3 ? pairs[l].a[k] : pairs[l].b[k - 3];
-      pack.set(l, x, {0, 1, 2, 3, 4, 5}, pairs[l].strip_b, pairs[l].boundary_a);
+      pack.set(l, x, {0, 1, 2, 3, 4, 5}, pairs[l].strip_b, pairs[l].boundary_a, false);
     }
     const unsigned plain = pack.clip(bands);
     std::array<double, 2 * pack_width> values;
@@ -147,9 +147,15 @@ TEST_CASE("packs of pairs give what pairs give one by one", "[clipped]") {
       INFO("trial " << trial << ", lane " << l);
       Vec18 g;
       Mat18 h;
-      const double e = integrator.derivatives(pairs[l], law, bands, g, &h).energy;
+      const ClippedIntegral one = integrator.derivatives(pairs[l], law, bands, g, &h), in_pack = pack.integral(l, energy[l]);
+      const double e = one.energy;
       ++(e == 0 ? empty : found);
       CHECK(energy[l] == Approx(e).margin(1e-13));
+      for (int k = 0; k < 3; ++k) {
+        CHECK(in_pack.area[k] == Approx(one.area[k]).margin(1e-13));
+        CHECK(in_pack.area_a[k] == Approx(one.area_a[k]).margin(1e-13));
+      }
+      if (e != 0) CHECK(in_pack.gap == Approx(one.gap).margin(1e-13));
       std::array<double, ClipPack::hessian_slots> blocks;
       store_blocks<6>(h, blocks.data());
       for (int i = 0; i < 18; ++i) REQUIRE(gradient[i][l] == Approx(g[i]).margin(1e-12));

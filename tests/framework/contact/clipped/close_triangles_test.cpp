@@ -45,7 +45,12 @@ TEST_CASE("close triangles: no motion within the margin makes other triangles in
       pair.b[k] = random_vector();
     }
     const double motion = trial % 3 == 0 ? 0.2 : 0.02;
-    const bool close = CloseTriangles(motion).may_overlap(pair.a, pair.b, law_range, trial % 2);
+    VecX x(18);
+    for (int k = 0; k < 6; ++k) vertex(x, k) = k < 3 ? pair.a[k] : pair.b[k - 3];
+    CloseTriangles test(motion);
+    const int lane = trial % pack_width;
+    test.set(lane, x, {0, 1, 2, 3, 4, 5}, law_range, trial % 2);
+    const bool close = (test.may_overlap() >> lane & 1u) != 0;
     left_out += !close;
     // Corners move as far as they may, so that margins are used up.
     for (int repeat = 0; repeat < 20; ++repeat) {
