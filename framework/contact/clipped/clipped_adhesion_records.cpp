@@ -41,9 +41,10 @@ void ClippedAdhesionTerm::add_points(const ContactPointsRequest& request, int fi
   const std::vector<ClippedIntegral> all = integrals(request.x);
   for (int i = 0; i < pair_count(); ++i) {
     const ClosePair& close = close_[i];
-    const ClippedLaw& law = laws_.laws()[close.pair.law];
+    if (close.pair.whole < 0) continue;
+    const ClippedLaw& law = laws_.laws()[close.pair.whole];
     const double area = all[i].area[0] + all[i].area[1] + all[i].area[2];
-    if (!wanted(law) || !(area > 0)) continue;
+    if (!wanted(law) || !(area > 0) || !(all[i].gap < law.range)) continue;
     ContactPoint<6> point{close.vertices, {}, normal_of_b(request.x, close), {}, all[i].gap, law.share * area, 0, 3, first_index + i,
                           object[close.vertices[0]], object[close.vertices[3]], law.of_table};
     for (int k = 0; k < 3; ++k) {

@@ -8,10 +8,8 @@
 #include "framework/assembly/stencil_blocks.hpp"
 #include "framework/contact/clipped/clip_pack.hpp"
 #include "framework/contact/clipped/close_triangles.hpp"
-#include "framework/contact/clipped/rest_triangles.hpp"
 #include "framework/contact/law_debonding.hpp"
 #include "framework/core/concurrent_maximum.hpp"
-#include "geometry/broad_phase/broad_phase.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -20,8 +18,6 @@ namespace {
 // Step of the differences of the exact Hessian, per length of the first edge of b: the error is least
 // between 3e-6 and 3e-5 (docs/decisions/78-clipped-integral.md).
 constexpr double difference_step = 1e-5;
-// Relative difference up to which two surfaces are equal in area: round-off of their sums.
-constexpr double equal_area_ratio = 1e-9;
 // Pairs of a chunk: one pair takes 0.05 to 0.4 microseconds.
 constexpr int pairs_per_chunk = 128;
 static_assert(pairs_per_chunk % pack_width == 0);
@@ -57,60 +53,15 @@ struct ClippedAdhesionTerm::Oriented : ClippedPair {
 };
 
 ClippedAdhesionTerm::ClippedAdhesionTerm(const ContactSystem& system, ClippedLaws laws)
-    : Term("clipped_adhesion"), system_(system), laws_(std::move(laws)), topology_(system.surface()) {
-  const ContactSurface& surface = system_.surface();
-  const CollisionMesh& mesh = surface.mesh;
-  const int objects = system_.pairs().objects();
-  surface_area_.assign(objects, 0);
-  heights_.resize(mesh.triangles.size());
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const std::array<Vec3, 3> x = corners(surface.rest, mesh.triangles[t]);
-    const double area = area_vector(x).norm();
-    surface_area_[mesh.vertex_object[mesh.triangles[t][0]]] += area;
-    for (int k = 0; k < 3; ++k)
-      heights_[t][k] = topology_.smooth_edge(t, k) ? 0 : 2 * area / (x[(k + 1) % 3] - x[k]).norm();
-  }
-  has_planes_.assign(objects, 0);
-  for (int b = 0; b < objects; ++b)
-    for (int a = 0; a < objects && !has_planes_[b]; ++a)
-      has_planes_[b] = laws_.any(a, b) && has_planes(b, a);
+    : Term("clipped_adhesion"), system_(system), laws_(std::move(laws)), topology_(system.surface()), edges_(system.surface(), topology_),
+      finder_(system_, laws_, edges_) {
   margin_ = std::numeric_limits<double>::infinity();
   for (const ClippedLaw& law : laws_.laws()) margin_ = std::min(margin_, ClippedLaws::margin_per_range * law.range);
 }
 
-// Returns whether the planes of `object` are used towards the other.
-bool ClippedAdhesionTerm::has_planes(int object, int other) const {
-  const ClippedPlanes planes = laws_.planes(object, other);
-  if (planes == ClippedPlanes::of_both || object == other) return true;
-  if (planes == ClippedPlanes::of_first || planes == ClippedPlanes::of_second) return planes == ClippedPlanes::of_first;
-  if (planes == ClippedPlanes::of_coarser) return system_.pairs().finer(other, object);
-  const double own = surface_area_[object], others = surface_area_[other];
-  if (std::abs(own - others) > equal_area_ratio * (own + others)) return own > others;
-  return system_.pairs().finer(other, object);
-}
-
 void ClippedAdhesionTerm::find_pairs() {
   const CollisionMesh& mesh = system_.surface().mesh;
-  const int all = static_cast<int>(mesh.triangles.size());
-  std::vector<std::vector<TrianglePair>> found(chunk_count(all));
-  for_each_chunk(all, [&](int chunk, int first, int last) {
-    std::vector<int> near_by;
-    for (int b = first; b < last; ++b) {
-      const int object = mesh.vertex_object[mesh.triangles[b][0]];
-      if (!has_planes_[object]) continue;
-      near_by.clear();
-      system_.broad_phase().triangles_near(mesh.triangles[b], near_by);
-      for (const int a : near_by) {
-        const int other = mesh.vertex_object[mesh.triangles[a][0]];
-        if (!laws_.any(other, object) || !has_planes(object, other)) continue;
-        const int law = laws_.between(other, object, system_.pairs().region_pair(other, object, mesh.triangles[a], mesh.triangles[b]));
-        if (law < 0 || (other == object && neighbours_at_rest(system_.surface(), a, b, laws_.laws()[law].range))) continue;
-        found[chunk].push_back({a, b, law});
-      }
-    }
-  });
-  pairs_.clear();
-  for (const auto& some : found) pairs_.insert(pairs_.end(), some.begin(), some.end());
+  pairs_ = finder_.find();
   std::vector<char> in_pair(mesh.vertex_object.size(), 0);
   for (const TrianglePair& pair : pairs_)
     for (const int t : {pair.a, pair.b})
@@ -127,9 +78,9 @@ ClippedAdhesionTerm::ClosePair ClippedAdhesionTerm::close_pair(const VecX& x, co
   ClosePair close{pair, {ta[0], ta[1], ta[2], tb[0], tb[1], tb[2]}, topology_.two_sided(pair.a) || topology_.two_sided(pair.b), topology_.two_sided(pair.b), {}, {}, {}};
   const double strip = laws_.laws()[pair.law].strip;
   for (int k = 0; k < 3; ++k) {
-    close.boundary_a[k] = !topology_.smooth_edge(pair.a, k);
+    close.boundary_a[k] = !edges_.smooth(pair.a, k) || (pair.interfaces_a >> k & 1) != 0;
     close.owns_b[k] = tb[k] < tb[(k + 1) % 3];
-    close.strip_b[k] = std::min(strip, 0.5 * heights_[pair.b][k]);
+    if (!edges_.smooth(pair.b, k) || (pair.interfaces_b >> k & 1) != 0) close.strip_b[k] = edges_.width(pair.b, k, strip);
   }
   if (!close.two_sided) return close;
   const Oriented oriented = geometry(x, close);
@@ -356,7 +307,8 @@ void ClippedAdhesionTerm::derivatives(const VecX& x, Projection projection, doub
 void ClippedAdhesionTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
   for_each(pair_count(), [&](int i) {
     const ClosePair& close = close_[i];
-    const ClippedLaw& law = laws_.laws()[close.pair.law];
+    if (close.pair.whole < 0) return;
+    const ClippedLaw& law = laws_.laws()[close.pair.whole];
     if (!passes_peak(law.law, law.range, mean_gap(from, close), mean_gap(to, close)) || !ClipIntegrator().overlaps(geometry(from, close), law.range)) return;
     for (const int v : close.vertices) mark(vertices[v]);
   });

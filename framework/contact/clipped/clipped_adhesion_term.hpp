@@ -1,9 +1,8 @@
 // Adhesion between surfaces, integrated by clipping (clipped_pair.hpp):
 //     E = sum over triangles t_a of a, t_b of b of E(t_a, t_b).
 // It is a function of the positions alone: no area, side or normal is kept from the start of a
-// step. Object b, whose planes are used, is chosen once: the one with the larger surface at rest,
-// if equal the one with the larger cells. The closest distance of an edge or corner of a to a face
-// of b is measured along the normal of that face.
+// step. Object b, whose planes are used, is chosen once (triangle_pairs.hpp). The closest distance
+// of an edge or corner of a to a face of b is measured along the normal of that face.
 //
 // Contact pressure is not part of it: the barrier acts between close pairs of primitives as without
 // adhesion (contact_term.hpp).
@@ -16,15 +15,15 @@
 // do not interact at a configuration have no energy there.
 //
 // Within an object, and where both sides integrate, planes of both are used in turn, with half of
-// the law each. Neighbours at rest (rest_neighbours.hpp) do not adhere. Regions have their laws: a
-// pair of triangles has that of its regions.
+// the law each. Neighbours at rest (rest_neighbours.hpp) do not adhere. Regions have their laws
+// (triangle_pairs.hpp).
 //
 // Limits: rods, particles and bonds are not integrated in this way.
 #pragma once
 
 #include <vector>
 
-#include "framework/contact/clipped/clipped_laws.hpp"
+#include "framework/contact/clipped/triangle_pairs.hpp"
 #include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/surface_topology.hpp"
@@ -60,10 +59,6 @@ class ClippedAdhesionTerm : public Term {
   int pair_count() const { return static_cast<int>(close_.size()); }
 
  private:
-  // Indices of triangles, that of the object whose planes are used second.
-  struct TrianglePair {
-    int a, b, law;
-  };
   struct ClosePair {
     TrianglePair pair;
     std::array<int, 6> vertices;  // global; corners of a, then of b
@@ -77,7 +72,6 @@ class ClippedAdhesionTerm : public Term {
   void find_close_pairs(const VecX& x);
   bool test_pairs(const std::vector<char>& moved);
   void list_close_pairs(const VecX& x);
-  bool has_planes(int object, int other) const;
   ClosePair close_pair(const VecX& x, const TrianglePair& pair) const;
   Oriented geometry(const VecX& x, const ClosePair& close) const;
   static Vec3 normal_of_b(const VecX& x, const ClosePair& close);
@@ -93,17 +87,15 @@ class ClippedAdhesionTerm : public Term {
   const ContactSystem& system_;
   ClippedLaws laws_;
   SurfaceTopology topology_;
-  std::vector<char> has_planes_;      // per object: whether its planes are used towards any other
-  std::vector<double> surface_area_;  // per object, at rest [m^2]
-  std::vector<std::array<double, 3>>
-      heights_;                      // per triangle and edge, at rest [m]; 0: no boundary
-  double margin_ = 0;                // of close pairs [m]
-  long version_ = -1;                // of the candidates from which the pairs were found
-  std::vector<TrianglePair> pairs_;  // by b, then by a
-  std::vector<char> is_close_;       // per pair
-  std::vector<int> pair_vertices_;   // of the pairs, ascending
-  std::vector<ClosePair> close_;     // in the order of the pairs
-  VecX close_at_;                    // positions for which is_close_ holds (3n) [m]
+  StripEdges edges_;
+  TrianglePairFinder finder_;
+  double margin_ = 0;  // of close pairs [m]
+  long version_ = -1;  // of the candidates from which the pairs were found
+  std::vector<TrianglePair> pairs_;
+  std::vector<char> is_close_;      // per pair
+  std::vector<int> pair_vertices_;  // of the pairs, ascending
+  std::vector<ClosePair> close_;    // in the order of the pairs
+  VecX close_at_;                   // positions for which is_close_ holds (3n) [m]
   mutable std::vector<int> batch_vertices_;
   mutable std::vector<ClipIntegrator> integrators_;  // one per chunk: they keep their memory
   mutable VecX value_at_;                            // positions of `value_` (3n) [m]

@@ -1,5 +1,6 @@
 // Adhesion laws of the pairs of objects, and of regions of them, whose adhesion is integrated by
-// clipping (clipped_adhesion_term.hpp), and their widths of strips. Table over classes of objects.
+// clipping (clipped_adhesion_term.hpp), their differences and widths of strips. Table over classes
+// of objects.
 #pragma once
 
 #include <map>
@@ -52,7 +53,8 @@ class ClippedLaws {
   bool any(int a, int b) const { return !laws_of_pair_[classes_.index(a, b)].empty(); }
   // Returns the index of a new law. of_table: see ClippedLaw.
   int add(PairLaw law, int of_table);
-  // Sets the law of a region pair of a towards b, and the same of b towards a; -1: of the objects.
+  // Sets the law of a region pair of a towards b, and the same of b towards a; region pair -1: of
+  // the objects. law: -1: none, which only a region pair may have.
   void set(int a, int b, int law, int region_pair, int reverse_region_pair) {
     store(a, b, law, region_pair);
     store(b, a, law, reverse_region_pair);
@@ -69,6 +71,10 @@ class ClippedLaws {
   int half_of(int law);
   // Returns the laws between a and b alone, which become objects 0 and 1; a = b: object 0.
   ClippedLaws of_objects(int a, int b) const;
+  // Adds the differences of the laws of regions from those of their objects, once all are set.
+  void add_differences();
+  // Returns the index of the law of a region (-1: none) less that of its objects.
+  int difference(int law, int of_objects) const { return differences_.at({law, of_objects}); }
 
  private:
   void store(int a, int b, int law, int region_pair) {
@@ -83,6 +89,7 @@ class ClippedLaws {
   std::vector<ClippedPlanes> planes_;
   std::vector<ClippedLaw> laws_;
   std::map<int, int> half_;
+  std::map<std::pair<int, int>, int> differences_;
 };
 
 }  // namespace tack

@@ -47,7 +47,7 @@ class ClippedIntegral : public AreaIntegral {
     if (!clips(pair)) return AreaIntegral::roles(pair, table);
     const bool both = pair.a == pair.b || pair.side == IntegrationSide::both;
     if (laws_) laws_->set_planes(pair.a, pair.b, both ? ClippedPlanes::of_both : planes_of(pair.side));
-    if (pair.laws.other >= 0) set_law(pair, both ? laws_->half_of(pair.laws.other) : pair.laws.other, table);
+    if (laws_ && (pair.region || pair.laws.other >= 0)) set_law(pair, both && pair.laws.other >= 0 ? laws_->half_of(pair.laws.other) : pair.laws.other, table);
     // Regions with laws of pressure of their own are separated by their overlaps.
     const bool regions = pair.region || pair.region_range > 0;
     PairSetup of_pressure = pair;
@@ -77,6 +77,7 @@ class ClippedIntegral : public AreaIntegral {
   void make_terms() override {
     AreaIntegral::make_terms();
     if (!laws_) return;
+    laws_->add_differences();
     auto term = std::make_unique<ClippedAdhesionTerm>(system(), *laws_);
     clipped_ = term.get();
     add_term(std::move(term));
