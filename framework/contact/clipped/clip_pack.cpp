@@ -7,6 +7,12 @@ namespace {
 // Distance of a corner from a line, per length of the edge there, above which round-off decides
 // nothing.
 constexpr double clear_ratio = 1e-8;
+// The same, below which the corner lies on the line, round-off apart: the owner of the line decides.
+constexpr double tie_ratio = 1e-13;
+// Distance times length that stands for a tie on either side: its sign alone counts [m^2].
+constexpr double tied = 1e-300;
+// Area of S over that of b, below which it may be a sliver along a line with ties.
+constexpr double sliver_ratio = 1e-9;
 // Sine of the angle between edges that cross, above which both have the crossing at one point.
 constexpr double crossing_sine_min = 1e-4;
 
@@ -15,12 +21,13 @@ constexpr double weighted_area_min = 1e-3;
 
 }  // namespace
 
-void ClipPack::set(int lane, const VecX& x, const std::array<int, 6>& vertices, const std::array<double, 3>& strip_b, const std::array<bool, 3>& boundary_a, bool two_sided_b) {
+void ClipPack::set(int lane, const VecX& x, const std::array<int, 6>& vertices, const std::array<double, 3>& strip_b, const std::array<bool, 3>& boundary_a, const std::array<bool, 3>& owns_b, bool two_sided_b) {
   for (int k = 0; k < 6; ++k)
     for (int d = 0; d < 3; ++d) corner_[3 * k + d][lane] = x[3 * vertices[k] + d];
   for (int k = 0; k < 3; ++k) {
     strip_[k][lane] = strip_b[k];
     boundary_[k][lane] = boundary_a[k];
+    owns_[k][lane] = owns_b[k];
   }
   two_sided_b_[lane] = two_sided_b;
 }
@@ -37,6 +44,7 @@ void ClipPack::find_strip(PackMask& plain) {
   for (int k = 0; k < 3; ++k) std::memcpy(&strip[k], strip_[k], sizeof strip[k]);
   in_strip_ = strip_edge_[0] = strip_edge_[1] = strip_edge_[2] = PackMask{};
   if (!any((strip[0] > 0) | (strip[1] > 0) | (strip[2] > 0))) return;
+  for (int k = 0; k < 3; ++k) edge_length_b_[k] = sqrt(of_b_[k].across_x * of_b_[k].across_x + of_b_[k].across_y * of_b_[k].across_y);
   for (int k = 0; k < 3; ++k)
     for (const Side* sides : {of_a_, of_b_})
       for (int e = 0; e < 3; ++e) {
@@ -101,6 +109,44 @@ void ClipPack::subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* mome
     }
 }
 
+// Replaces the distances of corners from lines on which they lie, round-off apart, by their signs.
+// A corner of a belongs to the owner of the line of b. Where an edge of a lies along the line, it is a
+// side of S if b owns the line, and the edge of b is one if that makes two sides of a sliver (a lies
+// beyond the line) or the only side.
+// Lanes with corners that are neither clear of all lines nor on them are not plain. Returns the lanes
+// with ties.
+PackMask ClipPack::resolve_ties(const Pack* square_a, const Pack* square_b, Pack (&of_a)[3][3], Pack (&of_b)[3][3], PackMask& plain) const {
+  PackMask ties{}, tied_a[3][3], tied_b[3][3];
+  for (int k = 0; k < 3; ++k)
+    for (int e = 0; e < 3; ++e) {
+      const Pack from_b = abs(of_a[k][e]), from_a = abs(of_b[k][e]);
+      tied_a[k][e] = from_b <= tie_ratio * square_b[e];
+      tied_b[k][e] = from_a <= tie_ratio * square_a[e];
+      ties |= tied_a[k][e] | tied_b[k][e];
+      plain &= (tied_a[k][e] | (from_b > clear_ratio * square_b[e])) & (tied_b[k][e] | (from_a > clear_ratio * square_a[e]));
+    }
+  ties &= plain;
+  if (!any(ties)) return ties;
+  PackMask owned[3];
+  for (int line = 0; line < 3; ++line) {
+    Pack owns;
+    std::memcpy(&owns, owns_[line], sizeof owns);
+    owned[line] = owns > 0.5;
+  }
+  for (int e = 0; e < 3; ++e)
+    for (int k = 0; k < 3; ++k) {
+      Pack side = tied;
+      for (const int line : {k, (k + 2) % 3}) {
+        const PackMask along = tied_a[e][line] & tied_a[(e + 1) % 3][line], inside = of_a[(e + 2) % 3][line] > 0;
+        side = select(along & ~(owned[line] ^ inside), -side, side);
+      }
+      of_b[k][e] = select(tied_b[k][e], side, of_b[k][e]);
+    }
+  for (int k = 0; k < 3; ++k)
+    for (int line = 0; line < 3; ++line) of_a[k][line] = select(tied_a[k][line], select(owned[line], Pack(tied), Pack(-tied)), of_a[k][line]);
+  return ties;
+}
+
 unsigned ClipPack::clip(const GapBands& bands) {
   Pack c[18];
   for (int i = 0; i < 18; ++i) std::memcpy(&c[i], corner_[i], sizeof c[i]);
@@ -121,16 +167,17 @@ unsigned ClipPack::clip(const GapBands& bands) {
   }
   cross(e1, e2, normal);
   cross(f1, f2, normal_a);
-  const Pack twice_area = sqrt(dot(normal, normal)), twice_area_a = sqrt(dot(normal_a, normal_a));
+  const Pack twice_area = sqrt(dot(normal, normal));
   length_ = sqrt(dot(e1, e1));
-  PackMask plain = (twice_area > 0) & (twice_area_a > 0);
+  PackMask plain = twice_area > 0;
   const Pack by_area = 1 / select(plain, twice_area, 1), by_length = 1 / select(plain, length_, 1);
   for (int d = 0; d < 3; ++d) {
     axes_[2][d] = normal[d] * by_area;
     axes_[0][d] = e1[d] * by_length;
   }
   cross(axes_[2], axes_[0], axes_[1]);
-  plain &= -dot(normal_a, axes_[2]) > clip_cosine_full * twice_area_a;
+  const Pack facing = -dot(normal_a, axes_[2]);
+  plain &= (facing > 0) & (facing * facing > clip_cosine_full * clip_cosine_full * dot(normal_a, normal_a));
   height_ = twice_area * by_length;
   foot_ = dot(axes_[0], e2);
   for (int k = 0; k < 3; ++k) {
@@ -147,7 +194,7 @@ unsigned ClipPack::clip(const GapBands& bands) {
   // Distances of the corners of a from the lines of b, and the other way round, both positive inside
   // and times the length of the edge.
   const Pack bx[3] = {0, length_, foot_}, by[3] = {0, 0, height_};
-  Pack edge_length_a[3], of_a[3][3], of_b[3][3];
+  Pack square_a[3], square_b[3], of_a[3][3], of_b[3][3];
   for (int e = 0; e < 3; ++e) {
     const int n = (e + 1) % 3;
     // Seen from outside of b, the corners of a are clockwise: its edges run from corner e + 1 to e.
@@ -157,12 +204,11 @@ unsigned ClipPack::clip(const GapBands& bands) {
     Side& sb = of_b_[e];
     sb.x = bx[e], sb.y = by[e];
     sb.across_x = bx[n] - bx[e], sb.across_y = by[n] - by[e];
-    edge_length_a[e] = sqrt(sa.across_x * sa.across_x + sa.across_y * sa.across_y);
-    edge_length_b_[e] = sqrt(sb.across_x * sb.across_x + sb.across_y * sb.across_y);
+    square_a[e] = sa.across_x * sa.across_x + sa.across_y * sa.across_y;
+    square_b[e] = sb.across_x * sb.across_x + sb.across_y * sb.across_y;
     for (int k = 0; k < 3; ++k) {
       of_a[k][e] = sb.across_x * (y_[k] - sb.y) - sb.across_y * (x_[k] - sb.x);
       of_b[k][e] = sa.across_x * (by[k] - sa.y) - sa.across_y * (bx[k] - sa.x);
-      plain &= (abs(of_a[k][e]) > clear_ratio * edge_length_b_[e] * edge_length_b_[e]) & (abs(of_b[k][e]) > clear_ratio * edge_length_a[e] * edge_length_a[e]);
     }
   }
   // Shares of the corners of b in a: corner k of a lies opposite edge k + 1.
@@ -178,29 +224,38 @@ unsigned ClipPack::clip(const GapBands& bands) {
     of_b_[e].rise = gap_b[(e + 1) % 3] - gap_b[e];
   }
 
-  const auto cut = [&](Side& side, const Pack* begin, const Pack* end) {
-    side.from = 0;
-    side.to = 1;
+  // The distances of both ends of an edge of a from a line of b differ by the cross product of both
+  // edges, and so do, with the other sign, those of that edge of b from the line of a.
+  Pack by_cross[3][3];
+  PackMask steep[3][3];
+  for (int e = 0; e < 3; ++e)
     for (int line = 0; line < 3; ++line) {
-      const Pack &p = begin[line], &q = end[line];
-      const PackMask out_begin = p < 0, out_end = q < 0, crosses = out_begin ^ out_end;
-      const Pack at = p / select(crosses, p - q, 1);
-      side.from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
-      side.to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
+      const Pack cross_of_edges = of_a[(e + 1) % 3][line] - of_a[e][line], square = cross_of_edges * cross_of_edges;
+      steep[e][line] = square > crossing_sine_min * crossing_sine_min * square_a[e] * square_b[line];
+      by_cross[e][line] = 1 / select(square > 0, cross_of_edges, 1);
     }
-    side.to = greater(side.from, side.to);
+  const PackMask ties = resolve_ties(square_a, square_b, of_a, of_b, plain);
+  const auto cut = [](Side& side, const Pack& begin, const Pack& end, const Pack& at) {
+    const PackMask out_begin = begin < 0, out_end = end < 0;
+    side.from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
+    side.to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
   };
   for (int e = 0; e < 3; ++e) {
     const int n = (e + 1) % 3;
+    Side &sa = of_a_[e], &sb = of_b_[e];
+    sa.from = sb.from = 0;
+    sa.to = sb.to = 1;
     for (int line = 0; line < 3; ++line) {
       const Pack &p = of_a[n][line], &q = of_a[e][line];
-      plain &= ~((p < 0) ^ (q < 0)) | (abs(p - q) > crossing_sine_min * edge_length_a[e] * edge_length_b_[line]);
+      plain &= steep[e][line] | ~((p < 0) ^ (q < 0));
+      cut(sa, p, q, p * by_cross[e][line]);
+      cut(sb, of_b[e][line], of_b[n][line], -of_b[e][line] * by_cross[line][e]);
     }
-    cut(of_a_[e], of_a[n], of_a[e]);
-    cut(of_b_[e], of_b[e], of_b[n]);
+    sa.to = greater(sa.from, sa.to);
+    sb.to = greater(sb.from, sb.to);
   }
 
-  // The common point: the mean of the ends of the sides.
+  // The common point: the mean of the corners of S, which are the begins of its sides.
   Pack ox = 0, oy = 0, count = 0, low = 1e300, high = -1e300;
   const auto for_each_side = [&](const auto& act) {
     for (Side* sides : {of_a_, of_b_})
@@ -208,79 +263,71 @@ unsigned ClipPack::clip(const GapBands& bands) {
   };
   for_each_side([&](const Side& side) {
     const PackMask some = side.from < side.to;
-    const Pack middle = side.from + side.to, one = select(some, Pack(1), 0);
-    ox += one * (side.x + 0.5 * middle * side.across_x);
-    oy += one * (side.y + 0.5 * middle * side.across_y);
+    const Pack one = select(some, Pack(1), 0), gap = side.gap + side.from * side.rise;
+    ox += one * (side.x + side.from * side.across_x);
+    oy += one * (side.y + side.from * side.across_y);
     count += one;
-    for (const Pack& at : {side.from, side.to}) {
-      const Pack gap = side.gap + at * side.rise;
-      low = select(some, lesser(low, gap), low);
-      high = select(some, greater(high, gap), high);
-    }
+    low = select(some, lesser(low, gap), low);
+    high = select(some, greater(high, gap), high);
   });
   find_strip(plain);
   const Pack by_count = 1 / greater(count, 1);
   ox *= by_count;
   oy *= by_count;
 
+  Pack area = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;  // from the common point
+  for_each_side([&](const Side& side) {
+    const Pack px = side.x - ox + side.from * side.across_x, py = side.y - oy + side.from * side.across_y;
+    const Pack qx = side.x - ox + side.to * side.across_x, qy = side.y - oy + side.to * side.across_y;
+    const Pack twice = px * qy - py * qx, sum_x = px + qx, sum_y = py + qy;
+    area += twice;
+    x += twice * sum_x;
+    y += twice * sum_y;
+    xx += twice * (sum_x * sum_x + px * px + qx * qx);
+    xy += twice * (sum_x * sum_y + px * py + qx * qy);
+    yy += twice * (sum_y * sum_y + py * py + qy * qy);
+  });
+  area *= 0.5;
+  x *= 1.0 / 6, y *= 1.0 / 6;
+  xx *= 1.0 / 24, xy *= 1.0 / 24, yy *= 1.0 / 24;
+  // Shares of corners 1 and 2 of a: at the common point, and their slopes.
   Pack o1, o2;
   shares(ox, oy, o1, o2);
-  Pack moments[6] = {0, 0, 0, 0, 0, 0};
-  Pack &area = moments[0], &m1 = moments[1], &m2 = moments[2], &m11 = moments[3], &m12 = moments[4], &m22 = moments[5];
-  for_each_side([&](const Side& side) {
-    const Pack px = side.x + side.from * side.across_x, py = side.y + side.from * side.across_y;
-    const Pack qx = side.x + side.to * side.across_x, qy = side.y + side.to * side.across_y;
-    const Pack half = 0.5 * ((px - ox) * (qy - oy) - (py - oy) * (qx - ox)), twelfth = half * (1.0 / 12), third = half * (1.0 / 3);
-    Pack p1, p2, q1, q2;
-    shares(px, py, p1, p2);
-    shares(qx, qy, q1, q2);
-    p1 -= o1, p2 -= o2, q1 -= o1, q2 -= o2;
-    const Pack sum1 = p1 + q1, sum2 = p2 + q2;
-    area += half;
-    m1 += third * sum1;
-    m2 += third * sum2;
-    m11 += twelfth * (sum1 * sum1 + p1 * p1 + q1 * q1);
-    m12 += twelfth * (sum1 * sum2 + p1 * p2 + q1 * q2);
-    m22 += twelfth * (sum2 * sum2 + p2 * p2 + q2 * q2);
-  });
-  const Pack unweighted = area;
+  const Pack x1 = -of_a_[2].across_y * by_projected_, y1 = of_a_[2].across_x * by_projected_;
+  const Pack x2 = -of_a_[0].across_y * by_projected_, y2 = of_a_[0].across_x * by_projected_;
+  Pack moments[6] = {area,
+                     x1 * x + y1 * y,
+                     x2 * x + y2 * y,
+                     x1 * x1 * xx + 2 * x1 * y1 * xy + y1 * y1 * yy,
+                     x1 * x2 * xx + (x1 * y2 + y1 * x2) * xy + y1 * y2 * yy,
+                     x2 * x2 * xx + 2 * x2 * y2 * xy + y2 * y2 * yy};
   if (any(in_strip_)) subtract_strip_moments(o1, o2, moments);
-  const PackMask some = (count > 0) & (area > 0);
-  plain &= ~some | (area > weighted_area_min * unweighted);
-  const Pack by_moment = 1 / select(some, area, 1);
-  area_ = select(some, area, 0);
-  m1 *= by_moment;
-  m2 *= by_moment;
+  const PackMask none = bands.back() <= low, some = (count > 0) & (moments[0] > 0);
+  plain &= ~some | (moments[0] > weighted_area_min * area);
+  plain &= ~ties | none | (area > sliver_ratio * twice_area);
+  // Lanes in one band; in the others the law is taken beyond its range.
+  PackMask in_band{};
+  for (std::size_t i = 0; i + 1 < bands.size(); ++i) in_band |= (bands[i] <= low) & (high <= bands[i + 1]);
+  in_band &= plain & some & ~none & (low > bands.front());
+
+  const Pack by_moment = 1 / select(some, moments[0], 1);
+  area_ = select(in_band, moments[0], 0);
+  const Pack m1 = moments[1] * by_moment, m2 = moments[2] * by_moment;
   first_ = area_ * (o1 + m1);
   second_ = area_ * (o2 + m2);
-  first_first_ = select(some, m11 * by_moment - m1 * m1, 0);
-  first_second_ = select(some, m12 * by_moment - m1 * m2, 0);
-  second_second_ = select(some, m22 * by_moment - m2 * m2, 0);
+  first_first_ = select(in_band, moments[3] * by_moment - m1 * m1, 0);
+  first_second_ = select(in_band, moments[4] * by_moment - m1 * m2, 0);
+  second_second_ = select(in_band, moments[5] * by_moment - m2 * m2, 0);
   const Pack rise1 = z_[1] - z_[0], rise2 = z_[2] - z_[0];
-  mean_ = select(some, z_[0] + rise1 * (o1 + m1) + rise2 * (o2 + m2), bands.back());
+  mean_ = select(in_band, z_[0] + rise1 * (o1 + m1) + rise2 * (o2 + m2), bands.back());
   const Pack variance = rise1 * rise1 * first_first_ + 2 * rise1 * rise2 * first_second_ + rise2 * rise2 * second_second_;
-  deviation_ = select(some, sqrt(greater(variance, 0)), 0);
-
-  unsigned found = 0;
-  for (int l = 0; l < pack_width; ++l) {
-    gaps_[2 * l] = mean_[l] - deviation_[l];
-    gaps_[2 * l + 1] = mean_[l] + deviation_[l];
-    if (!plain[l]) continue;
-    // Nothing, all beyond the range, or all in one band.
-    if (!some[l] || low[l] >= bands.back()) {
-      if (count[l] > 0 && low[l] < bands.back()) continue;
-      found |= 1u << l;
-      area_.set(l, 0), first_.set(l, 0), second_.set(l, 0);
-      continue;
-    }
-    if (!(low[l] > bands.front())) continue;
-    std::size_t band = 1;
-    while (bands[band] <= low[l]) ++band;
-    if (high[l] <= bands[band]) found |= 1u << l;
-  }
-  for (int l = 0; l < pack_width; ++l)
-    if ((found >> l & 1u) == 0) gaps_[2 * l] = gaps_[2 * l + 1] = bands.back();
-  return found;
+  deviation_ = sqrt(greater(variance, 0));
+  const Pack gaps[2] = {mean_ - deviation_, mean_ + deviation_};
+  std::memcpy(gaps_, gaps, sizeof gaps_);
+  const PackMask found = in_band | (plain & none);
+  unsigned bits = 0;
+  for (int l = 0; l < pack_width; ++l) bits |= static_cast<unsigned>(found[l] & 1) << l;
+  return bits;
 }
 
 }  // namespace tack

@@ -1,7 +1,7 @@
 // The clipped integral (clipped_pair.hpp) of several pairs of triangles side by
 // side, for pairs that need no polygon: those that face each other well, in one
 // band of gaps, outside of strips, with no corner near a line of the other
-// triangle. All others are left to ClipIntegrator.
+// triangle unless it is on the line. All others are left to ClipIntegrator.
 //
 // Key idea: S is bounded by parts of the six edges: those of a within b and
 // those of b within a. Moments are sums over these parts of the triangles that
@@ -24,14 +24,14 @@ class ClipPack {
   static constexpr int hessian_slots = 9 * 21;  // lower triangle of 6 x 6 blocks, by rows
 
   // vertices: of the corners of a, then of b, in the positions x (3n) [m];
-  // strip_b as ClippedPair's; two_sided_b: a may lie on the other side of b.
+  // strip_b, boundary_a, owns_b as ClippedPair's; two_sided_b: a may lie on the other side of b.
   void set(int lane, const VecX& x, const std::array<int, 6>& vertices,
            const std::array<double, 3>& strip_b, const std::array<bool, 3>& boundary_a,
-           bool two_sided_b);
+           const std::array<bool, 3>& owns_b, bool two_sided_b);
   // Clips the pairs in all lanes. Returns a bit per lane whose integral is
   // found here, also if it is zero.
   unsigned clip(const GapBands& bands);
-  // The gaps at which the law is taken, of lane l: 2 l and 2 l + 1 [m].
+  // The two gaps of each lane l at which the law is taken: l and pack_width + l [m].
   const double* gaps() const { return gaps_; }
   // Returns the energy of each lane, from the law at these gaps [J].
   Pack energy(const double* values) const;
@@ -60,6 +60,8 @@ class ClipPack {
   // part in the strip.
   template <class Act>
   static void for_strip_points(const Side& side, const Act& act);
+  PackMask resolve_ties(const Pack* square_a, const Pack* square_b, Pack (&of_a)[3][3],
+                        Pack (&of_b)[3][3], PackMask& plain) const;
   void find_strip(PackMask& plain);
   void subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* moments) const;
   void add_boundary_edges(const Pack* constants, const Pack (&in_b)[3][3], Pack* hessian) const;
@@ -70,7 +72,8 @@ class ClipPack {
   void shares(const Pack& x, const Pack& y, Pack& first, Pack& second) const;
 
   alignas(64) double corner_[18][pack_width];
-  alignas(64) double strip_[3][pack_width], boundary_[3][pack_width], two_sided_b_[pack_width];
+  alignas(64) double strip_[3][pack_width], boundary_[3][pack_width], owns_[3][pack_width];
+  alignas(64) double two_sided_b_[pack_width];
   Pack axes_[3][3];          // axis, coordinate
   Pack x_[3], y_[3], z_[3];  // local coordinates of a [m]
   Pack length_, foot_,

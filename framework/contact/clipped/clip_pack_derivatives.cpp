@@ -8,8 +8,8 @@ namespace tack {
 Pack ClipPack::energy(const double* values) const {
   Pack low, high;
   for (int l = 0; l < pack_width; ++l) {
-    low.set(l, values[2 * l]);
-    high.set(l, values[2 * l + 1]);
+    low.set(l, values[l]);
+    high.set(l, values[pack_width + l]);
   }
   return 0.5 * area_ * (low + high);
 }
@@ -31,7 +31,7 @@ ClippedIntegral ClipPack::integral(int lane, double energy) const {
 void ClipPack::derivatives(const LawSample* samples, Pack* gradient, Pack* hessian) const {
   Pack value, slope, curvature, stiffness;
   for (int l = 0; l < pack_width; ++l) {
-    const LawSample &low = samples[2 * l], &high = samples[2 * l + 1];
+    const LawSample &low = samples[l], &high = samples[pack_width + l];
     const double deviation = deviation_[l];
     stiffness.set(l, 0.5 * (low.curvature + high.curvature));
     // Where the deviation is round-off, so is the effect of the curvature.

@@ -218,7 +218,7 @@ void ClippedAdhesionTerm::for_each_close(const VecX& x, int first, int last, con
     while (lanes < pack_width && at + lanes < last && close_[at + lanes].pair.law == close_[at].pair.law) ++lanes;
     for (int l = 0; l < pack_width; ++l) {
       const ClosePair& close = close_[at + std::min(l, lanes - 1)];
-      pack.set(l, x, close.vertices, close.strip_b, close.boundary_a, close.two_sided_b);
+      pack.set(l, x, close.vertices, close.strip_b, close.boundary_a, close.owns_b, close.two_sided_b);
     }
     const unsigned found = pack.clip(law.bands) & ((1u << lanes) - 1);
     if (found != 0) packed(at, lanes, pack, law, found);

@@ -116,54 +116,98 @@ TEST_CASE("the Hessian of a clipped pair is symmetric and positive semi-definite
   CHECK(largest > 0.1);
 }
 
+struct PackCounts {
+  int found = 0, empty = 0;
+};
+// Compares the pairs of a pack with the same one by one.
+void compare_pack(const std::array<ClippedPair, pack_width>& pairs, const PairLaw& law, const GapBands& bands, PackCounts& counts) {
+  ClipIntegrator integrator;
+  ClipPack pack;
+  for (int l = 0; l < pack_width; ++l) {
+    VecX x(18);
+    for (int k = 0; k < 6; ++k) vertex(x, k) = k < 3 ? pairs[l].a[k] : pairs[l].b[k - 3];
+    pack.set(l, x, {0, 1, 2, 3, 4, 5}, pairs[l].strip_b, pairs[l].boundary_a, pairs[l].owns_b, false);
+  }
+  const unsigned plain = pack.clip(bands);
+  std::array<double, 2 * pack_width> values;
+  std::array<LawSample, 2 * pack_width> samples;
+  law.values(2 * pack_width, pack.gaps(), values.data());
+  law.samples(2 * pack_width, pack.gaps(), samples.data());
+  const Pack energy = pack.energy(values.data());
+  std::array<Pack, 18> gradient;
+  std::array<Pack, ClipPack::hessian_slots> hessian;
+  pack.derivatives(samples.data(), gradient.data(), hessian.data());
+  for (int l = 0; l < pack_width; ++l) {
+    if ((plain >> l & 1u) == 0) continue;
+    INFO("lane " << l);
+    Vec18 g;
+    Mat18 h;
+    const ClippedIntegral one = integrator.derivatives(pairs[l], law, bands, g, &h), in_pack = pack.integral(l, energy[l]);
+    ++(one.energy == 0 ? counts.empty : counts.found);
+    CHECK(energy[l] == Approx(one.energy).margin(1e-13));
+    for (int k = 0; k < 3; ++k) {
+      CHECK(in_pack.area[k] == Approx(one.area[k]).margin(1e-13));
+      CHECK(in_pack.area_a[k] == Approx(one.area_a[k]).margin(1e-13));
+    }
+    if (one.energy != 0) CHECK(in_pack.gap == Approx(one.gap).margin(1e-13));
+    std::array<double, ClipPack::hessian_slots> blocks;
+    store_blocks<6>(h, blocks.data());
+    for (int i = 0; i < 18; ++i) REQUIRE(gradient[i][l] == Approx(g[i]).margin(1e-12));
+    for (int i = 0; i < ClipPack::hessian_slots; ++i) REQUIRE(hessian[i][l] == Approx(blocks[i]).margin(1e-12));
+  }
+}
+
 TEST_CASE("packs of pairs give what pairs give one by one", "[clipped]") {
   std::mt19937 random(10);
-  ClipIntegrator integrator;
   const PairLaw law = tent_law();
   const GapBands bands = gap_bands(law);
-  int found = 0, empty = 0;
+  PackCounts counts;
   for (int trial = 0; trial < 400; ++trial) {
-    ClipPack pack;
+    INFO("trial " << trial);
     std::array<ClippedPair, pack_width> pairs;
     for (int l = 0; l < pack_width; ++l) {
       pairs[l] = random_pair(random, l % 4 == 3 ? 1.5 : l % 4 == 2 ? 0 : 0.05);
       if (l % 2) pairs[l].strip_b = {l % 3 == 0 ? 0.25 : 0, l % 3 == 1 ? 0.25 : 0, l % 3 == 2 ? 0.25 : 0};
       pairs[l].boundary_a = {trial % 2 == 0, trial % 3 == 0, trial % 5 == 0};
-      VecX x(18);
-      for (int k = 0; k < 6; ++k) vertex(x, k) = k < 3 ? pairs[l].a[k] : pairs[l].b[k - 3];
-      pack.set(l, x, {0, 1, 2, 3, 4, 5}, pairs[l].strip_b, pairs[l].boundary_a, false);
     }
-    const unsigned plain = pack.clip(bands);
-    std::array<double, 2 * pack_width> values;
-    std::array<LawSample, 2 * pack_width> samples;
-    law.values(2 * pack_width, pack.gaps(), values.data());
-    law.samples(2 * pack_width, pack.gaps(), samples.data());
-    const Pack energy = pack.energy(values.data());
-    std::array<Pack, 18> gradient;
-    std::array<Pack, ClipPack::hessian_slots> hessian;
-    pack.derivatives(samples.data(), gradient.data(), hessian.data());
-    for (int l = 0; l < pack_width; ++l) {
-      if ((plain >> l & 1u) == 0) continue;
-      INFO("trial " << trial << ", lane " << l);
-      Vec18 g;
-      Mat18 h;
-      const ClippedIntegral one = integrator.derivatives(pairs[l], law, bands, g, &h), in_pack = pack.integral(l, energy[l]);
-      const double e = one.energy;
-      ++(e == 0 ? empty : found);
-      CHECK(energy[l] == Approx(e).margin(1e-13));
-      for (int k = 0; k < 3; ++k) {
-        CHECK(in_pack.area[k] == Approx(one.area[k]).margin(1e-13));
-        CHECK(in_pack.area_a[k] == Approx(one.area_a[k]).margin(1e-13));
-      }
-      if (e != 0) CHECK(in_pack.gap == Approx(one.gap).margin(1e-13));
-      std::array<double, ClipPack::hessian_slots> blocks;
-      store_blocks<6>(h, blocks.data());
-      for (int i = 0; i < 18; ++i) REQUIRE(gradient[i][l] == Approx(g[i]).margin(1e-12));
-      for (int i = 0; i < ClipPack::hessian_slots; ++i) REQUIRE(hessian[i][l] == Approx(blocks[i]).margin(1e-12));
-    }
+    compare_pack(pairs, law, bands, counts);
   }
-  CHECK(found > 500);
-  CHECK(empty > 50);
+  CHECK(counts.found > 500);
+  CHECK(counts.empty > 50);
+}
+
+// Corners on a grid: edges along each other, corners on lines and on corners.
+TEST_CASE("packs of pairs on common lines give what pairs give one by one", "[clipped]") {
+  std::mt19937 random(11);
+  const PairLaw law = tent_law();
+  const GapBands bands = gap_bands(law);
+  const auto one_of = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  const auto grid_triangle = [&](bool up) {
+    for (;;) {
+      std::array<Vec3, 3> t;
+      for (Vec3& corner : t) corner = Vec3(one_of(4), one_of(4), 0);
+      if ((t[1] - t[0]).cross(t[2] - t[0]).z() * (up ? 1 : -1) > 0) return t;
+    }
+  };
+  PackCounts counts;
+  for (int trial = 0; trial < 2000; ++trial) {
+    INFO("trial " << trial);
+    std::array<ClippedPair, pack_width> pairs;
+    for (ClippedPair& pair : pairs) {
+      pair.a = grid_triangle(false);
+      pair.b = grid_triangle(true);
+      const double slope = 0.02 * one_of(4);
+      for (Vec3& corner : pair.a) corner.z() = 0.2 + slope * corner.x();
+      for (int k = 0; k < 3; ++k) {
+        pair.owns_b[k] = one_of(2) == 0;
+        pair.boundary_a[k] = one_of(2) == 0;
+        pair.strip_b[k] = one_of(4) == 0 ? 0.2 : 0;
+      }
+    }
+    compare_pack(pairs, law, bands, counts);
+  }
+  CHECK(counts.found > 2000);
+  CHECK(counts.empty > 2000);
 }
 
 TEST_CASE("a gap that is even up to round-off may lie at a level", "[clipped]") {
