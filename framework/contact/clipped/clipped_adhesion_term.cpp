@@ -10,6 +10,7 @@
 #include "framework/contact/clipped/close_triangles.hpp"
 #include "framework/contact/law_debonding.hpp"
 #include "framework/core/concurrent_maximum.hpp"
+#include "geometry/concatenate.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -136,6 +137,7 @@ bool ClippedAdhesionTerm::test_pairs(const std::vector<char>& moved) {
   return std::find(changed.begin(), changed.end(), 1) != changed.end();
 }
 
+// An equal list keeps the value and the gradients.
 void ClippedAdhesionTerm::list_close_pairs(const VecX& x) {
   const int all = static_cast<int>(pairs_.size());
   std::vector<std::vector<ClosePair>> found(chunk_count(all));
@@ -143,8 +145,11 @@ void ClippedAdhesionTerm::list_close_pairs(const VecX& x) {
     for (int i = first; i < last; ++i)
       if (is_close_[i]) found[chunk].push_back(close_pair(x, pairs_[i]));
   });
-  close_.clear();
-  for (const auto& some : found) close_.insert(close_.end(), some.begin(), some.end());
+  std::vector<ClosePair> close;
+  close.reserve(close_.size());
+  concatenate(found, close);
+  if (close == close_) return;
+  close_ = std::move(close);
   gradients_at_.resize(0);
   value_at_.resize(0);
   if (static_cast<int>(integrators_.size()) < chunk_count(pair_count(), pairs_per_chunk)) integrators_.resize(chunk_count(pair_count(), pairs_per_chunk));

@@ -65,6 +65,7 @@ class ClippedAdhesionTerm : public Term {
     bool two_sided, two_sided_b;  // whether one of the triangles is, and b
     std::array<bool, 3> boundary_a, owns_b;
     std::array<double, 3> strip_b;  // m
+    bool operator==(const ClosePair&) const = default;
   };
   struct Oriented;
 

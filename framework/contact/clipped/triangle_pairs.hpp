@@ -27,6 +27,7 @@ struct TrianglePair {
   int whole;  // of the two triangles; -1: none, or another pair stands for it
   // A bit per edge: a region interface.
   unsigned char interfaces_a, interfaces_b;
+  bool operator==(const TrianglePair&) const = default;
 };
 
 class TrianglePairFinder {
