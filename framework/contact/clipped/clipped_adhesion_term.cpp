@@ -137,7 +137,7 @@ bool ClippedAdhesionTerm::test_pairs(const std::vector<char>& moved) {
   return std::find(changed.begin(), changed.end(), 1) != changed.end();
 }
 
-// An equal list keeps the value and the gradients.
+// Lists the close pairs by law. An equal list keeps the value and the gradients.
 void ClippedAdhesionTerm::list_close_pairs(const VecX& x) {
   const int all = static_cast<int>(pairs_.size());
   std::vector<std::vector<ClosePair>> found(chunk_count(all));
@@ -148,6 +148,8 @@ void ClippedAdhesionTerm::list_close_pairs(const VecX& x) {
   std::vector<ClosePair> close;
   close.reserve(close_.size());
   concatenate(found, close);
+  // Packs have one law.
+  std::stable_sort(close.begin(), close.end(), [](const ClosePair& p, const ClosePair& q) { return p.pair.law < q.pair.law; });
   if (close == close_) return;
   close_ = std::move(close);
   gradients_at_.resize(0);

@@ -95,7 +95,7 @@ class ClippedAdhesionTerm : public Term {
   std::vector<TrianglePair> pairs_;
   std::vector<char> is_close_;      // per pair
   std::vector<int> pair_vertices_;  // of the pairs, ascending
-  std::vector<ClosePair> close_;    // in the order of the pairs
+  std::vector<ClosePair> close_;    // by law, then in the order of the pairs
   VecX close_at_;                   // positions for which is_close_ holds (3n) [m]
   mutable std::vector<int> batch_vertices_;
   mutable std::vector<ClipIntegrator> integrators_;  // one per chunk: they keep their memory
