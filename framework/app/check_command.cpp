@@ -15,6 +15,7 @@
 #include "framework/checks/resolution.hpp"
 #include "framework/checks/round_friction.hpp"
 #include "framework/checks/scale_warnings.hpp"
+#include "framework/contact/contact_potential.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/retired_key_warnings.hpp"
 #include "framework/experiment/tolerances.hpp"
@@ -62,6 +63,13 @@ std::string error_text(const DifferenceStudy& study) {
   return fmt::format("error {:.1e} (resolution {:.0e}{})", study.error, study.resolution, kinks);
 }
 
+// Prints the number of pairs that the contact model finds at the start, where derivatives are checked.
+void print_active_contact(World& world) {
+  if (!world.contact) return;
+  world.contact->move_to(world.start.x);
+  fmt::print("contact: {} pairs of primitives act at the start\n", world.contact->potential().active_count());
+}
+
 // Prints the derivative checks; returns false if the derivatives of a term contradict its value.
 bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
   bool right = true;
@@ -74,6 +82,7 @@ bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
                error_text(c.hessian), c.wrong() ? "  WRONG: they do not match its value; see its derivatives" : "");
     right = right && !c.wrong();
   }
+  fmt::print("(beyond the resolution, relative errors of {:.0e} of gradients and {:.0e} of Hessians are let pass)\n", gradient_tolerance, hessian_tolerance);
   return right;
 }
 
@@ -132,7 +141,9 @@ int check_command(const CheckOptions& options) {
   const EquilibriumCheck equilibrium = check_equilibrium(experiment, world, built.clock());
   print_warnings(equilibrium.warnings);
   if (!equilibrium.error.empty()) fmt::print("no equilibrium in the first step: {}\n", equilibrium.error);
-  const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.errors.empty() && equilibrium.error.empty();
+  const std::vector<DerivativeCheck> derivatives = check_derivatives(world, experiment.time.step, built.clock());
+  print_active_contact(world);
+  const bool right = print_derivatives(derivatives) && laws.errors.empty() && equilibrium.error.empty();
   if (right) fmt::print("no intersection, no inverted tetrahedron: {} is OK\n", options.file);
   return right ? exit_done : exit_expectation_failed;
 }

@@ -11,8 +11,6 @@
 namespace tack {
 namespace {
 
-// Relative errors that are let pass: a single entry that is off by some percent stays above.
-constexpr double gradient_tolerance = 1e-6, hessian_tolerance = 1e-5;
 // Distances of the examined states from the start, over the local lengths.
 constexpr double distances[] = {3e-2, 1e-3};
 constexpr int directions = 2;  // at each

@@ -11,6 +11,9 @@
 
 namespace tack {
 
+// Relative errors that are let pass: a single entry that is off by some percent stays above.
+inline constexpr double gradient_tolerance = 1e-6, hessian_tolerance = 1e-5;
+
 struct DerivativeCheck {
   std::string term;  // name; the worst of several terms with it
   // gradient: differences of the value, relative to the root of the sum of squares of its parts;

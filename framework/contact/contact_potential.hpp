@@ -38,6 +38,7 @@ enum class ContactFeature {
   regions,              // laws of regions of objects
   integration_side,     // `integrate`, where it is not automatic
   both_sides,           // `integrate: both`
+  barrier,              // a barrier that the scene chooses
 };
 
 /// Integration side of a pair, as the scene gives it.
@@ -103,16 +104,24 @@ class ContactPotential {
   /// Returns why the model does not support a feature between two objects ("it counts close pairs,
   /// not areas"); "" if it does.
   virtual std::string refusal(ContactFeature feature, const PairSetup& pair) const;
-  /// Returns the range of safety barriers, in contact distances. chosen: that of the scene, or its
-  /// default.
-  virtual double safety_barrier_range(double chosen) const { return chosen; }
+  /// Returns the range of PreparedLaws::safety_barrier, in contact distances. chosen: that of the
+  /// scene, or its default. A scene that chooses another one than this returns is refused. The
+  /// default is that of models whose pairs all have one law.
+  virtual double safety_barrier_range(double /*chosen*/) const { return 1; }
   /// Returns true if pairs of one object that are close at rest have laws of their own, or none
   /// (rest_gaps.hpp). Otherwise they press like all others.
   virtual bool uses_rest_gaps() const { return false; }
   /// Adds the laws of two objects, or of regions of them, to the table. pair: without laws, and
-  /// gap_adhesion of these laws alone.
+  /// gap_adhesion of these laws alone. The default adds one law, barrier and adhesion, for all
+  /// kinds of primitives.
   virtual PairLawIds add_laws(const PairSetup& pair, const PreparedLaws& laws, PairTable& table);
-  /// Returns the roles of the primitives of two objects. Their ranges are those of the search.
+  /// Returns the roles of the primitives of two objects. Their ranges are those of the search, and
+  /// do not count the offset of the surfaces. The default has
+  ///   role                 law             area_factor
+  ///   first, second        pressure        1
+  ///   edge                 safety_barrier  1/4, of the sum of the areas of both edges
+  ///   codimensional        codimensional   1
+  /// with the ranges of these laws.
   virtual PairRoles roles(const PairSetup& pair, const PairTable& table);
   /// Returns a potential of the same model with the history of the objects a and b (or one object
   /// a = b) alone, which become 0 and 1: for a system of these objects.

@@ -58,7 +58,7 @@ struct ContactSet {
 // Constant properties of the contact surfaces, valid for the whole run.
 struct ContactSurface {
   CollisionMesh mesh;
-  std::vector<double> edge_area;        // per edge of the mesh [m^2]
+  std::vector<double> edge_area;        // per edge of the mesh: a third of its triangles at rest [m^2]
   std::vector<char> two_sided;          // per triangle of the mesh: whether it is of a sheet
   std::vector<double> rod_width;        // per object: of its edges that are in no triangle [m]
   std::vector<double> particle_radius;  // per object: of its points that are in no edge [m]

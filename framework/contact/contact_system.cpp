@@ -1,10 +1,14 @@
 #include "framework/contact/contact_system.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <stdexcept>
 
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/pair_radii.hpp"
 #include "framework/contact/rest_gaps.hpp"
+#include "framework/contact/stencil_kinds.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 
 namespace tack {
@@ -26,6 +30,19 @@ double mean_edge_of(const ContactSurface& surface) {
     ++movable;
   }
   return length / std::max(movable, 1);
+}
+
+// Throws std::logic_error if a model has left out what the terms rely on. order: look at the order of
+// the stencils as well, which takes longer.
+void require_complete(const ContactSet& set, bool order) {
+  constexpr const char* remedy = "call join() of framework/contact/stencil_search.hpp at the end of find()";
+  if (set.mollifier_threshold.size() != set.edge_edge.size())
+    throw std::logic_error(fmt::format("the contact model found {} edge-edge stencils and {} mollifier thresholds; {}", set.edge_edge.size(), set.mollifier_threshold.size(), remedy));
+  if (!order) return;
+  for_each_kind(set, [&](auto, const auto& stencils, const double*) {
+    if (!std::ranges::is_sorted(stencils, {}, [](const auto& s) { return s.law; }))
+      throw std::logic_error(fmt::format("the contact model found stencils that are not sorted by law; {}", remedy));
+  });
 }
 
 }  // namespace
@@ -81,6 +98,8 @@ void ContactSystem::move_to(const VecX& x) {
   cover(x, VecX());
   const PhaseScope scope(clock_, Phase::narrow_phase);
   potential_->find(x, contacts_);
+  require_complete(contacts_, checked_version_ != candidates_version_);
+  checked_version_ = candidates_version_;
 }
 
 bool ContactSystem::update_candidates(const VecX& x, const VecX& p) {

@@ -76,6 +76,7 @@ class ContactSystem : public StepParticipant {
   InflationRadii radii_;
   std::unique_ptr<BroadPhase> broad_phase_;
   long candidates_version_ = 0;
+  long checked_version_ = -1;  // of the candidates whose stencils were seen to be sorted
   LaggedSurface lagged_;
   ContactSet contacts_;
   std::unique_ptr<ContactPotential> potential_;

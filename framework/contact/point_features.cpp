@@ -35,6 +35,11 @@ PointFeature closest_feature(const Triangle& t, PointTriangleType type) {
 
 }  // namespace
 
+PointFeature closest_feature(const VecX& x, const Vec3& p, const Triangle& t) {
+  const auto [a, b, c] = corners(x, t);
+  return closest_feature(t, point_triangle_type(p, a, b, c));
+}
+
 bool PointFeatures::add_triangle(const VecX& x, const Vec3& p, const Triangle& t,
                                  double range_squared) {
   const auto c = corners(x, t);

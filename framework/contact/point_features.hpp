@@ -35,6 +35,9 @@ struct PointFeature {
   int count() const { return 1 + (vertices[1] >= 0) + (vertices[2] >= 0); }
 };
 
+// Returns the closest feature of a triangle to a point p [m].
+PointFeature closest_feature(const VecX& x, const Vec3& p, const Triangle& t);
+
 // Reduction to features, with the buffers of one thread.
 class PointFeatures {
  public:

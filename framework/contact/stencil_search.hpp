@@ -35,6 +35,17 @@ inline bool any_of(const std::vector<char>& marked, std::span<const int> vertice
 
 using FoundStencils = ContactSet;  // of one chunk, without thresholds
 
+// Adds the stencil of a vertex p and a feature.
+inline void add_stencil(int p, const PointFeature& f, int law, double weight,
+                        FoundStencils& found) {
+  const auto& v = f.vertices;
+  switch (f.count()) {
+    case 1: found.point_point.push_back({{p, v[0]}, law, weight}); break;
+    case 2: found.point_edge.push_back({{p, v[0], v[1]}, law, weight}); break;
+    default: found.point_triangle.push_back({{p, v[0], v[1], v[2]}, law, weight});
+  }
+}
+
 // Base of the searches for stencils of vertices and of interior points, with the buffers of one
 // thread.
 class PointSearch {

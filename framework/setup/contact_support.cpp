@@ -63,15 +63,18 @@ void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool
            "(particle: {radius: ...})");
 }
 
-std::string unsupported_text(ContactFeature feature, std::string_view model, const std::string& reason) {
+std::string unsupported_text(const ContactPotential& potential, std::string_view model, ContactFeature feature, const PairSetup& pair) {
+  const std::string reason = potential.refusal(feature, pair);
+  if (reason.empty()) return "";
   const auto [name, remedy] = [&]() -> std::pair<const char*, const char*> {
     switch (feature) {
       case ContactFeature::adhesion: return {"adhesion of the gap", "take `adhesion` away"};
       case ContactFeature::tangential_adhesion: return {"tangential_adhesion", "take it away"};
-      case ContactFeature::bonds: return {"adhesion by bonds", "choose an adhesion of the gap"};
+      case ContactFeature::bonds: return {"adhesion by bonds", potential.refusal(ContactFeature::adhesion, pair).empty() ? "choose an adhesion of the gap" : "take `adhesion` away"};
       case ContactFeature::regions: return {"regions of objects", "name whole objects"};
       case ContactFeature::integration_side: return {"`integrate`", "take it away"};
       case ContactFeature::both_sides: return {"`integrate: both`", "name one side, or leave it out"};
+      case ContactFeature::barrier: return {"`barrier`", "take it away"};
     }
     return {"", ""};
   }();

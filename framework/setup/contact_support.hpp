@@ -16,9 +16,9 @@ namespace tack {
 void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool has_section,
                                bool has_radius);
 
-// Returns the message that a contact model does not support a feature of an entry of contact.pairs,
-// with the remedy. reason: ContactPotential::refusal.
-std::string unsupported_text(ContactFeature feature, std::string_view model,
-                             const std::string& reason);
+// Returns the message that the contact model of that name does not support a feature of a pair, with
+// the remedy; "" if it does.
+std::string unsupported_text(const ContactPotential& potential, std::string_view model,
+                             ContactFeature feature, const PairSetup& pair);
 
 }  // namespace tack

@@ -79,7 +79,22 @@ PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std:
   if (regions_.any()) table_.set_regions(regions_.vertex_regions());
 }
 
+// Throws InputError at a barrier, or a range of safety barriers, that the scene chooses and the model does not have.
+void PairBuilder::refuse_unsupported_barriers() const {
+  const Value* contact = root_.find("contact");
+  const std::string_view model = contact_.model->type();
+  if (const Value* barrier = contact ? contact->find("barrier") : nullptr)
+    if (const std::string text = unsupported_text(potential_, model, ContactFeature::barrier, {}); !text.empty())
+      throw InputError(barrier->mark.text() + ": " + text);
+  if (!contact_.safety_barrier) return;
+  const double chosen = *contact_.safety_barrier, range = potential_.safety_barrier_range(chosen);
+  if (chosen != range)
+    throw InputError(contact_location() + fmt::format("contact.safety_barrier is {:.6g}, and contact.model: {} has barriers over {:.6g} contact distances for all pairs; take it away, or "
+                                                      "choose model: area_integral", chosen, model, range));
+}
+
 void PairBuilder::build() {
+  refuse_unsupported_barriers();
   const std::set<std::pair<int, int>> all_attached(world_.attached.begin(), world_.attached.end());
   for (const auto& [a, b] : classes_.examples()) {
     const int index = configs_.of(a, b);
@@ -238,8 +253,8 @@ PairSetup PairBuilder::setup_of(int a, int b) const {
 
 // Throws InputError at an entry of contact.pairs if the model does not support a feature of it.
 void PairBuilder::refuse_unsupported(const PairSetup& setup, int config, ContactFeature feature) const {
-  const std::string reason = potential_.refusal(feature, setup);
-  if (!reason.empty()) throw configs_.error(config, unsupported_text(feature, contact_.model->type(), reason));
+  const std::string text = unsupported_text(potential_, contact_.model->type(), feature, setup);
+  if (!text.empty()) throw configs_.error(config, text);
 }
 
 // Throws InputError for features of an entry of contact.pairs that the model does not support. region: it is of regions.
@@ -250,6 +265,7 @@ void PairBuilder::refuse_unsupported(const PairSetup& setup, int config, bool re
   if (pair.bonds()) refuse_unsupported(setup, config, ContactFeature::bonds);
   if (pair.adhesion && !pair.bonds()) refuse_unsupported(setup, config, ContactFeature::adhesion);
   if (pair.tangential_adhesion) refuse_unsupported(setup, config, ContactFeature::tangential_adhesion);
+  if (pair.barrier) refuse_unsupported(setup, config, ContactFeature::barrier);
   if (setup.side != IntegrationSide::automatic) refuse_unsupported(setup, config, ContactFeature::integration_side);
   if (setup.side == IntegrationSide::both) refuse_unsupported(setup, config, ContactFeature::both_sides);
 }

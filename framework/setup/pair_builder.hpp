@@ -50,6 +50,7 @@ class PairBuilder {
   void report(int a, int b, int region, const BondLaw& bond);
   bool has_surface(int object) const;
   PairSetup setup_of(int a, int b) const;
+  void refuse_unsupported_barriers() const;
   void refuse_unsupported(const PairSetup& setup, int config, ContactFeature feature) const;
   void refuse_unsupported(const PairSetup& setup, int config, bool region) const;
   void refuse_bond(int a, int b, int config) const;

@@ -55,7 +55,8 @@ class Lengths {
   void add_gaps(const CollisionMesh& mesh, const Candidates& candidates) {
     for_each_kind(mesh, candidates, [&](const auto& kind) {
       for (const auto& pair : kind.pairs) {
-        const auto &first = kind.first(pair), &second = kind.second(pair);
+        const auto& first = kind.first(pair);
+        const auto& second = kind.second(pair);
         const double distance = std::sqrt(squared_distance(corners(x_, first), corners(x_, second)));
         lower(first, distance);
         lower(second, distance);

@@ -161,19 +161,9 @@ tack check hoist.yaml >check.txt || { cat check.txt; fail "interactions from out
 grep -q ropes check.txt && grep -q swelling check.txt || { cat check.txt; fail "the terms of interactions from outside"; }
 tack run hoist.yaml -q -o hoist || fail "a run with interactions from outside"
 
-# A contact model: a crate falls on a floor and rests where the penalty carries its weight.
-cat >resting.yaml <<'END'
-name: resting
-plugins: [build/libpenalty.so]
-time: {step: 10 ms, duration: 0.5 s}
-gravity: [0, -10, 0]
-objects:
-  - {name: floor, shape: {type: box, size: [0.4, 0.1, 0.4], cells: [4, 1, 4]}, place: {translate: [0, -0.05, 0]}, motion: [fixed]}
-  - {name: crate, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0.013, 0.055, 0.017]}, energies: [{type: neo_hookean, young: 1e6, poisson: 0.3, density: 1000}], damping: {mass: 20}}
-contact: {distance: 5 mm, model: {type: penalty, stiffness: 1 MPa/m}, friction: {mu: 0.5}}
-probes: [{name: force, type: contact_force, on: floor, direction: [0, -1, 0]}]
-expect: [{name: the floor carries 1 kg, probe: force, statistic: final, target: 10, within: 1%}]
-END
+# The scene of the contact model in docs/extending.md: a crate falls on a floor and rests where the penalty carries its weight.
+block 'A scene that shows it' "$source/docs/extending.md" >resting.yaml
+echo "plugins: [build/libpenalty.so]" >>resting.yaml
 tack run resting.yaml -q -o resting || fail "a contact model from outside"
 
 # A plugin without optimisation, with assertions; a plugin named twice.

@@ -20,6 +20,7 @@ namespace tack {
 class AreaIntegral : public ContactPotential {
  public:
   std::string refusal(ContactFeature feature, const PairSetup& pair) const override;
+  double safety_barrier_range(double chosen) const override { return chosen; }
   bool uses_rest_gaps() const override { return true; }
   PairLawIds add_laws(const PairSetup& pair, const PreparedLaws& laws, PairTable& table) override;
   PairRoles roles(const PairSetup& pair, const PairTable& table) override;

@@ -23,7 +23,6 @@ class GeometricPotential : public ContactPotential {
       default: return ContactPotential::refusal(feature, pair);
     }
   }
-  double safety_barrier_range(double) const override { return 1; }
   PairRoles roles(const PairSetup& pair, const PairTable& table) override {
     if (!pair.surfaces)
       throw InputError("contact.model: gcp has no rods and no particles, which have no tangents; give them triangles, or choose contact.model: ipc or area_integral");

@@ -44,7 +44,6 @@ class PairSums : public ContactPotential {
       return "";
     return ContactPotential::refusal(feature, pair);
   }
-  double safety_barrier_range(double) const override { return 1; }
   PairLawIds add_laws(const PairSetup& pair, const PreparedLaws& laws, PairTable& table) override;
   std::unique_ptr<ContactPotential> isolated(int a, int b) const override;
 

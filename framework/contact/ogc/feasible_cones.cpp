@@ -23,10 +23,10 @@ bool in_vertex_cone(const SurfaceRings& rings, const VecX& x, int vertex_index, 
 }
 
 bool in_edge_cone(const SurfaceRings& rings, const CollisionMesh& mesh, const VecX& x, int edge, const Vec3& d) {
-  const auto [e0, e1] = corners(x, mesh.edges[edge]);
-  const Vec3 along = e1 - e0;
+  const std::array<Vec3, 2> ends = corners(x, mesh.edges[edge]);
+  const Vec3 along = ends[1] - ends[0];
   const bool within = std::ranges::all_of(rings.opposite(edge), [&](const OppositeVertex& o) {
-    const Vec3 q = vertex(x, o.vertex) - e0;
+    const Vec3 q = vertex(x, o.vertex) - ends[0];
     return leads_away(d, q - q.dot(along) / along.squaredNorm() * along);
   });
   return within && outside_edge(rings, mesh, x, edge, d);

@@ -21,7 +21,6 @@ class OffsetContact : public ContactPotential {
       default: return ContactPotential::refusal(feature, pair);
     }
   }
-  double safety_barrier_range(double) const override { return 1; }
   bool uses_rest_gaps() const override { return true; }
   PairRoles roles(const PairSetup& pair, const PairTable& table) override {
     if (!pair.surfaces)

@@ -1,8 +1,17 @@
 // The contact model of docs/extending.md, which the build extracts and calls `documented_penalty`.
 #include <catch2/catch.hpp>
 
+#include <cmath>
+#include <regex>
+
+#include "framework/config/field.hpp"
+#include "framework/contact/contact_model.hpp"
+#include "framework/contact/contact_potential.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/records.hpp"
+#include "geometry/distance/edge_edge.hpp"
+#include "geometry/distance/edge_edge_mollifier.hpp"
+#include "geometry/distance/point_triangle.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/contact_terms.hpp"
 #include "tests/support/dense_term.hpp"
@@ -31,11 +40,37 @@ TEST_CASE("the documented contact model has the energy of its formula, and exact
   VecX x = world.rest;
   world.contact->begin_step({x});
   world.contact->move_to(x);
-  // Both faces push with half of their areas; the crate's vertices at 2 mm, the floor's vertex below it.
+  // The sum over all pairs of primitives of both objects, in other words.
+  const CollisionMesh& mesh = world.contact->surface().mesh;
+  const auto penalty = [](double d, double area) { return d < 5e-3 ? 0.5 * 1e6 * (5e-3 - d) * (5e-3 - d) * area : 0.0; };
+  double expected = 0;
+  std::vector<double> tributary(x.size() / 3, 0.0), edge_area(mesh.edges.size(), 0.0);
+  for (const Triangle& t : mesh.triangles) {
+    const auto [a, b, c] = corners(x, t);
+    const double third = (b - a).cross(c - a).norm() / 6;
+    for (const int v : t) tributary[v] += third;
+    for (size_t e = 0; e < mesh.edges.size(); ++e)
+      if (std::ranges::count(t, mesh.edges[e][0]) && std::ranges::count(t, mesh.edges[e][1])) edge_area[e] += third;
+  }
+  for (const int p : mesh.vertices)
+    for (const Triangle& t : mesh.triangles) {
+      if (mesh.vertex_object[p] == mesh.vertex_object[t[0]]) continue;
+      const auto [a, b, c] = corners(x, t);
+      expected += penalty(std::sqrt(point_triangle_distance(vertex(x, p), a, b, c)), tributary[p] / 4);
+    }
+  for (size_t i = 0; i < mesh.edges.size(); ++i)
+    for (size_t j = i + 1; j < mesh.edges.size(); ++j) {
+      if (mesh.vertex_object[mesh.edges[i][0]] == mesh.vertex_object[mesh.edges[j][0]]) continue;
+      const auto [a, b] = corners(x, mesh.edges[i]);
+      const auto [c, d] = corners(x, mesh.edges[j]);
+      const double threshold = edge_edge_mollifier_threshold(a, b, c, d), sine = (b - a).cross(d - c).squaredNorm();
+      const double mollifier = sine < threshold ? sine / threshold * (2 - sine / threshold) : 1;
+      expected += mollifier * penalty(std::sqrt(edge_edge_distance(a, b, c, d)), (edge_area[i] + edge_area[j]) / 4);
+    }
   const ContactSet& set = world.contact->contacts();
-  double area = 0;
-  for (const auto& s : set.point_triangle) area += s.weight;
-  CHECK(contact_term(world).value(x) == Approx(0.5 * 1e6 * 3e-3 * 3e-3 * area).epsilon(1e-9));
+  CHECK(set.point_triangle.size() > 0);
+  CHECK(set.edge_edge.size() > 0);
+  CHECK(contact_term(world).value(x) == Approx(expected).epsilon(1e-12));
   for (int v = 0; v < x.size() / 3; ++v) x.segment<3>(3 * v) += 1e-4 * Vec3(std::sin(v), std::cos(3 * v), std::sin(2 * v));
   world.contact->move_to(x);
   const VecX gradient = dense_gradient(contact_term(world), x);
@@ -67,6 +102,63 @@ TEST_CASE("with the documented contact model a crate comes to rest on the floor,
 }
 
 TEST_CASE("the documented contact model refuses what it does not have", "[documented][contact_model]") {
-  CHECK_THROWS_WITH(TestScene(crate("0.055", ", pairs: [{between: [floor, crate], adhesion: {type: fang, peak_traction: 1 kPa}}]")),
-                    Catch::Contains("contact.model: documented_penalty has no adhesion of the gap: it only pushes; take `adhesion` away, or choose model: area_integral"));
+  const auto message = [](const std::string& contact) {
+    try {
+      TestScene scene(crate("0.055", ", " + contact));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  using Catch::Contains;
+  CHECK_THAT(message("pairs: [{between: [floor, crate], adhesion: {type: fang, peak_traction: 1 kPa}}]"),
+             Contains("contact.model: documented_penalty has no adhesion of the gap: it only pushes; take `adhesion` away, or choose model: area_integral"));
+  // No remedy that is refused as well.
+  CHECK_THAT(message("pairs: [{between: [floor, crate], adhesion: {type: bilinear, peak_traction: 1 kPa, work_of_adhesion: 1}}]"),
+             Contains("documented_penalty has no adhesion by bonds") && Contains("; take `adhesion` away, or choose model: area_integral"));
+  CHECK_THAT(message("barrier: {type: clamped_log}"), Contains("documented_penalty has no `barrier`: its law is that of its stiffness; take it away, or choose model: area_integral"));
+  CHECK_THAT(message("pairs: [{between: [floor, crate], barrier: {type: clamped_log}}]"), Contains("documented_penalty has no `barrier`"));
+  CHECK_THAT(message("safety_barrier: 0.3"),
+             Contains("contact.safety_barrier is 0.3, and contact.model: documented_penalty has barriers over 1 contact distances for all pairs; take it away, or choose model: area_integral"));
+  CHECK(message("safety_barrier: 1") == "accepted");
+}
+
+namespace {
+
+// Forgets to complete what it found.
+class Incomplete : public ContactPotential {
+ public:
+  explicit Incomplete(bool thresholds) : thresholds_(thresholds) {}
+  void find(const VecX&, ContactSet& contacts) override {
+    contacts = {};
+    contacts.edge_edge.push_back({{0, 1, 2, 3}, 1, 1});
+    contacts.edge_edge.push_back({{0, 1, 2, 3}, 0, 1});
+    if (thresholds_) contacts.mollifier_threshold.assign(2, 1.0);
+  }
+  std::unique_ptr<ContactPotential> isolated(int, int) const override { return std::make_unique<Incomplete>(thresholds_); }
+
+ private:
+  bool thresholds_;
+};
+
+class IncompleteModel : public ContactModel {
+ public:
+  void fields(Fields& f) override { f.flag("thresholds", thresholds_, "has thresholds, but in the wrong order"); }
+  std::unique_ptr<ContactPotential> make_potential() const override { return std::make_unique<Incomplete>(thresholds_); }
+
+ private:
+  bool thresholds_ = false;
+};
+TACK_REGISTER(ContactModel, IncompleteModel, "test_incomplete", "Leaves out what the terms need.", "");
+
+}  // namespace
+
+TEST_CASE("a contact model that leaves out what the terms rely on is told so", "[documented][contact_model]") {
+  const auto first_find = [](const std::string& model) {
+    TestScene scene(std::regex_replace(crate("0.055"), std::regex("model: .*\\}\\}"), "model: {type: test_incomplete" + model + "}}"));
+    scene.world->contact->begin_step({scene.world->rest});
+    scene.world->contact->move_to(scene.world->rest);
+  };
+  CHECK_THROWS_WITH(first_find(""), "the contact model found 2 edge-edge stencils and 0 mollifier thresholds; call join() of framework/contact/stencil_search.hpp at the end of find()");
+  CHECK_THROWS_WITH(first_find(", thresholds: true"), Catch::Contains("stencils that are not sorted by law; call join()"));
 }
