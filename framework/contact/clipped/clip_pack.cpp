@@ -46,15 +46,12 @@ void ClipPack::find_strip(PackMask& plain) {
   if (!any((strip[0] > 0) | (strip[1] > 0) | (strip[2] > 0))) return;
   for (int k = 0; k < 3; ++k) edge_length_b_[k] = sqrt(of_b_[k].across_x * of_b_[k].across_x + of_b_[k].across_y * of_b_[k].across_y);
   for (int k = 0; k < 3; ++k)
-    for (const Side* sides : {of_a_, of_b_})
-      for (int e = 0; e < 3; ++e) {
-        const Side& side = sides[e];
-        for (const Pack& at : {side.from, side.to}) {
-          const Pack px = side.x + at * side.across_x, py = side.y + at * side.across_y;
-          const Pack distance = of_b_[k].across_x * (py - of_b_[k].y) - of_b_[k].across_y * (px - of_b_[k].x);
-          entered[k] = select((side.from < side.to) & (strip[k] > 0) & (distance < strip[k] * edge_length_b_[k]), Pack(1), entered[k]);
-        }
-      }
+    for_each_side([&](const Side& side) {
+      // The corners of S are the begins of its sides.
+      const Pack px = side.x + side.from * side.across_x, py = side.y + side.from * side.across_y;
+      const Pack distance = of_b_[k].across_x * (py - of_b_[k].y) - of_b_[k].across_y * (px - of_b_[k].x);
+      entered[k] = select((side.from < side.to) & (strip[k] > 0) & (distance < strip[k] * edge_length_b_[k]), Pack(1), entered[k]);
+    });
   const Pack count = entered[0] + entered[1] + entered[2];
   plain &= count < 1.5;
   in_strip_ = (count > 0.5) & plain;
@@ -72,41 +69,37 @@ void ClipPack::find_strip(PackMask& plain) {
   }
   share_slope_1_ = (of_a_[2].across_x * inward_y_ - of_a_[2].across_y * inward_x_) * by_projected_;
   share_slope_2_ = (of_a_[0].across_x * inward_y_ - of_a_[0].across_y * inward_x_) * by_projected_;
-  for (Side* sides : {of_a_, of_b_})
-    for (int e = 0; e < 3; ++e) {
-      Side& side = sides[e];
-      side.depth = inward_x_ * (side.x - x) + inward_y_ * (side.y - y);
-      side.deepening = inward_x_ * side.across_x + inward_y_ * side.across_y;
-      const Pack begin = width_ - side.depth, end = begin - side.deepening;
-      const PackMask out_begin = begin <= 0, out_end = end <= 0;
-      const Pack at = begin / select(out_begin ^ out_end, begin - end, 1);
-      side.strip_from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
-      side.strip_to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
-      side.strip_to = select(in_strip_, greater(side.strip_from, side.strip_to), side.strip_from);
-    }
+  for_each_side([&](Side& side) {
+    side.depth = inward_x_ * (side.x - x) + inward_y_ * (side.y - y);
+    side.deepening = inward_x_ * side.across_x + inward_y_ * side.across_y;
+    const Pack begin = width_ - side.depth, end = begin - side.deepening;
+    const PackMask out_begin = begin <= 0, out_end = end <= 0;
+    const Pack at = begin / select(out_begin ^ out_end, begin - end, 1);
+    side.strip_from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
+    side.strip_to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
+    side.strip_to = select(in_strip_, greater(side.strip_from, side.strip_to), side.strip_from);
+  });
 }
 
 // o1, o2: shares that count as zero. moments: area, of both shares, of their squares and product.
-void ClipPack::subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* moments) const {
-  for (const Side* sides : {of_a_, of_b_})
-    for (int e = 0; e < 3; ++e) {
-      const Side& side = sides[e];
-      // Inward component of the outward normal, times the length.
-      const Pack outward = inward_x_ * side.across_y - inward_y_ * side.across_x;
-      for_strip_points(side, [&](const Pack& at, const Pack& weight) {
-        const Pack t = (side.depth + at * side.deepening) / width_, factor = weight * outward * width_;
-        const Pack l0 = factor * weight_lost_0(t), l1 = factor * width_ * weight_lost_1(t), l2 = factor * width_ * width_ * weight_lost_2(t);
-        Pack s1, s2;
-        shares(side.x + at * side.across_x, side.y + at * side.across_y, s1, s2);
-        s1 -= o1, s2 -= o2;
-        moments[0] -= l0;
-        moments[1] -= l0 * s1 + l1 * share_slope_1_;
-        moments[2] -= l0 * s2 + l1 * share_slope_2_;
-        moments[3] -= l0 * s1 * s1 + 2 * l1 * s1 * share_slope_1_ + l2 * share_slope_1_ * share_slope_1_;
-        moments[4] -= l0 * s1 * s2 + l1 * (s1 * share_slope_2_ + s2 * share_slope_1_) + l2 * share_slope_1_ * share_slope_2_;
-        moments[5] -= l0 * s2 * s2 + 2 * l1 * s2 * share_slope_2_ + l2 * share_slope_2_ * share_slope_2_;
-      });
-    }
+void ClipPack::subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* moments) {
+  for_each_side([&](const Side& side) {
+    // Inward component of the outward normal, times the length.
+    const Pack outward = inward_x_ * side.across_y - inward_y_ * side.across_x;
+    for_strip_points(side, [&](const Pack& at, const Pack& weight) {
+      const Pack t = (side.depth + at * side.deepening) / width_, factor = weight * outward * width_;
+      const Pack l0 = factor * weight_lost_0(t), l1 = factor * width_ * weight_lost_1(t), l2 = factor * width_ * width_ * weight_lost_2(t);
+      Pack s1, s2;
+      shares(side.x + at * side.across_x, side.y + at * side.across_y, s1, s2);
+      s1 -= o1, s2 -= o2;
+      moments[0] -= l0;
+      moments[1] -= l0 * s1 + l1 * share_slope_1_;
+      moments[2] -= l0 * s2 + l1 * share_slope_2_;
+      moments[3] -= l0 * s1 * s1 + 2 * l1 * s1 * share_slope_1_ + l2 * share_slope_1_ * share_slope_1_;
+      moments[4] -= l0 * s1 * s2 + l1 * (s1 * share_slope_2_ + s2 * share_slope_1_) + l2 * share_slope_1_ * share_slope_2_;
+      moments[5] -= l0 * s2 * s2 + 2 * l1 * s2 * share_slope_2_ + l2 * share_slope_2_ * share_slope_2_;
+    });
+  });
 }
 
 // Replaces the distances of corners from lines on which they lie, round-off apart, by their signs.
@@ -144,6 +137,68 @@ PackMask ClipPack::resolve_ties(const Pack* square_a, const Pack* square_b, Pack
     }
   for (int k = 0; k < 3; ++k)
     for (int line = 0; line < 3; ++line) of_a[k][line] = select(tied_a[k][line], select(owned[line], Pack(tied), Pack(-tied)), of_a[k][line]);
+  return ties;
+}
+
+// Finds the parts of the edges that bound S. Returns the lanes with ties.
+PackMask ClipPack::cut_sides(PackMask& plain) {
+  // Distances of the corners of a from the lines of b, positive inside and times the length of the
+  // edge.
+  Pack square_a[3], square_b[3], of_a[3][3], of_b[3][3];
+  PackMask outside{};
+  for (int e = 0; e < 3; ++e) {
+    const Side& sb = of_b_[e];
+    square_b[e] = sb.across_x * sb.across_x + sb.across_y * sb.across_y;
+    for (int k = 0; k < 3; ++k) {
+      of_a[k][e] = sb.across_x * (y_[k] - sb.y) - sb.across_y * (x_[k] - sb.x);
+      outside |= of_a[k][e] <= clear_ratio * square_b[e];
+    }
+  }
+  a_inside_ = !any(outside);
+  if (a_inside_) return outside;
+
+  // The same of the corners of b and the lines of a, and shares of the corners of b in a: corner k of a
+  // lies opposite edge k + 1.
+  for (int e = 0; e < 3; ++e) {
+    const Side& sa = of_a_[e];
+    square_a[e] = sa.across_x * sa.across_x + sa.across_y * sa.across_y;
+    for (int k = 0; k < 3; ++k) of_b[k][e] = sa.across_x * (of_b_[k].y - sa.y) - sa.across_y * (of_b_[k].x - sa.x);
+  }
+  for (int k = 0; k < 3; ++k) {
+    of_b_[k].gap = 0;
+    for (int m = 0; m < 3; ++m) of_b_[k].gap += of_b[k][(m + 1) % 3] * by_projected_ * z_[m];
+  }
+  for (int e = 0; e < 3; ++e) of_b_[e].rise = of_b_[(e + 1) % 3].gap - of_b_[e].gap;
+
+  // The distances of both ends of an edge of a from a line of b differ by the cross product of both
+  // edges, and so do, with the other sign, those of that edge of b from the line of a.
+  Pack by_cross[3][3];
+  PackMask steep[3][3];
+  for (int e = 0; e < 3; ++e)
+    for (int line = 0; line < 3; ++line) {
+      const Pack cross_of_edges = of_a[(e + 1) % 3][line] - of_a[e][line], square = cross_of_edges * cross_of_edges;
+      steep[e][line] = square > crossing_sine_min * crossing_sine_min * square_a[e] * square_b[line];
+      by_cross[e][line] = 1 / select(square > 0, cross_of_edges, 1);
+    }
+  const PackMask ties = resolve_ties(square_a, square_b, of_a, of_b, plain);
+  const auto cut = [](Side& side, const Pack& begin, const Pack& end, const Pack& at) {
+    const PackMask out_begin = begin < 0, out_end = end < 0;
+    side.from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
+    side.to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
+  };
+  for (int e = 0; e < 3; ++e) {
+    const int n = (e + 1) % 3;
+    Side &sa = of_a_[e], &sb = of_b_[e];
+    sb.from = 0, sb.to = 1;
+    for (int line = 0; line < 3; ++line) {
+      const Pack &p = of_a[n][line], &q = of_a[e][line];
+      plain &= steep[e][line] | ~((p < 0) ^ (q < 0));
+      cut(sa, p, q, p * by_cross[e][line]);
+      cut(sb, of_b[e][line], of_b[n][line], -of_b[e][line] * by_cross[line][e]);
+    }
+    sa.to = greater(sa.from, sa.to);
+    sb.to = greater(sb.from, sb.to);
+  }
   return ties;
 }
 
@@ -191,76 +246,24 @@ unsigned ClipPack::clip(const GapBands& bands) {
   std::memcpy(&two_sided_b, two_sided_b_, sizeof two_sided_b);
   plain &= ~((two_sided_b > 0.5) & (z_[0] + z_[1] + z_[2] < 0));
 
-  // Distances of the corners of a from the lines of b, and the other way round, both positive inside
-  // and times the length of the edge.
   const Pack bx[3] = {0, length_, foot_}, by[3] = {0, 0, height_};
-  Pack square_a[3], square_b[3], of_a[3][3], of_b[3][3];
   for (int e = 0; e < 3; ++e) {
     const int n = (e + 1) % 3;
     // Seen from outside of b, the corners of a are clockwise: its edges run from corner e + 1 to e.
     Side& sa = of_a_[e];
     sa.x = x_[n], sa.y = y_[n], sa.gap = z_[n];
     sa.across_x = x_[e] - x_[n], sa.across_y = y_[e] - y_[n], sa.rise = z_[e] - z_[n];
+    sa.from = 0, sa.to = 1;
     Side& sb = of_b_[e];
     sb.x = bx[e], sb.y = by[e];
     sb.across_x = bx[n] - bx[e], sb.across_y = by[n] - by[e];
-    square_a[e] = sa.across_x * sa.across_x + sa.across_y * sa.across_y;
-    square_b[e] = sb.across_x * sb.across_x + sb.across_y * sb.across_y;
-    for (int k = 0; k < 3; ++k) {
-      of_a[k][e] = sb.across_x * (y_[k] - sb.y) - sb.across_y * (x_[k] - sb.x);
-      of_b[k][e] = sa.across_x * (by[k] - sa.y) - sa.across_y * (bx[k] - sa.x);
-    }
   }
-  // Shares of the corners of b in a: corner k of a lies opposite edge k + 1.
   const Pack twice_projected = of_a_[0].across_x * (y_[2] - y_[1]) - of_a_[0].across_y * (x_[2] - x_[1]);
   by_projected_ = 1 / select(plain, twice_projected, 1);
-  Pack gap_b[3];
-  for (int k = 0; k < 3; ++k) {
-    gap_b[k] = 0;
-    for (int m = 0; m < 3; ++m) gap_b[k] += of_b[k][(m + 1) % 3] * by_projected_ * z_[m];
-  }
-  for (int e = 0; e < 3; ++e) {
-    of_b_[e].gap = gap_b[e];
-    of_b_[e].rise = gap_b[(e + 1) % 3] - gap_b[e];
-  }
-
-  // The distances of both ends of an edge of a from a line of b differ by the cross product of both
-  // edges, and so do, with the other sign, those of that edge of b from the line of a.
-  Pack by_cross[3][3];
-  PackMask steep[3][3];
-  for (int e = 0; e < 3; ++e)
-    for (int line = 0; line < 3; ++line) {
-      const Pack cross_of_edges = of_a[(e + 1) % 3][line] - of_a[e][line], square = cross_of_edges * cross_of_edges;
-      steep[e][line] = square > crossing_sine_min * crossing_sine_min * square_a[e] * square_b[line];
-      by_cross[e][line] = 1 / select(square > 0, cross_of_edges, 1);
-    }
-  const PackMask ties = resolve_ties(square_a, square_b, of_a, of_b, plain);
-  const auto cut = [](Side& side, const Pack& begin, const Pack& end, const Pack& at) {
-    const PackMask out_begin = begin < 0, out_end = end < 0;
-    side.from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
-    side.to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
-  };
-  for (int e = 0; e < 3; ++e) {
-    const int n = (e + 1) % 3;
-    Side &sa = of_a_[e], &sb = of_b_[e];
-    sa.from = sb.from = 0;
-    sa.to = sb.to = 1;
-    for (int line = 0; line < 3; ++line) {
-      const Pack &p = of_a[n][line], &q = of_a[e][line];
-      plain &= steep[e][line] | ~((p < 0) ^ (q < 0));
-      cut(sa, p, q, p * by_cross[e][line]);
-      cut(sb, of_b[e][line], of_b[n][line], -of_b[e][line] * by_cross[line][e]);
-    }
-    sa.to = greater(sa.from, sa.to);
-    sb.to = greater(sb.from, sb.to);
-  }
+  const PackMask ties = cut_sides(plain);
 
   // The common point: the mean of the corners of S, which are the begins of its sides.
   Pack ox = 0, oy = 0, count = 0, low = 1e300, high = -1e300;
-  const auto for_each_side = [&](const auto& act) {
-    for (Side* sides : {of_a_, of_b_})
-      for (int e = 0; e < 3; ++e) act(sides[e]);
-  };
   for_each_side([&](const Side& side) {
     const PackMask some = side.from < side.to;
     const Pack one = select(some, Pack(1), 0), gap = side.gap + side.from * side.rise;

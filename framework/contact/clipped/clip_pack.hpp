@@ -56,14 +56,22 @@ class ClipPack {
         strip_to;  // positions of the part in the strip; equal: none
   };
 
+  // Calls act(side) for the edges that may have a part in S.
+  template <class Act>
+  void for_each_side(const Act& act) {
+    for (Side& side : of_a_) act(side);
+    if (a_inside_) return;
+    for (Side& side : of_b_) act(side);
+  }
   // Calls act(position along the edge, weight) at the points of a rule over the
   // part in the strip.
   template <class Act>
   static void for_strip_points(const Side& side, const Act& act);
   PackMask resolve_ties(const Pack* square_a, const Pack* square_b, Pack (&of_a)[3][3],
                         Pack (&of_b)[3][3], PackMask& plain) const;
+  PackMask cut_sides(PackMask& plain);
   void find_strip(PackMask& plain);
-  void subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* moments) const;
+  void subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* moments);
   void add_boundary_edges(const Pack* constants, const Pack (&in_b)[3][3], Pack* hessian) const;
   Pack h(const Pack* constants, const Pack& gap) const {
     const Pack from_mean = gap - mean_;
@@ -80,6 +88,7 @@ class ClipPack {
       height_;         // of b: corners (0, 0), (length, 0), (foot, height) [m]
   Pack by_projected_;  // of the projection of a: over twice its area [1/m^2]
   Side of_a_[3], of_b_[3];
+  bool a_inside_;             // a lies inside b in all lanes: S is a
   Pack edge_length_b_[3];     // m
   PackMask in_strip_;         // whether a part of S lies in a strip
   PackMask strip_edge_[3];    // the boundary edge of that strip

@@ -68,7 +68,7 @@ void ClipPack::derivatives(const LawSample* samples, Pack* gradient, Pack* hessi
   const double gauss[2] = {0.5 - 0.28867513459481288, 0.5 + 0.28867513459481288};
   for (int e = 0; e < 3; ++e) {
     const int n = (e + 1) % 3;
-    for (int of_b = 0; of_b < 2; ++of_b) {
+    for (int of_b = 0; of_b < (a_inside_ ? 1 : 2); ++of_b) {
       const Side& side = of_b ? of_b_[e] : of_a_[e];
       const Pack width = side.to - side.from;
       Pack begin = 0, end = 0;

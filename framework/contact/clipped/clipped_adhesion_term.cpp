@@ -10,7 +10,6 @@
 #include "framework/contact/clipped/close_triangles.hpp"
 #include "framework/contact/law_debonding.hpp"
 #include "framework/core/concurrent_maximum.hpp"
-#include "geometry/concatenate.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -62,35 +61,39 @@ ClippedAdhesionTerm::ClippedAdhesionTerm(const ContactSystem& system, ClippedLaw
 
 void ClippedAdhesionTerm::find_pairs() {
   const CollisionMesh& mesh = system_.surface().mesh;
-  pairs_ = finder_.find();
+  const std::vector<TrianglePair> found = finder_.find();
+  pairs_.resize(found.size());
+  for_each(static_cast<int>(found.size()), [&](int i) { pairs_[i] = with_edges(found[i]); });
+  std::stable_sort(pairs_.begin(), pairs_.end(), [](const ClosePair& p, const ClosePair& q) { return p.kind() < q.kind(); });
   std::vector<char> in_pair(mesh.vertex_object.size(), 0);
-  for (const TrianglePair& pair : pairs_)
-    for (const int t : {pair.a, pair.b})
-      for (const int v : mesh.triangles[t]) in_pair[v] = 1;
+  for (const ClosePair& pair : pairs_)
+    for (const int v : pair.vertices) in_pair[v] = 1;
   pair_vertices_.clear();
   for (const int v : mesh.vertices)
     if (in_pair[v]) pair_vertices_.push_back(v);
 }
 
-// Returns a pair whose triangles face each other at x.
-ClippedAdhesionTerm::ClosePair ClippedAdhesionTerm::close_pair(const VecX& x, const TrianglePair& pair) const {
+ClippedAdhesionTerm::ClosePair ClippedAdhesionTerm::with_edges(const TrianglePair& pair) const {
   const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
   const Triangle &ta = triangles[pair.a], &tb = triangles[pair.b];
-  ClosePair close{pair, {ta[0], ta[1], ta[2], tb[0], tb[1], tb[2]}, topology_.two_sided(pair.a) || topology_.two_sided(pair.b), topology_.two_sided(pair.b), {}, {}, {}};
+  ClosePair close{pair, {ta[0], ta[1], ta[2], tb[0], tb[1], tb[2]}, topology_.two_sided(pair.a) || topology_.two_sided(pair.b), topology_.two_sided(pair.b)};
   const double strip = laws_.laws()[pair.law].strip;
   for (int k = 0; k < 3; ++k) {
     close.boundary_a[k] = !edges_.smooth(pair.a, k) || (pair.interfaces_a >> k & 1) != 0;
     close.owns_b[k] = tb[k] < tb[(k + 1) % 3];
     if (!edges_.smooth(pair.b, k) || (pair.interfaces_b >> k & 1) != 0) close.strip_b[k] = edges_.width(pair.b, k, strip);
   }
-  if (!close.two_sided) return close;
+  return close;
+}
+
+// Orders the corners of two-sided triangles so that they face each other at x.
+void ClippedAdhesionTerm::orient(const VecX& x, ClosePair& close) const {
   const Oriented oriented = geometry(x, close);
   if (oriented.swapped_a) std::swap(close.vertices[1], close.vertices[2]);
   if (oriented.swapped_b) std::swap(close.vertices[4], close.vertices[5]);
   close.boundary_a = oriented.boundary_a;
   close.owns_b = oriented.owns_b;
   close.strip_b = oriented.strip_b;
-  return close;
 }
 
 void ClippedAdhesionTerm::find_close_pairs(const VecX& x) {
@@ -99,7 +102,6 @@ void ClippedAdhesionTerm::find_close_pairs(const VecX& x) {
     version_ = system_.candidates_version();
   }
   close_at_ = x;
-  is_close_.resize(pairs_.size());
   test_pairs({});
   list_close_pairs(x);
 }
@@ -107,7 +109,6 @@ void ClippedAdhesionTerm::find_close_pairs(const VecX& x) {
 // Tests the pairs with a vertex that has moved (non-zero), or all if `moved` is empty. Returns whether
 // any result is another one than before.
 bool ClippedAdhesionTerm::test_pairs(const std::vector<char>& moved) {
-  const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
   const int all = static_cast<int>(pairs_.size());
   std::vector<char> changed(chunk_count(all), 0);
   for_each_chunk(all, [&](int chunk, int first, int last) {
@@ -115,20 +116,20 @@ bool ClippedAdhesionTerm::test_pairs(const std::vector<char>& moved) {
     std::array<int, pack_width> tested;
     int lanes = 0;
     const auto finish = [&] {
-      const unsigned close = test.may_overlap();
+      const CloseTriangles::Lanes result = test.test();
       for (int l = 0; l < lanes; ++l) {
-        const char is_close = static_cast<char>(close >> l & 1u);
-        changed[chunk] |= is_close != is_close_[tested[l]];
-        is_close_[tested[l]] = is_close;
+        ClosePair& pair = pairs_[tested[l]];
+        const bool close = (result.close >> l & 1u) != 0;
+        if (close != pair.close) changed[chunk] = 1;
+        pair.close = close;
+        pair.inside = (result.inside >> l & 1u) != 0;
       }
       lanes = 0;
     };
     for (int i = first; i < last; ++i) {
-      const TrianglePair& pair = pairs_[i];
-      const Triangle &a = triangles[pair.a], &b = triangles[pair.b];
-      const std::array vertices{a[0], a[1], a[2], b[0], b[1], b[2]};
-      if (!moved.empty() && std::none_of(vertices.begin(), vertices.end(), [&](int v) { return moved[v] != 0; })) continue;
-      test.set(lanes, close_at_, vertices, laws_.laws()[pair.law].range, topology_.two_sided(pair.a) || topology_.two_sided(pair.b));
+      const ClosePair& pair = pairs_[i];
+      if (!moved.empty() && std::none_of(pair.vertices.begin(), pair.vertices.end(), [&](int v) { return moved[v] != 0; })) continue;
+      test.set(lanes, close_at_, pair.vertices, laws_.laws()[pair.pair.law].range, pair.two_sided);
       tested[lanes++] = i;
       if (lanes == pack_width) finish();
     }
@@ -137,19 +138,18 @@ bool ClippedAdhesionTerm::test_pairs(const std::vector<char>& moved) {
   return std::find(changed.begin(), changed.end(), 1) != changed.end();
 }
 
-// Lists the close pairs by law. An equal list keeps the value and the gradients.
+// Lists the close pairs in an order for packs, which have one law, and are faster without strips, and
+// where a lies inside b in every lane. An equal list keeps the value and the gradients.
 void ClippedAdhesionTerm::list_close_pairs(const VecX& x) {
-  const int all = static_cast<int>(pairs_.size());
-  std::vector<std::vector<ClosePair>> found(chunk_count(all));
-  for_each_chunk(all, [&](int chunk, int first, int last) {
-    for (int i = first; i < last; ++i)
-      if (is_close_[i]) found[chunk].push_back(close_pair(x, pairs_[i]));
-  });
   std::vector<ClosePair> close;
   close.reserve(close_.size());
-  concatenate(found, close);
-  // Packs have one law.
-  std::stable_sort(close.begin(), close.end(), [](const ClosePair& p, const ClosePair& q) { return p.pair.law < q.pair.law; });
+  for (const ClosePair& pair : pairs_)
+    if (pair.close) close.push_back(pair);
+  for_each(static_cast<int>(close.size()), [&](int i) {
+    if (close[i].two_sided) orient(x, close[i]);
+  });
+  const auto by_kind = [](const ClosePair& p, const ClosePair& q) { return std::pair(p.kind(), !p.inside) < std::pair(q.kind(), !q.inside); };
+  if (!std::is_sorted(close.begin(), close.end(), by_kind)) std::stable_sort(close.begin(), close.end(), by_kind);
   if (close == close_) return;
   close_ = std::move(close);
   gradients_at_.resize(0);
@@ -179,7 +179,6 @@ void ClippedAdhesionTerm::move_to(const VecX& x) {
 void ClippedAdhesionTerm::clear_caches() {
   version_ = -1;
   pairs_.clear();
-  is_close_.clear();
   pair_vertices_.clear();
   close_.clear();
   close_at_.resize(0);

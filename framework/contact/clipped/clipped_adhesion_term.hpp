@@ -63,9 +63,14 @@ class ClippedAdhesionTerm : public Term {
     TrianglePair pair;
     std::array<int, 6> vertices;  // global; corners of a, then of b
     bool two_sided, two_sided_b;  // whether one of the triangles is, and b
-    std::array<bool, 3> boundary_a, owns_b;
-    std::array<double, 3> strip_b;  // m
+    std::array<bool, 3> boundary_a{}, owns_b{};
+    std::array<double, 3> strip_b{};      // m
+    bool close = false, inside = false;   // CloseTriangles::Lanes
     bool operator==(const ClosePair&) const = default;
+    // Law, and whether b has strips.
+    std::pair<int, bool> kind() const {
+      return {pair.law, strip_b != std::array<double, 3>{}};
+    }
   };
   struct Oriented;
 
@@ -73,7 +78,8 @@ class ClippedAdhesionTerm : public Term {
   void find_close_pairs(const VecX& x);
   bool test_pairs(const std::vector<char>& moved);
   void list_close_pairs(const VecX& x);
-  ClosePair close_pair(const VecX& x, const TrianglePair& pair) const;
+  ClosePair with_edges(const TrianglePair& pair) const;
+  void orient(const VecX& x, ClosePair& close) const;
   Oriented geometry(const VecX& x, const ClosePair& close) const;
   static Vec3 normal_of_b(const VecX& x, const ClosePair& close);
   static double mean_gap(const VecX& x, const ClosePair& close);
@@ -92,11 +98,10 @@ class ClippedAdhesionTerm : public Term {
   TrianglePairFinder finder_;
   double margin_ = 0;  // of close pairs [m]
   long version_ = -1;  // of the candidates from which the pairs were found
-  std::vector<TrianglePair> pairs_;
-  std::vector<char> is_close_;      // per pair
+  std::vector<ClosePair> pairs_;    // candidates, by kind
   std::vector<int> pair_vertices_;  // of the pairs, ascending
-  std::vector<ClosePair> close_;    // by law, then in the order of the pairs
-  VecX close_at_;                   // positions for which is_close_ holds (3n) [m]
+  std::vector<ClosePair> close_;    // by kind, then those inside, then in the order of the pairs
+  VecX close_at_;                   // positions at which they were tested (3n) [m]
   mutable std::vector<int> batch_vertices_;
   mutable std::vector<ClipIntegrator> integrators_;  // one per chunk: they keep their memory
   mutable VecX value_at_;                            // positions of `value_` (3n) [m]

@@ -36,7 +36,7 @@ void CloseTriangles::set(int lane, const VecX& x, const std::array<int, 6>& vert
   two_sided_[lane] = two_sided;
 }
 
-unsigned CloseTriangles::may_overlap() const {
+CloseTriangles::Lanes CloseTriangles::test() const {
   Corner corners[6];
   for (int k = 0; k < 6; ++k)
     for (int d = 0; d < 3; ++d) std::memcpy(&corners[k][d], corner_[3 * k + d], sizeof(Pack));
@@ -58,11 +58,14 @@ unsigned CloseTriangles::may_overlap() const {
 
   // Two triangles of a plane are apart by more than the slack if one of their lines separates them so.
   // Distances are times the length of the edge.
+  PackMask inside = ~flat;
   for (int e = 0; e < 3; ++e) {
     const Corner edge = between(b[e], b[(e + 1) % 3]), inward = cross(normal_b, edge);
-    Pack inside[3];
-    for (int k = 0; k < 3; ++k) inside[k] = dot(inward, between(b[e], a[k])) * by_area;
-    apart |= largest(inside[0], inside[1], inside[2]) < -slack * length(edge);
+    Pack from_line[3];
+    for (int k = 0; k < 3; ++k) from_line[k] = dot(inward, between(b[e], a[k])) * by_area;
+    const Pack margin = slack * length(edge);
+    apart |= largest(from_line[0], from_line[1], from_line[2]) < -margin;
+    inside &= least(from_line[0], from_line[1], from_line[2]) > margin;
   }
   for (int e = 0; e < 3; ++e) {
     const Corner edge = between(a[e], a[(e + 1) % 3]), across = cross(normal_b, edge);
@@ -78,10 +81,12 @@ unsigned CloseTriangles::may_overlap() const {
   const Pack twice_area_a = length(normal_a), facing = -dot(normal_a, normal_b) * by_area;
   apart |= ~two_sided & (facing < (clip_cosine_min - turn_of(first_a, second_a, twice_area_a, motion_) - turn_b) * twice_area_a);
 
-  unsigned close = 0;
-  for (int l = 0; l < pack_width; ++l)
-    if (flat[l] || !apart[l]) close |= 1u << l;
-  return close;
+  Lanes lanes;
+  for (int l = 0; l < pack_width; ++l) {
+    if (flat[l] || !apart[l]) lanes.close |= 1u << l;
+    if (inside[l]) lanes.inside |= 1u << l;
+  }
+  return lanes;
 }
 
 }  // namespace tack

@@ -23,9 +23,12 @@ class CloseTriangles {
   // triangles tells nothing.
   void set(int lane, const VecX& x, const std::array<int, 6>& vertices, double range,
            bool two_sided);
-  // Returns a bit per lane, 0 if the triangles do not interact at any positions of their vertices
-  // within the motion of these.
-  unsigned may_overlap() const;
+  // A bit per lane.
+  struct Lanes {
+    unsigned close = 0;   // 0: the triangles do not interact within the motion of their vertices
+    unsigned inside = 0;  // 1: a lies over the inside of b now, farther from its edges than they move
+  };
+  Lanes test() const;
 
  private:
   double motion_;

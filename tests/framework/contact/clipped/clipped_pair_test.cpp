@@ -176,6 +176,26 @@ TEST_CASE("packs of pairs give what pairs give one by one", "[clipped]") {
   CHECK(counts.empty > 50);
 }
 
+TEST_CASE("packs of triangles inside others give what pairs give one by one", "[clipped]") {
+  std::mt19937 random(13);
+  const PairLaw law = tent_law();
+  const GapBands bands = gap_bands(law);
+  PackCounts counts;
+  for (int trial = 0; trial < 200; ++trial) {
+    INFO("trial " << trial);
+    std::array<ClippedPair, pack_width> pairs;
+    for (ClippedPair& pair : pairs) {
+      pair = random_pair(random, 0.1);
+      const Vec3 centre(0.8 + 0.02 * (trial % 10), 0.6, 0.3);
+      for (Vec3& corner : pair.a) corner = centre + 0.1 * (corner - pair.b[0]);
+      if (trial % 2) pair.strip_b = {0.6, 0, 0};
+      pair.boundary_a = {true, false, true};
+    }
+    compare_pack(pairs, law, bands, counts);
+  }
+  CHECK(counts.found > 1000);
+}
+
 // Corners on a grid: edges along each other, corners on lines and on corners.
 TEST_CASE("packs of pairs on common lines give what pairs give one by one", "[clipped]") {
   std::mt19937 random(11);

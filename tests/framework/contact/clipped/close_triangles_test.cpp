@@ -50,7 +50,7 @@ TEST_CASE("close triangles: no motion within the margin makes other triangles in
     CloseTriangles test(motion);
     const int lane = trial % pack_width;
     test.set(lane, x, {0, 1, 2, 3, 4, 5}, law_range, trial % 2);
-    const bool close = (test.may_overlap() >> lane & 1u) != 0;
+    const bool close = (test.test().close >> lane & 1u) != 0;
     left_out += !close;
     // Corners move as far as they may, so that margins are used up.
     for (int repeat = 0; repeat < 20; ++repeat) {
