@@ -64,10 +64,11 @@ struct PairLawIds {
 
 /// A pair of objects, or of regions of them.
 struct PairSetup {
-  int a = -1, b = -1;     // objects
-  bool surfaces = false;  // both have triangles
-  bool region = false;    // these are laws of regions
-  PairLawIds laws;        // of the objects, or of the regions
+  int a = -1, b = -1;                // objects
+  bool surfaces = false;             // both have triangles
+  bool region = false;               // these are laws of regions
+  PairLawIds laws;                   // of the objects, or of the regions
+  std::vector<PairLawIds> all_laws;  // of the objects, then of their pairs of regions
   IntegrationSide side = IntegrationSide::automatic;
   bool adheres = false;       // the objects, or regions of them
   bool overlap_only = false;  // adheres, or has regions: integrates over the overlap alone

@@ -340,6 +340,8 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& re
     if (of_regions[i].bond >= 0) refuse_bond(a, b, regions[i]);
   if (of_objects.bond >= 0) bonds_.set(a, b, of_objects.bond);
   setup.laws = of_objects.laws;
+  setup.all_laws = {of_objects.laws};
+  for (const LawIds& ids : of_regions) setup.all_laws.push_back(ids.laws);
   const PairRoles roles = roles_of(setup);
   table_.point(a, b) = roles.first;
   table_.point(b, a) = roles.second;

@@ -1,6 +1,7 @@
 // Contact model `clipped`: as area_integral, but the adhesion of the gap between surfaces is
 // integrated over triangles that are clipped at the present positions (clipped_adhesion_term.hpp).
 // Contact pressure, bonds, rods and particles are those of area_integral.
+#include <algorithm>
 #include <optional>
 
 #include "framework/contact/area_integral/area_integral.hpp"
@@ -19,6 +20,19 @@ ClippedPlanes planes_of(IntegrationSide side) {
     case IntegrationSide::both: return ClippedPlanes::of_both;
     default: return ClippedPlanes::of_larger;
   }
+}
+
+// Returns whether two laws of the table are the same, friction included: laws without adhesion.
+bool press_alike(const PairTable& table, int a, int b) {
+  constexpr int gaps = 32;  // over the range
+  const PairLaw &first = table.laws()[a], &second = table.laws()[b];
+  const TangentialLaw &rubs = table.tangential(a), &rubs_too = table.tangential(b);
+  if (first.offset() != second.offset() || first.range() != second.range() || rubs.mu != rubs_too.mu || rubs.eps_v != rubs_too.eps_v) return false;
+  for (int i = 1; i <= gaps; ++i) {
+    const double distance = first.offset() + (first.range() - first.offset()) * i / gaps;
+    if (first.at(distance).slope != second.at(distance).slope) return false;
+  }
+  return true;
 }
 
 class ClippedIntegral : public AreaIntegral {
@@ -49,7 +63,9 @@ class ClippedIntegral : public AreaIntegral {
     if (laws_) laws_->set_planes(pair.a, pair.b, both ? ClippedPlanes::of_both : planes_of(pair.side));
     if (laws_ && (pair.region || pair.laws.other >= 0)) set_law(pair, both && pair.laws.other >= 0 ? laws_->half_of(pair.laws.other) : pair.laws.other, table);
     // Regions with laws of pressure of their own are separated by their overlaps.
-    const bool regions = pair.region || pair.region_range > 0;
+    const bool regions = std::any_of(pair.all_laws.begin(), pair.all_laws.end(), [&](const PairLawIds& ids) {
+      return !press_alike(table, ids.pressure, pair.laws.pressure) || !press_alike(table, ids.safety_barrier, pair.laws.safety_barrier);
+    });
     PairSetup of_pressure = pair;
     if (!regions) of_pressure.side = IntegrationSide::automatic;
     of_pressure.overlap_only = pair.overlap_only && regions;
