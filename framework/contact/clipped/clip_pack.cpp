@@ -4,14 +4,12 @@
 namespace tack {
 namespace {
 
-// Distance of a corner from a line, per length of the edge there, above which round-off decides
-// nothing.
-constexpr double clear_ratio = 1e-8;
-// The same, below which the corner lies on the line, round-off apart: the owner of the line decides.
+// Distance of a corner from a line, per length of the edge there, below which an edge of a may lie
+// along the line (ClipIntegrator).
+constexpr double near_ratio = 1e-8;
+// The same, below which it is round-off.
 constexpr double tie_ratio = 1e-13;
-// Distance times length that stands for a tie on either side: its sign alone counts [m^2].
-constexpr double tied = 1e-300;
-// Area of S over that of b, below which it may be a sliver along a line with ties.
+// Area of S over that of b, below which it may be a sliver along a line.
 constexpr double sliver_ratio = 1e-9;
 // Sine of the angle between edges that cross, above which both have the crossing at one point.
 constexpr double crossing_sine_min = 1e-4;
@@ -102,60 +100,55 @@ void ClipPack::subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* mome
   });
 }
 
-// Replaces the distances of corners from lines on which they lie, round-off apart, by their signs.
-// A corner of a belongs to the owner of the line of b. Where an edge of a lies along the line, it is a
-// side of S if b owns the line, and the edge of b is one if that makes two sides of a sliver (a lies
-// beyond the line) or the only side.
-// Lanes with corners that are neither clear of all lines nor on them are not plain. Returns the lanes
-// with ties.
-PackMask ClipPack::resolve_ties(const Pack* square_a, const Pack* square_b, Pack (&of_a)[3][3], Pack (&of_b)[3][3], PackMask& plain) const {
-  PackMask ties{}, tied_a[3][3], tied_b[3][3];
+// Finds which corners are outside of the lines of the other triangle. Where an edge of a lies along a
+// line of b, the owner of the line decides, not the signs of distances: the edge of a is a side of S
+// if b owns the line, otherwise that of b is. Returns the lanes with corners near lines.
+PackMask ClipPack::find_outside(const Pack* square_a, const Pack* square_b, const Pack (&of_a)[3][3], const Pack (&of_b)[3][3], Outside& outside, PackMask& plain) const {
+  PackMask near{}, near_a[3][3];
   for (int k = 0; k < 3; ++k)
     for (int e = 0; e < 3; ++e) {
-      const Pack from_b = abs(of_a[k][e]), from_a = abs(of_b[k][e]);
-      tied_a[k][e] = from_b <= tie_ratio * square_b[e];
-      tied_b[k][e] = from_a <= tie_ratio * square_a[e];
-      ties |= tied_a[k][e] | tied_b[k][e];
-      plain &= (tied_a[k][e] | (from_b > clear_ratio * square_b[e])) & (tied_b[k][e] | (from_a > clear_ratio * square_a[e]));
+      outside.a[k][e] = of_a[k][e] < 0;
+      outside.b[k][e] = of_b[k][e] < 0;
+      near_a[k][e] = abs(of_a[k][e]) <= near_ratio * square_b[e];
+      near |= near_a[k][e] | (abs(of_b[k][e]) <= near_ratio * square_a[e]);
     }
-  ties &= plain;
-  if (!any(ties)) return ties;
-  PackMask owned[3];
+  if (!any(near)) return near;
   for (int line = 0; line < 3; ++line) {
     Pack owns;
     std::memcpy(&owns, owns_[line], sizeof owns);
-    owned[line] = owns > 0.5;
-  }
-  for (int e = 0; e < 3; ++e)
-    for (int k = 0; k < 3; ++k) {
-      Pack side = tied;
-      for (const int line : {k, (k + 2) % 3}) {
-        const PackMask along = tied_a[e][line] & tied_a[(e + 1) % 3][line], inside = of_a[(e + 2) % 3][line] > 0;
-        side = select(along & ~(owned[line] ^ inside), -side, side);
-      }
-      of_b[k][e] = select(tied_b[k][e], side, of_b[k][e]);
+    const PackMask owned = owns > 0.5;
+    for (int e = 0; e < 3; ++e) {
+      const int n = (e + 1) % 3;
+      const PackMask along = near_a[e][line] & near_a[n][line], inside = of_a[(e + 2) % 3][line] > 0;
+      for (const int k : {e, n}) outside.a[k][line] = (along & ~owned) | (~along & outside.a[k][line]);
+      for (const int k : {line, (line + 1) % 3}) outside.b[k][e] = (along & ~(owned ^ inside)) | (~along & outside.b[k][e]);
+      // A sliver along the line, and a boundary edge that is not cut at the line itself.
+      Pack boundary;
+      std::memcpy(&boundary, boundary_[e], sizeof boundary);
+      const Pack tie = tie_ratio * square_b[line];
+      plain &= ~(along & owned & ~inside);
+      plain &= ~(along & ~owned & (boundary > 0.5) & ((of_a[e][line] > tie) | (of_a[n][line] > tie)));
     }
-  for (int k = 0; k < 3; ++k)
-    for (int line = 0; line < 3; ++line) of_a[k][line] = select(tied_a[k][line], select(owned[line], Pack(tied), Pack(-tied)), of_a[k][line]);
-  return ties;
+  }
+  return near;
 }
 
-// Finds the parts of the edges that bound S. Returns the lanes with ties.
+// Finds the parts of the edges that bound S. Returns the lanes with corners near lines.
 PackMask ClipPack::cut_sides(PackMask& plain) {
   // Distances of the corners of a from the lines of b, positive inside and times the length of the
   // edge.
   Pack square_a[3], square_b[3], of_a[3][3], of_b[3][3];
-  PackMask outside{};
+  PackMask not_inside{};
   for (int e = 0; e < 3; ++e) {
     const Side& sb = of_b_[e];
     square_b[e] = sb.across_x * sb.across_x + sb.across_y * sb.across_y;
     for (int k = 0; k < 3; ++k) {
       of_a[k][e] = sb.across_x * (y_[k] - sb.y) - sb.across_y * (x_[k] - sb.x);
-      outside |= of_a[k][e] <= clear_ratio * square_b[e];
+      not_inside |= of_a[k][e] <= near_ratio * square_b[e];
     }
   }
-  a_inside_ = !any(outside);
-  if (a_inside_) return outside;
+  a_inside_ = !any(not_inside);
+  if (a_inside_) return not_inside;
 
   // The same of the corners of b and the lines of a, and shares of the corners of b in a: corner k of a
   // lies opposite edge k + 1.
@@ -180,26 +173,30 @@ PackMask ClipPack::cut_sides(PackMask& plain) {
       steep[e][line] = square > crossing_sine_min * crossing_sine_min * square_a[e] * square_b[line];
       by_cross[e][line] = 1 / select(square > 0, cross_of_edges, 1);
     }
-  const PackMask ties = resolve_ties(square_a, square_b, of_a, of_b, plain);
-  const auto cut = [](Side& side, const Pack& begin, const Pack& end, const Pack& at) {
-    const PackMask out_begin = begin < 0, out_end = end < 0;
+  Outside outside;
+  const PackMask near = find_outside(square_a, square_b, of_a, of_b, outside, plain);
+  // Edges are cut at lines, or prolonged up to them: positions below 0 and above 1.
+  const auto cut = [](Side& side, const PackMask& out_begin, const PackMask& out_end, const Pack& at) {
     side.from = select(out_begin, select(out_end, Pack(1), greater(side.from, at)), side.from);
     side.to = select(out_end, select(out_begin, Pack(0), lesser(side.to, at)), side.to);
   };
+  constexpr double not_cut_begin = -1, not_cut_end = 2;
   for (int e = 0; e < 3; ++e) {
     const int n = (e + 1) % 3;
     Side &sa = of_a_[e], &sb = of_b_[e];
-    sb.from = 0, sb.to = 1;
+    sa.from = sb.from = not_cut_begin;
+    sa.to = sb.to = not_cut_end;
     for (int line = 0; line < 3; ++line) {
-      const Pack &p = of_a[n][line], &q = of_a[e][line];
-      plain &= steep[e][line] | ~((p < 0) ^ (q < 0));
-      cut(sa, p, q, p * by_cross[e][line]);
-      cut(sb, of_b[e][line], of_b[n][line], -of_b[e][line] * by_cross[line][e]);
+      plain &= steep[e][line] | ~((outside.a[n][line] ^ outside.a[e][line]) | (outside.b[line][e] ^ outside.b[(line + 1) % 3][e]));
+      cut(sa, outside.a[n][line], outside.a[e][line], of_a[n][line] * by_cross[e][line]);
+      cut(sb, outside.b[e][line], outside.b[n][line], -of_b[e][line] * by_cross[line][e]);
     }
-    sa.to = greater(sa.from, sa.to);
-    sb.to = greater(sb.from, sb.to);
+    for (Side* side : {&sa, &sb}) {
+      side->from = select(side->from <= not_cut_begin, 0, side->from);
+      side->to = greater(side->from, select(side->to < not_cut_end, side->to, 1));
+    }
   }
-  return ties;
+  return near;
 }
 
 unsigned ClipPack::clip(const GapBands& bands) {
@@ -260,7 +257,7 @@ unsigned ClipPack::clip(const GapBands& bands) {
   }
   const Pack twice_projected = of_a_[0].across_x * (y_[2] - y_[1]) - of_a_[0].across_y * (x_[2] - x_[1]);
   by_projected_ = 1 / select(plain, twice_projected, 1);
-  const PackMask ties = cut_sides(plain);
+  const PackMask near = cut_sides(plain);
 
   // The common point: the mean of the corners of S, which are the begins of its sides.
   Pack ox = 0, oy = 0, count = 0, low = 1e300, high = -1e300;
@@ -307,7 +304,7 @@ unsigned ClipPack::clip(const GapBands& bands) {
   if (any(in_strip_)) subtract_strip_moments(o1, o2, moments);
   const PackMask none = bands.back() <= low, some = (count > 0) & (moments[0] > 0);
   plain &= ~some | (moments[0] > weighted_area_min * area);
-  plain &= ~ties | none | (area > sliver_ratio * twice_area);
+  plain &= ~near | none | (area > sliver_ratio * twice_area);
   // Lanes in one band; in the others the law is taken beyond its range.
   PackMask in_band{};
   for (std::size_t i = 0; i + 1 < bands.size(); ++i) in_band |= (bands[i] <= low) & (high <= bands[i + 1]);

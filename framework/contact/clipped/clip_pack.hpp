@@ -1,7 +1,7 @@
 // The clipped integral (clipped_pair.hpp) of several pairs of triangles side by
 // side, for pairs that need no polygon: those that face each other well, in one
-// band of gaps, outside of strips, with no corner near a line of the other
-// triangle unless it is on the line. All others are left to ClipIntegrator.
+// band of gaps, in one strip at most, with no edges that cross at a small angle
+// and no sliver along a line. All others are left to ClipIntegrator.
 //
 // Key idea: S is bounded by parts of the six edges: those of a within b and
 // those of b within a. Moments are sums over these parts of the triangles that
@@ -44,7 +44,8 @@ class ClipPack {
  private:
   static Pack lesser(const Pack& a, const Pack& b) { return select(a < b, a, b); }
   static Pack greater(const Pack& a, const Pack& b) { return select(b < a, a, b); }
-  // Part of an edge inside the other triangle, counter-clockwise around S.
+  // Part of an edge inside the other triangle, counter-clockwise around S. Where edges lie along
+  // each other, it may reach beyond its ends.
   struct Side {
     Pack from, to;            // positions along the edge; equal: none
     Pack x, y;                // of the begin of the edge [m]
@@ -54,6 +55,11 @@ class ClipPack {
                               // to the end [m]
     Pack strip_from,
         strip_to;  // positions of the part in the strip; equal: none
+  };
+
+  // Per corner and line of the other triangle.
+  struct Outside {
+    PackMask a[3][3], b[3][3];
   };
 
   // Calls act(side) for the edges that may have a part in S.
@@ -67,8 +73,8 @@ class ClipPack {
   // part in the strip.
   template <class Act>
   static void for_strip_points(const Side& side, const Act& act);
-  PackMask resolve_ties(const Pack* square_a, const Pack* square_b, Pack (&of_a)[3][3],
-                        Pack (&of_b)[3][3], PackMask& plain) const;
+  PackMask find_outside(const Pack* square_a, const Pack* square_b, const Pack (&of_a)[3][3],
+                        const Pack (&of_b)[3][3], Outside& outside, PackMask& plain) const;
   PackMask cut_sides(PackMask& plain);
   void find_strip(PackMask& plain);
   void subtract_strip_moments(const Pack& o1, const Pack& o2, Pack* moments);

@@ -120,7 +120,7 @@ struct PackCounts {
   int found = 0, empty = 0;
 };
 // Compares the pairs of a pack with the same one by one.
-void compare_pack(const std::array<ClippedPair, pack_width>& pairs, const PairLaw& law, const GapBands& bands, PackCounts& counts) {
+void compare_pack(const std::array<ClippedPair, pack_width>& pairs, const PairLaw& law, const GapBands& bands, PackCounts& counts, double margin = 1e-12) {
   ClipIntegrator integrator;
   ClipPack pack;
   for (int l = 0; l < pack_width; ++l) {
@@ -149,11 +149,11 @@ void compare_pack(const std::array<ClippedPair, pack_width>& pairs, const PairLa
       CHECK(in_pack.area[k] == Approx(one.area[k]).margin(1e-13));
       CHECK(in_pack.area_a[k] == Approx(one.area_a[k]).margin(1e-13));
     }
-    if (one.energy != 0) CHECK(in_pack.gap == Approx(one.gap).margin(1e-13));
+    if (std::abs(one.energy) > 1e-8) CHECK(in_pack.gap == Approx(one.gap).margin(1e-13));
     std::array<double, ClipPack::hessian_slots> blocks;
     store_blocks<6>(h, blocks.data());
-    for (int i = 0; i < 18; ++i) REQUIRE(gradient[i][l] == Approx(g[i]).margin(1e-12));
-    for (int i = 0; i < ClipPack::hessian_slots; ++i) REQUIRE(hessian[i][l] == Approx(blocks[i]).margin(1e-12));
+    for (int i = 0; i < 18; ++i) REQUIRE(gradient[i][l] == Approx(g[i]).margin(margin));
+    for (int i = 0; i < ClipPack::hessian_slots; ++i) REQUIRE(hessian[i][l] == Approx(blocks[i]).margin(margin));
   }
 }
 
@@ -196,7 +196,7 @@ TEST_CASE("packs of triangles inside others give what pairs give one by one", "[
   CHECK(counts.found > 1000);
 }
 
-// Corners on a grid: edges along each other, corners on lines and on corners.
+// Corners on a grid: edges along each other, corners on lines and on corners; exactly or nearly so.
 TEST_CASE("packs of pairs on common lines give what pairs give one by one", "[clipped]") {
   std::mt19937 random(11);
   const PairLaw law = tent_law();
@@ -211,20 +211,22 @@ TEST_CASE("packs of pairs on common lines give what pairs give one by one", "[cl
   };
   PackCounts counts;
   for (int trial = 0; trial < 2000; ++trial) {
+    const double off = trial % 2 ? 1e-9 : 0;
     INFO("trial " << trial);
     std::array<ClippedPair, pack_width> pairs;
     for (ClippedPair& pair : pairs) {
       pair.a = grid_triangle(false);
       pair.b = grid_triangle(true);
       const double slope = 0.02 * one_of(4);
-      for (Vec3& corner : pair.a) corner.z() = 0.2 + slope * corner.x();
+      for (Vec3& corner : pair.a) corner += Vec3(off * (one_of(3) - 1), off * (one_of(3) - 1), 0.2 + slope * corner.x());
       for (int k = 0; k < 3; ++k) {
         pair.owns_b[k] = one_of(2) == 0;
         pair.boundary_a[k] = one_of(2) == 0;
         pair.strip_b[k] = one_of(4) == 0 ? 0.2 : 0;
       }
     }
-    compare_pack(pairs, law, bands, counts);
+    // A corner that is off a line by 1e-9 moves the ends of sides by as much.
+    compare_pack(pairs, law, bands, counts, off > 0 ? 1e-6 : 1e-12);
   }
   CHECK(counts.found > 2000);
   CHECK(counts.empty > 2000);
