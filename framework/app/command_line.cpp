@@ -55,6 +55,7 @@ class CommandLine {
     add_run();
     add_view();
     add_profile();
+    add_solve();
     add_compare();
     add_batch();
     add_calibrate();
@@ -161,6 +162,23 @@ class CommandLine {
       settle(profile_.scene);
       profile_.profile = true;
       exit_code_ = run_command(profile_);
+    });
+  }
+
+  void add_solve() {
+    CLI::App* solve = app_.add_subcommand("solve", "Solve a stored step with one or several solvers: iterations, seconds, distance from its minimum");
+    add_scene_options(*solve, solve_.step);
+    solve->get_option(file_word)->description("stored step (tack run --dump-problem)")->type_name("PROBLEM");
+    solve->get_option("--set")->description("override keys of its scene: a.b=c (one or more; repeatable)");
+    solve->add_option("--solver", solve_.solvers, "minimizer by name, or a YAML map that is laid over the scene's `solver` (repeatable; default: the scene's)")
+        ->type_name("SOLVER")->take_all()->allow_extra_args(false);
+    solve->add_option("--plugin", solve_.plugins, "plugin library with solvers (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    solve->add_option("--threads", solve_.threads, "threads (default: all cores)")->check(whole_number_above_zero);
+    CLI::Option* none = solve->add_flag("--no-minimum", solve_.no_minimum, "do not search for the minimum if the file has none, and measure no distance from it");
+    solve->add_flag("--store-minimum", solve_.store_minimum, "write the minimum that was found into the file")->excludes(none);
+    solve->callback([this] {
+      settle(solve_.step);
+      exit_code_ = solve_command(solve_);
     });
   }
 
@@ -379,6 +397,7 @@ class CommandLine {
   CLI::App app_{"tack: adhesive contact of deformable solids by incremental potentials"};
   RunOptions run_, profile_;
   ViewOptions view_;
+  SolveOptions solve_;
   CompareOptions compare_;
   BatchOptions batch_;
   CalibrateOptions calibrate_;

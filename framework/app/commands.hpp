@@ -47,6 +47,17 @@ struct CompareOptions {
 // Compares speed against error of several solvers on the same problems.
 int compare_command(const CompareOptions& options);
 
+struct SolveOptions {
+  SceneOptions step;                 // a stored step, and overrides of its scene
+  std::vector<std::string> solvers;  // names or YAML maps; empty: the solver of the scene
+  std::vector<std::string> plugins;
+  int threads = 0;             // 0: all cores
+  bool no_minimum = false;     // measures no distance from the minimum
+  bool store_minimum = false;  // keeps a minimum that was found in the file
+};
+// Solves a stored step with each solver and prints a table.
+int solve_command(const SolveOptions& options);
+
 struct BatchOptions {
   SceneOptions file;
   std::string command_line;       // as it would be typed in a shell

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "framework/config/parse.hpp"
+#include "framework/run/reference_solver.hpp"
 
 namespace tack {
 namespace {
@@ -12,16 +13,6 @@ namespace {
 constexpr double same_minimum = 1e-6;
 constexpr double same_run = 1e-3;        // small differences grow from step to step
 constexpr double same_potential = 1e-9;  // relative
-
-Value settings(const char* projection, const char* linear, double tolerance) {
-  Value solver = parse_string("stopping: velocity\nmax_iterations: 5000\n", "(reference)");
-  // The entry `type` replaces the scene's solver, whatever it is.
-  solver.set("type", Value::scalar("projected_newton"));
-  solver.set("projection", Value::scalar(projection));
-  solver.set("linear", Value::scalar(linear));
-  solver.set("force_tolerance", Value::number(tolerance));  // of quasi-static steps
-  return solver;
-}
 
 // Turns off adaptive steps.
 Value fixed_steps() { return parse_string("adaptive: null\n", "(reference)"); }
@@ -61,7 +52,7 @@ double rms_distance(const World& world, const VecX& a, const VecX& b) {
 Reference make_reference(const CompareCase& compare_case, double step_size, double tolerance, double largest) {
   Reference reference;
   const auto solve = [&](const char* projection, const char* linear, double to) {
-    auto trial = std::make_unique<Trial>(compare_case, TrialSettings{settings(projection, linear, to), to, step_size, {}, fixed_steps()});
+    auto trial = std::make_unique<Trial>(compare_case, TrialSettings{reference_solver(projection, linear, to), to, step_size, {}, fixed_steps()});
     reference.status = trial->run().status;
     return trial;
   };
@@ -90,7 +81,7 @@ Branch branch_of(const CompareCase& compare_case, const Reference& reference, do
   const VecX& exact = first.result().x;
   const auto near = [&](const VecX& y) { return largest_distance(first.world(), exact, y) <= same_branch_distance(compare_case); };
   if (!compare_case.single()) return {near(x) ? Branch::Kind::same : Branch::Kind::another, exact};
-  Trial refined(compare_case, {settings("clamp", "lagged_cholesky", reference.tolerance), reference.tolerance, step_size});
+  Trial refined(compare_case, {reference_solver("clamp", "lagged_cholesky", reference.tolerance), reference.tolerance, step_size});
   if (!refined.run(&x).complete) return {Branch::Kind::another, exact};
   const VecX& own = refined.result().x;
   if (near(own)) return {Branch::Kind::same, exact};

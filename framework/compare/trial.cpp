@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "framework/config/bind.hpp"
+#include "framework/config/merged_component.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/experiment/stored_experiment.hpp"
@@ -49,19 +50,6 @@ double extent_of_movable(const World& world) {
     for (int v = body.first_vertex; body.movable && v < body.first_vertex + body.vertex_count; ++v)
       box.extend(Vec3(vertex(world.rest, v)));
   return box.diagonal().norm();
-}
-
-// Returns the keys of a component with overrides merged into them.
-template <class Kind>
-Value merged_component(const Kind* component, const Value& written) {
-  Value value = to_value(component);
-  if (!written.is_null()) merge(value, written);
-  if (value.is_scalar()) {  // only a name
-    const Value type = value;
-    value = Value::map();
-    value.set("type", type);
-  }
-  return value;
 }
 
 // Applies the settings to an experiment that runs up to a time [s].

@@ -5,6 +5,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/experiment/file_kind.hpp"
+#include "framework/output/state_file.hpp"
 #include "framework/plugin/plugins.hpp"
 #include "geometry/errors.hpp"
 
@@ -43,6 +44,9 @@ LoadedExperiment bound_experiment(Value root) {
 }
 
 LoadedExperiment load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
+  if (begins_as_state_file(path))
+    throw InputError(fmt::format("{}: this is a stored step or a checkpoint of a run, not a scene; `tack solve` solves a stored step, `tack compare` compares solvers on it, and `tack run "
+                                 "--resume` goes on from the newest checkpoint", path));
   return bound_experiment(with_overrides(parse_file(path), overrides));
 }
 

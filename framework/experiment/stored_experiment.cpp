@@ -30,8 +30,8 @@ StateFile state_file_of(StateFile::Kind kind, const Experiment& experiment) {
   return file;
 }
 
-LoadedExperiment experiment_of(const StateFile& file, const std::string& name) {
-  LoadedExperiment loaded = parse_experiment(file.scene, name);
+LoadedExperiment experiment_of(const StateFile& file, const std::string& name, const std::vector<std::string>& overrides) {
+  LoadedExperiment loaded = parse_experiment(file.scene, name, overrides);
   for (ObjectConfig& object : loaded.experiment.objects)
     if (const auto mesh = file.meshes.find(object.name); mesh != file.meshes.end())
       object.shape = std::make_unique<StoredMesh>(mesh->second);

@@ -12,6 +12,8 @@ namespace tack {
 StateFile state_file_of(StateFile::Kind kind, const Experiment& experiment);
 
 // Returns the experiment of a state file, with its meshes; `name` stands for the file in messages.
-LoadedExperiment experiment_of(const StateFile& file, const std::string& name);
+// overrides: of its scene, "a.b=c".
+LoadedExperiment experiment_of(const StateFile& file, const std::string& name,
+                               const std::vector<std::string>& overrides = {});
 
 }  // namespace tack

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -299,6 +300,7 @@ void write_state_file(const std::filesystem::path& path, const StateFile& file) 
                      {"state", fields_to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals},
                      {"warnings", to_json(file.warnings)}};
   for (const auto& [object, flowed] : file.flowed) json["flowed"][object] = to_json(flowed);
+  if (file.minimum.size() > 0) json["minimum"] = to_json(file.minimum), json["minimum_tolerance"] = file.minimum_tolerance;
   if (!file.linear_solver.empty()) json["linear_solver"] = file.linear_solver;
   if (!file.remeshings.empty()) json["remeshings"] = to_json(file.remeshings);
   std::string content;
@@ -330,6 +332,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
       file.state.history["contact/sides"] = {1, sides->get<std::vector<double>>(), {}};
     read(json, "step_size", file.step_size);
     read(json, "totals", file.totals);
+    if (json.contains("minimum")) read(json, "minimum", file.minimum), read(json, "minimum_tolerance", file.minimum_tolerance);
     if (json.contains("linear_solver")) read(json, "linear_solver", file.linear_solver);
     if (json.contains("warnings")) file.warnings = warnings_of(json["warnings"]);
     if (json.contains("flowed"))
@@ -341,12 +344,19 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
   return file;
 }
 
+bool begins_as_state_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string head(format.size(), '\0');
+  return in.read(head.data(), static_cast<std::streamsize>(head.size())) && head == format;
+}
+
 void check_size(const StateFile& file, Eigen::Index vertices, const std::string& name) {
   const State& s = file.state;
   for (const VecX* field : {&s.x, &s.v, &s.a})
     if (field->size() != 3 * vertices)
       refuse_file(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it again",
                                field->size(), vertices));
+  if (file.minimum.size() != 0 && file.minimum.size() != 3 * vertices) refuse_file(name, "its minimum does not fit its scene; write it again");
   for (const VecX* field : {&s.x_motion_start, &s.x_before, &s.v_before, &s.contact, &s.contact_before, &s.energy.gradient})
     if (field->size() != 0 && field->size() != 3 * vertices)
       refuse_file(name, "its state does not fit its scene; write it again");

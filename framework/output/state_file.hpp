@@ -18,6 +18,8 @@
 //                    anchor, x_before, v_before, contact, contact_before,
 //                    history {name: {width, values, keys}}, energy (energy_account.hpp)}
 //    step_size       of a problem [s]
+//    minimum         of a problem: where its potential is least (3n) [m]; absent if not known
+//    minimum_tolerance  velocity tolerance to which it was found [m/s]
 //    totals          {name: number}
 //    linear_solver   text
 //    warnings        [[text, kind, times, subject]]: this and the two before of a checkpoint's run
@@ -57,6 +59,8 @@ struct StateFile {
   std::map<std::string, StateObject> objects;  // by name; empty in older files
   State state;
   double step_size = 0;  // of a problem [s]
+  VecX minimum;          // of a problem (3n) [m]; empty: not known
+  double minimum_tolerance = 0;  // of it [m/s]
   std::map<std::string, double> totals;
   std::string linear_solver;           // of a checkpoint's run so far: solver and reason
   std::vector<WarningCount> warnings;  // of a checkpoint's run so far
@@ -69,6 +73,9 @@ void write_state_file(const std::filesystem::path& path, const StateFile& file);
 // Reads a file. Throws InputError with the file and the reason: missing, not a state file, another
 // version or kind, damaged, truncated.
 StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kind);
+
+// Returns whether a file begins as a state file does; false for one that cannot be read.
+bool begins_as_state_file(const std::filesystem::path& path);
 
 // Throws InputError unless the state has that number of vertices. name: for messages.
 void check_size(const StateFile& file, Eigen::Index vertices, const std::string& name);

@@ -7,6 +7,7 @@
 #include "python/bindings/problem.hpp"
 #include "python/bindings/recorded.hpp"
 #include "python/bindings/running.hpp"
+#include "python/bindings/stored.hpp"
 
 PYBIND11_MODULE(_tack, module) {
   namespace py = pybind11;
@@ -25,4 +26,5 @@ PYBIND11_MODULE(_tack, module) {
   python::bind_problem(module);
   python::bind_running(module);
   python::bind_recorded(module);
+  python::bind_stored(module);
 }

@@ -21,5 +21,6 @@ from ._tack import version as __version__  # noqa: E402
 from .law import law  # noqa: E402
 from .results import Batch, Run, Tables, read  # noqa: E402
 from .simulation import Simulation, Warned, run  # noqa: E402
+from .solve import solve  # noqa: E402
 
-__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "law", "read", "run"]
+__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "law", "read", "run", "solve"]

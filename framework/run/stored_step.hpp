@@ -1,0 +1,63 @@
+// A stored step (tack run --dump-problem), minimised by one solver after another: what a study of
+// minimisers measures. Each solve has a world of its own, so that no factor or list of candidates
+// of an earlier one helps it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/config/value.hpp"
+#include "framework/experiment/load_experiment.hpp"
+#include "framework/output/state_file.hpp"
+#include "framework/stepping/stepper.hpp"
+
+namespace tack {
+
+/// One solve of a stored step.
+struct StoredSolve {
+  std::string status;  // "converged", or why not
+  bool converged = false;
+  int iterations = 0, evaluations = 0;  // of the minimiser, and of its line searches
+  int linear_solves = 0;
+  double cpu_seconds = 0, wall_seconds = 0;  // of the minimisation alone; cpu: of all threads
+  double residual = 0;                       // last stopping norm, in tolerances
+  // Largest distance of a vertex from the minimum, over the largest displacement of a vertex from
+  // the start of the step to the minimum; nothing without a minimum or a result.
+  std::optional<double> distance;
+  VecX x;  // 3n [m]; empty without a result
+};
+
+class StoredStep {
+ public:
+  /// Reads a problem file. overrides: of its scene, "a.b=c". Throws InputError.
+  explicit StoredStep(std::string path, std::vector<std::string> overrides = {});
+
+  /// Solves the step. solver: a name or a map, laid over the `solver` of the scene; another type
+  /// keeps the convergence criteria. Null: the solver of the scene. Throws InputError for a solver
+  /// that does not fit.
+  StoredSolve solve(const Value& solver, StepObservers observers = {}) const;
+
+  /// Returns true if the file has a minimum, or find_minimum() found one.
+  bool has_minimum() const { return file_.minimum.size() > 0; }
+  double minimum_tolerance() const { return file_.minimum_tolerance; }  // m/s
+  /// Finds the minimum from the start of the step, by projected Newton with the smallest tolerance
+  /// that round-off permits. Returns false if none is found.
+  bool find_minimum();
+  /// Writes the minimum into the file. Throws std::logic_error without one or with overrides, which
+  /// change the problem.
+  void store_minimum() const;
+
+  int unknowns() const { return unknowns_; }
+  double step_size() const { return file_.step_size; }  // s
+
+ private:
+  LoadedExperiment load(const Value& solver) const;
+
+  std::string path_;
+  std::vector<std::string> overrides_;
+  StateFile file_;
+  int unknowns_ = 0;
+};
+
+}  // namespace tack
