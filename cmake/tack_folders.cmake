@@ -26,7 +26,7 @@ set(TACK_FURTHER_EXCEPT energies/loads/loads.cpp energies/loads/pressure.cpp)
 # rounding at small gaps depends on inlining.
 set(TACK_UNITY_FOLDERS
     geometry/broad_phase geometry/exact framework/assembly framework/bond framework/core framework/stepping
-    energies/adhesion solvers/filters solvers/lcp solvers/linear solvers/minimizers)
+    energies/adhesion solvers/filters solvers/lcp solvers/linear solvers/minimizers solvers/steps)
 
 # Files that are compiled alone: those with CGAL take long to compile, two are hot files of other folders, one changes with every commit.
 set(TACK_UNITY_EXCEPT

@@ -33,6 +33,8 @@ void Minimizer::fields(Fields& f) {
   f.optional_number("time_limit", time_limit_, units::time,
                     "wall time of one solve, after which it fails and the step is divided into substeps; none unless given")
       .positive();
+  f.component_list("step_filters", step_filters_,
+                   "bounds of every step, so that nothing intersects or inverts on its way; states at the end of steps are checked exactly in any case");
   f.flag("check_iterates", check_iterates_,
          "check every iterate exactly for intersections and inverted tets, and end the run at the first one; slow");
 }

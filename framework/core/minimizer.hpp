@@ -12,6 +12,7 @@
 #include "framework/config/registry.hpp"
 #include "framework/core/objective.hpp"
 #include "framework/core/phase_clock.hpp"
+#include "framework/core/step_filter.hpp"
 
 namespace tack {
 
@@ -56,6 +57,13 @@ struct MinimizerProblem {
   // would exceed `loss` [unit of the objective]. Returns false and keeps p if there is no such
   // body.
   std::function<bool(const VecX& q, VecX& p, double loss)> retract = {};
+  /// Pairs and elements that by themselves allow less than `below`, in (0, 1], of the step from q
+  /// to q + p. Costs a search of all pairs along that part of the step.
+  std::function<StepCuts(const VecX& q, const VecX& p, double below)> cuts = {};
+  /// Bound of the step of each block (size / 3), in [0, 1]: feasible is any step in which the
+  /// blocks make fractions of p up to their bounds, all `together`, or one of them `alone`. Throws
+  /// InputError if a step filter knows no such bounds.
+  std::function<VecX(const VecX& q, const VecX& p, BlockBound kind)> block_bounds = {};
   // True: the observer gets the stopping norm also from methods that must do a linear solve for it
   // alone: in the first 20 iterations, later each time their number has grown by a tenth. Not for
   // timed runs.
@@ -109,6 +117,7 @@ class Minimizer : public Component {
 
   std::optional<double> time_limit() const { return time_limit_; }  // s of wall time
   bool checks_iterates() const { return check_iterates_; }
+  const StepFilters& step_filters() const { return step_filters_; }
 
   /// Settings that the scene leaves open get defaults in framework/experiment/tolerances.hpp.
   bool tolerance_given() const { return tolerance_.has_value(); }
@@ -142,6 +151,7 @@ class Minimizer : public Component {
   double acceleration_tolerance_ = 1;  // m/s^2
   std::optional<double> time_limit_;   // s
   bool check_iterates_ = false;
+  StepFilters step_filters_ = default_step_filters();
 };
 
 }  // namespace tack

@@ -1,5 +1,6 @@
 // Step filters: bounds of a step by feasibility. No accepted state, intermediate or final, may
-// intersect or invert. Every registered filter applies to every run that has objects for it.
+// intersect or invert. A solver names its filters (`step_filters`); each applies to a run that has
+// objects for it.
 #pragma once
 
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "framework/config/registry.hpp"
 #include "framework/core/phase_clock.hpp"
+#include "framework/core/step_cuts.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -44,17 +46,30 @@ class StepFilter : public Component {
   /// Returns the tightest bound of the step from x to x + p; nothing if the whole step is feasible.
   /// For messages: not fast.
   virtual std::optional<Blocker> blocker(const VecX& x, const VecX& p) = 0;
+  /// Appends, in any order, every pair or element that by itself allows less than `below` of the
+  /// step from x to x + p; below: in (0, 1]. bodies stay unset. The default appends the tightest.
+  virtual void add_cuts(const VecX& x, const VecX& p, double below, std::vector<StepCut>& cuts) {
+    const std::optional<Blocker> tightest = blocker(x, p);
+    if (!tightest || tightest->step >= below) return;
+    cuts.push_back(step_cut(CutKind::other, tightest->first, tightest->second, tightest->step));
+  }
+  /// Lowers bounds (units.count, at most 1) so that the state stays feasible if every unit makes
+  /// any part of its step up to its bound: `together`; or if one makes it and all others rest:
+  /// `alone`. Returns false if the filter cannot say.
+  virtual bool bound_units(const VecX& /*x*/, const VecX& /*p*/, const MotionUnits& /*units*/,
+                           BlockBound /*kind*/, std::vector<double>& /*bounds*/) {
+    return false;
+  }
 };
 
-/// Returns one filter of each registered type that attaches to the context.
-inline std::vector<std::unique_ptr<StepFilter>> attached_filters(
-    const FeasibilityContext& context) {
-  std::vector<std::unique_ptr<StepFilter>> filters;
-  for (const std::string& name : Registry<StepFilter>::kind().names()) {
-    auto filter = Registry<StepFilter>::make(name);
-    if (filter->attach(context)) filters.push_back(std::move(filter));
-  }
-  return filters;
-}
+/// Settings of filters; shared, as minimisers with the same settings have the same filters.
+using StepFilters = std::vector<std::shared_ptr<const StepFilter>>;
+
+/// Returns the filters of a solver that names none: ccd and inversion.
+StepFilters default_step_filters();
+
+/// Returns a new filter for each of `settings` that attaches to the context.
+std::vector<std::unique_ptr<StepFilter>> attached_filters(
+    const FeasibilityContext& context, const StepFilters& settings = default_step_filters());
 
 }  // namespace tack

@@ -41,7 +41,7 @@ struct LinearCost {
 };
 
 // Steps that minimisers requested, and how many of them contact or inversion truncated below 0.9.
-struct StepCuts {
+struct TruncatedSteps {
   long tried = 0, cut = 0;
   double left = 0;  // sum of the permitted fractions of truncated steps
 };
@@ -75,7 +75,7 @@ struct Profile {
   double gather_seconds = 0;    // assembly, without the terms
   LinearCost linear;
   std::vector<HardStep> hardest;  // most iterations first
-  StepCuts cuts;
+  TruncatedSteps cuts;
   Nearness nearness;
   std::vector<ContactRange> contact_ranges;  // of objects that move, longest in edges first
 

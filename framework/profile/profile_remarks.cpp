@@ -105,7 +105,7 @@ class Remarks {
   }
 
   void cut_steps() {
-    const StepCuts& c = p_.cuts;
+    const TruncatedSteps& c = p_.cuts;
     if (double(c.cut) < often_cut * double(c.tried) || c.cut == 0) return;
     add(all_ * double(c.cut) / double(c.tried), "contact or inversion cut {:.0f}% of {} Newton steps, to {:.2g} of their length on average: {}",
         percent(double(c.cut), double(c.tried)), c.tried, c.left / double(c.cut), remedy_of_cuts());

@@ -166,7 +166,7 @@ std::vector<ContactRange> Profiler::contact_ranges() const {
 
 // Returns the hardest steps with their blockers. Makes its own filters on the contact system.
 std::vector<HardStep> Profiler::hardest() {
-  const auto filters = attached_filters({world_.contact.get(), world_.tets, clock_});
+  const auto filters = attached_filters({world_.contact.get(), world_.tets, clock_}, solver_.step_filters());
   std::vector<HardStep> all;
   for (Hard& hard : hardest_) {
     if (hard.cut.feasible < 1) hard.step.blocker = describe_blocker(world_, filters, hard.cut.x, hard.cut.p);

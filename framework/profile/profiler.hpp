@@ -64,7 +64,7 @@ class Profiler {
   ContactSeconds charged_;        // contact times at the last call of charge_pairs
   ContactSeconds uncharged_;      // contact times of no pair
   int uncharged_iterations_ = 0;  // since that call
-  StepCuts cuts_;
+  TruncatedSteps cuts_;
   CutStep cut_;  // the most truncated one of the present step
   std::vector<Hard> hardest_;
   Profile totals_;

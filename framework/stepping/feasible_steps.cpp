@@ -1,11 +1,29 @@
 #include "framework/stepping/feasible_steps.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "framework/core/disjoint_sets.hpp"
 #include "framework/stepping/obstacle.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
+namespace {
 
-FeasibleSteps::FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* check)
-    : world_(world), clock_(clock), check_(check), filters_(attached_filters({world.contact.get(), world.tets, clock})) {}
+// Returns the configuration of unknowns q and the displacements of all vertices by p (3n).
+std::pair<VecX, VecX> at_vertices(const StepPotential& potential, const VecX& q, const VecX& p) {
+  VecX x = potential.configuration(), displacement = VecX::Zero(x.size());
+  potential.dofs().scatter(q, x);
+  potential.dofs().scatter(p, displacement);
+  return {std::move(x), std::move(displacement)};
+}
+
+}  // namespace
+
+FeasibleSteps::FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* check, const StepFilters& filters)
+    : world_(world), clock_(clock), check_(check), filters_(attached_filters({world.contact.get(), world.tets, clock}, filters)) {}
 
 double FeasibleSteps::largest(const VecX& x, const VecX& p) {
   if (check_) check_->check(x);
@@ -27,10 +45,80 @@ double FeasibleSteps::largest_requested(const VecX& x, const VecX& p) {
 }
 
 double FeasibleSteps::largest_requested(const StepPotential& potential, const VecX& q, const VecX& p) {
-  VecX x = potential.configuration(), displacement = VecX::Zero(x.size());
-  potential.dofs().scatter(q, x);
-  potential.dofs().scatter(p, displacement);
+  const auto [x, displacement] = at_vertices(potential, q, p);
   return largest_requested(x, displacement);
+}
+
+void FeasibleSteps::set_feasibility(const StepPotential& potential, MinimizerProblem& problem) {
+  problem.feasible_step = [&](const VecX& q, const VecX& p) { return largest_requested(potential, q, p); };
+  problem.cuts = [&](const VecX& q, const VecX& p, double below) { return cuts(potential, q, p, below); };
+  problem.block_bounds = [&](const VecX& q, const VecX& p, BlockBound kind) { return block_bounds(potential, q, p, kind); };
+}
+
+StepCuts FeasibleSteps::cuts(const StepPotential& potential, const VecX& q, const VecX& p, double below) {
+  const auto [x, displacement] = at_vertices(potential, q, p);
+  StepCuts found;
+  for (const auto& filter : filters_) {
+    clock_.deadline().check();
+    filter->add_cuts(x, displacement, below, found.cuts);
+  }
+  std::sort(found.cuts.begin(), found.cuts.end());
+  const DofMap& dofs = potential.dofs();
+  found.block_start.push_back(0);
+  for (StepCut& cut : found.cuts) {
+    const size_t first = found.blocks.size();
+    for (const int v : cut.all_vertices()) {
+      if (const int block = dofs.block(v); block >= 0) found.blocks.push_back(block);
+      else if (dofs.mixed(v))
+        for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) found.blocks.push_back(entry.index);
+    }
+    const auto own = found.blocks.begin() + static_cast<std::ptrdiff_t>(first);
+    std::sort(own, found.blocks.end());
+    found.blocks.erase(std::unique(own, found.blocks.end()), found.blocks.end());
+    found.block_start.push_back(static_cast<int>(found.blocks.size()));
+    cut.bodies[0] = world_.body_of(cut.vertices[0]);
+    if (cut.first_count < cut.count) cut.bodies[1] = world_.body_of(cut.vertices[cut.first_count]);
+  }
+  return found;
+}
+
+MotionUnits FeasibleSteps::units(const DofMap& dofs) const {
+  DisjointSets sets(dofs.block_count());
+  const int n = dofs.vertex_count();
+  for (const int v : dofs.dependents())
+    if (dofs.mixed(v))
+      for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) sets.join(entry.index, dofs.blocks(v)[0].index);
+  const auto unit = [&](int v) { return dofs.block(v) >= 0 ? sets.find(dofs.block(v)) : dofs.mixed(v) ? sets.find(dofs.blocks(v)[0].index) : -1; };
+  for (bool joined = !dofs.plain(); joined;) {
+    joined = false;
+    for (const Tet& tet : world_.tets) {
+      std::array<int, 4> own;
+      std::transform(tet.begin(), tet.end(), own.begin(), unit);
+      std::sort(own.begin(), own.end());
+      const auto first = std::upper_bound(own.begin(), own.end(), -1);
+      if (std::adjacent_find(first, own.end()) == own.end()) continue;
+      for (auto u = first; u != own.end(); ++u)
+        if (*u != *first) sets.join(*u, *first), joined = true;
+    }
+  }
+  MotionUnits units{std::vector<int>(n), dofs.block_count()};
+  for (int v = 0; v < n; ++v) units.of_vertex[v] = unit(v);
+  return units;
+}
+
+VecX FeasibleSteps::block_bounds(const StepPotential& potential, const VecX& q, const VecX& p, BlockBound kind) {
+  const auto [x, displacement] = at_vertices(potential, q, p);
+  const DofMap& dofs = potential.dofs();
+  const MotionUnits motion = units(dofs);
+  std::vector<double> bounds(motion.count, 1.0);
+  for (const auto& filter : filters_) {
+    clock_.deadline().check();
+    if (!filter->bound_units(x, displacement, motion, kind, bounds))
+      throw InputError(fmt::format("the step filter '{}' gives no bounds of single blocks; take another `step` of the solver, or leave the filter out", filter->type()));
+  }
+  VecX of_blocks(dofs.block_count());
+  for (int b = 0; b < dofs.block_count(); ++b) of_blocks(b) = bounds[motion.of_vertex[dofs.vertex_of_block(b)]];
+  return of_blocks;
 }
 
 std::string FeasibleSteps::blocker() const {

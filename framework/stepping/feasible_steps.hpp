@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/minimizer.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/stepping/iterate_check.hpp"
 #include "framework/world/step_potential.hpp"
@@ -15,9 +16,10 @@ namespace tack {
 
 class FeasibleSteps {
  public:
-  // Collects the filters that apply to the world. check: is given every state from which a step is
+  // Makes the filters that apply to the world. check: is given every state from which a step is
   // requested; may be null.
-  FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* check = nullptr);
+  FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* check = nullptr,
+                const StepFilters& filters = default_step_filters());
 
   // Returns the largest t in (0, 1] such that x + s p (3n) is feasible for s in [0, t]. Throws
   // OutOfTime.
@@ -27,6 +29,12 @@ class FeasibleSteps {
   // Overload for q and p over the unknowns of the potential, whose configuration supplies all other
   // vertices.
   double largest_requested(const StepPotential& potential, const VecX& q, const VecX& p);
+  // Sets feasible_step, cuts and block_bounds of a problem over the unknowns of the potential. Both
+  // must outlive the problem.
+  void set_feasibility(const StepPotential& potential, MinimizerProblem& problem);
+  // See MinimizerProblem::cuts and block_bounds.
+  StepCuts cuts(const StepPotential& potential, const VecX& q, const VecX& p, double below);
+  VecX block_bounds(const StepPotential& potential, const VecX& q, const VecX& p, BlockBound kind);
   // Clears the last requested step.
   void reset() { x_.resize(0); }
   // Returns "; the last step was ..." with the primitive that truncated the last requested step, or
@@ -35,6 +43,10 @@ class FeasibleSteps {
 
   using Observer = std::function<void(const VecX& x, const VecX& p, double feasible)>;
   void observe(Observer observer) { observer_ = std::move(observer); }
+
+  // Returns the units of motion. Blocks that move one vertex together are one unit, and so are all
+  // blocks of a tetrahedron of which one unit moves two corners: see solvers/filters/inversion.cpp.
+  MotionUnits units(const DofMap& dofs) const;
 
  private:
   World& world_;

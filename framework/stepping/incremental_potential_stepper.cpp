@@ -64,7 +64,7 @@ Minimization::Minimization(const StepperContext& context, const StepObservers& o
     : world_(context.world), scene_(context.scene), solver_(context.solver), clock_(context.clock), observers_(observers),
       convergence_(world_, solver_, context.time.step),
       check_(solver_.checks_iterates() ? std::optional<IterateCheck>(std::in_place, world_, clock_) : std::nullopt),
-      steps_(world_, clock_, check_ ? &*check_ : nullptr),
+      steps_(world_, clock_, check_ ? &*check_ : nullptr, solver_.step_filters()),
       follower_(world_, solver_, clock_, steps_) {
   if (world_.contact) tunnelling_.emplace(world_);
   steps_.observe([this](const VecX& x, const VecX& p, double feasible) {
@@ -89,9 +89,8 @@ void Minimization::solve(const Step& step, const VecX* guess, SolveResult& resul
   VecX q;
   if (!start(step, guess, result, q) || world_.dofs.size() == 0) return;
   if (check_) check_->begin(step.state.step + 1, "the minimisation");
-  MinimizerProblem problem{step.potential,
-                           [&](const VecX& from, const VecX& p) { return steps_.largest_requested(step.potential, from, p); },
-                           {}, clock_};
+  MinimizerProblem problem{step.potential, {}, {}, clock_};
+  steps_.set_feasibility(step.potential, problem);
   problem.observer = observers_.minimizer;
   problem.true_residuals = observers_.true_residuals;
   convergence_.set_criteria(problem);

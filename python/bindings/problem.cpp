@@ -64,6 +64,40 @@ double Problem::feasible_step(const Numbers& q, const Numbers& p) {
   return step;
 }
 
+py::list Problem::cuts(const Numbers& q, const Numbers& p, double below) {
+  const int size = there().objective.size();
+  if (!there().cuts) throw std::runtime_error("this problem has no step filters: it is that of prescribed vertices on their way");
+  if (!(below > 0 && below <= 1)) throw py::value_error("below: a fraction of the step in (0, 1] is needed");
+  const StepCuts found = there().cuts(vector_of(q, size, "unknowns"), vector_of(p, size, "direction"), below);
+  leave();  // filters may have moved the shared state
+  py::list all;
+  for (size_t i = 0; i < found.cuts.size(); ++i) {
+    const StepCut& cut = found.cuts[i];
+    const auto vertices = cut.all_vertices();
+    const auto blocks = found.blocks_of(static_cast<int>(i));
+    py::list bodies;
+    for (const int body : cut.bodies)
+      if (body >= 0) bodies.append(world_.bodies[body].name);
+    py::dict d;
+    d["kind"] = std::string(to_string(cut.kind));
+    d["step"] = cut.step;
+    d["vertices"] = std::vector<int>(vertices.begin(), vertices.end());
+    d["blocks"] = std::vector<int>(blocks.begin(), blocks.end());
+    d["objects"] = bodies;
+    all.append(d);
+  }
+  return all;
+}
+
+py::array Problem::block_bounds(const Numbers& q, const Numbers& p, const std::string& kind) {
+  const int size = there().objective.size();
+  if (!there().block_bounds) throw std::runtime_error("this problem has no step filters: it is that of prescribed vertices on their way");
+  if (kind != "together" && kind != "alone") throw py::value_error("kind: '" + kind + "' is none of: together, alone");
+  const VecX bounds = there().block_bounds(vector_of(q, size, "unknowns"), vector_of(p, size, "direction"), kind == "alone" ? BlockBound::alone : BlockBound::together);
+  leave();
+  return copy(bounds, 0);
+}
+
 double Problem::stopping_norm(const Numbers& p, const Numbers& gradient) {
   const int size = there().objective.size();
   return there().stopping_norm(vector_of(p, size, "direction"), vector_of(gradient, size, "gradient"));
@@ -134,6 +168,11 @@ void bind_problem(py::module_& module) {
            "Its Hessian at q, a scipy.sparse.csc_matrix. projection: 'none', or that each stencil is made positive semi-definite, 'clamp' or 'absolute'.")
       .def("feasible_step", &Problem::feasible_step, py::arg("q"), py::arg("p"),
            "The largest t in (0, 1] such that from q to q + t p nothing interpenetrates or inverts.")
+      .def("cuts", &Problem::cuts, py::arg("q"), py::arg("p"), py::arg("below") = 1.0,
+           "What by itself allows less than `below` of the step from q to q + p: dictionaries with kind ('edge_edge', 'point_triangle', 'tet', ...), step (the fraction that it "
+           "allows), vertices (of the first primitive, then of the second), blocks (of three unknowns) and objects, in an order that does not depend on threads.")
+      .def("block_bounds", &Problem::block_bounds, py::arg("q"), py::arg("p"), py::arg("kind") = "together",
+           "For each block of three unknowns the fraction of p up to which it may move: 'together', whatever part of that each block makes, or 'alone', all others at rest.")
       .def("stopping_norm", &Problem::stopping_norm, py::arg("p"), py::arg("gradient"), "Of a Newton direction p and the gradient where it starts, over what is tolerated.")
       .def("converged", &Problem::converged, py::arg("q"), "Whether the minimisation may end at q, by the scene's own tolerances.");
 }

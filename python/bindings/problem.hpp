@@ -32,6 +32,9 @@ class Problem {
   py::object hessian(const Numbers& q, const std::string& projection);
   double feasible_step(const Numbers& q, const Numbers& p);
   double stopping_norm(const Numbers& p, const Numbers& gradient);
+  // Returns a dictionary per cut: kind, step, vertices, blocks, bodies.
+  py::list cuts(const Numbers& q, const Numbers& p, double below);
+  py::array block_bounds(const Numbers& q, const Numbers& p, const std::string& kind);
   // Returns true if projected Newton would end at q.
   bool converged(const Numbers& q);
 

@@ -228,9 +228,10 @@ std::shared_ptr<Problem> Running::problem() {
   const Step step = stepper.open(h);
   convergence_.emplace(world, simulation_->solver(), simulation_->experiment().time.step);
   convergence_->begin_step(step.potential, h, step.prediction.inertia);
-  steps_.emplace(world, simulation_->clock());
+  steps_.emplace(world, simulation_->clock(), nullptr, simulation_->solver().step_filters());
   StepPotential& potential = step.potential;
-  MinimizerProblem problem{potential, [this, &potential](const VecX& q, const VecX& p) { return steps_->largest_requested(potential, q, p); }, {}, simulation_->clock()};
+  MinimizerProblem problem{potential, {}, {}, simulation_->clock()};
+  steps_->set_feasibility(potential, problem);
   convergence_->set_criteria(problem);
   VecX q;
   world.dofs.gather(step.targets, q);

@@ -42,6 +42,12 @@ class Problem:
     def feasible_step(self, q: np.ndarray, p: np.ndarray) -> float:
         """The largest t in (0, 1] such that from q to q + t p nothing interpenetrates or inverts."""
 
+    def cuts(self, q: np.ndarray, p: np.ndarray, below: float = 1.0) -> list[dict]:
+        """What by itself allows less than `below` of the step from q to q + p: dictionaries with kind ('edge_edge', 'point_triangle', 'tet', ...), step (the fraction that it allows), vertices (of the first primitive, then of the second), blocks (of three unknowns) and objects, in an order that does not depend on threads."""
+
+    def block_bounds(self, q: np.ndarray, p: np.ndarray, kind: str = "together") -> np.ndarray:
+        """For each block of three unknowns the fraction of p up to which it may move: 'together', whatever part of that each block makes, or 'alone', all others at rest."""
+
     def stopping_norm(self, p: np.ndarray, gradient: np.ndarray) -> float:
         """Of a Newton direction p and the gradient where it starts, over what is tolerated."""
 

@@ -13,6 +13,7 @@
 #include "geometry/broad_phase/displacement_bounds.hpp"
 #include "geometry/ccd/accd.hpp"
 #include "geometry/parallel.hpp"
+#include "solvers/filters/separating_planes.hpp"
 
 namespace tack {
 namespace {
@@ -42,7 +43,7 @@ double relative_displacement(const std::array<Vec3, A>& da, const std::array<Vec
 
 // Two configurations and the path from the second one.
 struct StepMotion {
-  const VecX& moved;  // displacements from the configuration of the stored distances to x [m]
+  const VecX& reference;  // of the stored distances [m]
   const VecX& x;
   const VecX& p;
 };
@@ -61,8 +62,11 @@ double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, doubl
   const double reach = motion + offset;
   if (reach * reach < box_gaps(a, b).cwiseMax(0.0).squaredNorm()) return t;
   if (distance - offset > motion) {
-    auto ua = corners(step.moved, va);
-    auto ub = corners(step.moved, vb);
+    // Displacements since then.
+    auto ua = corners(step.reference, va);
+    auto ub = corners(step.reference, vb);
+    for (size_t i = 0; i < A; ++i) ua[i] = a[i] - ua[i];
+    for (size_t i = 0; i < B; ++i) ub[i] = b[i] - ub[i];
     const double before = relative_displacement(ua, ub);
     for (size_t i = 0; i < A; ++i) ua[i] += t * da[i];
     for (size_t i = 0; i < B; ++i) ub[i] += t * db[i];
@@ -71,6 +75,12 @@ double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, doubl
     if (free_gap_fraction * motion < gap) return t;
   }
   return std::min(t, accd(a, b, da, db, t, offset));
+}
+
+template <size_t A, size_t B>
+constexpr CutKind cut_kind() {
+  if constexpr (A == 2) return CutKind::edge_edge;
+  else return B == 3 ? CutKind::point_triangle : B == 2 ? CutKind::point_edge : CutKind::point_point;
 }
 
 // Returns the largest displacement of a vertex [m].
@@ -117,16 +127,59 @@ class Ccd : public StepFilter {
     t = std::min(2 * t + 1e-300, 1.0);  // the candidates are those of the stage in which the pair was found
     const PhaseScope scope(*clock_, Phase::ccd);
     std::optional<Blocker> worst;
-    const VecX moved = x - contact_->candidates().reference;
+    const VecX& reference = contact_->candidates().reference;
     for_each_kind([&](const auto& kind) {
       for (size_t i = 0; i < kind.pairs.size(); ++i) {
         const auto [a, b] = kind.primitives(kind.pairs[i]);
-        const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {moved, x, p}, t, kind.accd);
+        const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, t, kind.accd);
         if (bound < t) worst = Blocker{{a.begin(), a.end()}, {b.begin(), b.end()}, 0, t = bound};
       }
     });
     if (worst) worst->gap = gap_between(worst->first, worst->second, x);
     return worst;
+  }
+
+  void add_cuts(const VecX& x, const VecX& p, double below, std::vector<StepCut>& cuts) override {
+    contact_->cover(x, below * p);
+    const PhaseScope scope(*clock_, Phase::ccd);
+    const double most = 2 * below * largest_motion(p) * motion_factor;  // bound of the relative displacement of two vertices
+    const VecX& reference = contact_->candidates().reference;
+    for_each_kind([&](const auto& kind) {
+      const int n = static_cast<int>(kind.pairs.size());
+      std::vector<std::vector<StepCut>> chunks(chunk_count(n));
+      for_each_chunk(n, [&](int c, int first, int last) {
+        for (int i = first; i < last; ++i) {
+          if (most < kind.distance_bounds[i] - largest_offset_) continue;
+          const auto [a, b] = kind.primitives(kind.pairs[i]);
+          const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, below, kind.accd);
+          if (bound < below) chunks[c].push_back(step_cut(cut_kind<std::tuple_size_v<decltype(a)>, std::tuple_size_v<decltype(b)>>(), a, b, bound));
+        }
+      });
+      for (const auto& chunk : chunks) cuts.insert(cuts.end(), chunk.begin(), chunk.end());
+    });
+  }
+
+  bool bound_units(const VecX& x, const VecX& p, const MotionUnits& units, BlockBound kind_of_bound, std::vector<double>& bounds) override {
+    contact_->cover(x, p);
+    const PhaseScope scope(*clock_, Phase::ccd);
+    for_each_kind([&](const auto& kind) {
+      const int n = static_cast<int>(kind.pairs.size());
+      std::vector<std::vector<UnitBound>> chunks(chunk_count(n));
+      for_each_chunk(n, [&](int c, int first, int last) {
+        for (int i = first; i < last; ++i) {
+          const auto [a, b] = kind.primitives(kind.pairs[i]);
+          const double offset = offset_of(a, b);
+          const auto da = corners(p, a), db = corners(p, b);
+          if (largest_norm(da) + largest_norm(db) < (1 - gap_fraction_min) * (kind.distance_bounds[i] - offset)) continue;
+          const auto ca = corners(x, a), cb = corners(x, b);
+          if (kind_of_bound == BlockBound::together) bound_by_planes(ca, cb, da, db, units_of(units, a), units_of(units, b), offset, gap_fraction_min, chunks[c]);
+          else bound_alone(da, db, units_of(units, a), units_of(units, b), [&](const auto& ea, const auto& eb) { return kind.accd(ca, cb, ea, eb, 1.0, offset); }, chunks[c]);
+        }
+      });
+      for (const std::vector<UnitBound>& chunk : chunks)
+        for (const UnitBound& bound : chunk) bounds[bound.unit] = std::min(bounds[bound.unit], bound.step);
+    });
+    return true;
   }
 
  private:
@@ -136,9 +189,9 @@ class Ccd : public StepFilter {
     double t = t_max;
     // Bound of the relative displacement of two vertices.
     const double most = 2 * largest_motion(p) * motion_factor;
-    const VecX moved = x - contact_->candidates().reference;
+    const VecX& reference = contact_->candidates().reference;
     const DisplacementBounds displacements(contact_->surface().mesh, [&](int v) {
-      return vertex(moved, v).norm() + motion_factor * t * vertex(p, v).norm();
+      return (vertex(x, v) - vertex(reference, v)).norm() + motion_factor * t * vertex(p, v).norm();
     });
     for_each_kind([&](const auto& kind) {
       t = min_chunks(static_cast<int>(kind.pairs.size()), t, [&, limit = t](int first, int last) {
@@ -148,7 +201,7 @@ class Ccd : public StepFilter {
           if (least * most < kind.distance_bounds[i] - largest_offset_) continue;
           if (kind.displacement(displacements, kind.pairs[i]) < kind.reference_distances[i] - largest_offset_) continue;
           const auto [a, b] = kind.primitives(kind.pairs[i]);
-          least = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {moved, x, p}, least, kind.accd);
+          least = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, least, kind.accd);
         }
         return least;
       });

@@ -1,5 +1,6 @@
-// The loop of all descent methods: direction, stopping norm, feasible step, line search. A new
-// method implements direction().
+// The loop of all descent methods: direction, stopping norm, step. A new method implements
+// direction(). What is made of the direction is the matter of step policies
+// (solvers/steps/step_policy.hpp).
 #pragma once
 
 #include <memory>
@@ -8,6 +9,7 @@
 #include "solvers/line_search/line_search.hpp"
 #include "solvers/minimizers/stagnation.hpp"
 #include "solvers/minimizers/convergence_judge.hpp"
+#include "solvers/steps/step_policy.hpp"
 
 namespace tack {
 
@@ -18,15 +20,7 @@ class DescentMinimizer : public Minimizer {
   MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) final;
 
  protected:
-  /// An accepted step: q <- q + length * p.
-  struct Step {
-    const VecX& p;
-    double length;    ///< [1]
-    double feasible;  ///< largest length that the step filters allow [1]
-    int evaluations;  ///< evaluations of the line search; 1: the first length was accepted
-    double slope;     ///< p . gradient at the start
-    double decrease;  ///< decrease of the objective
-  };
+  using Step = MadeStep;
 
   /// Begins a minimisation; the objective is at its first point.
   virtual void begin(const MinimizerProblem&, MinimizerResult&) {}
@@ -54,25 +48,14 @@ class DescentMinimizer : public Minimizer {
 
  private:
   MinimizerResult descend(const MinimizerProblem& problem, VecX& q, MinimizerResult& result);
-  MinimizerStatus advance(const MinimizerProblem& problem, const VecX& p, VecX& q,
-                          MinimizerResult& result);
+  MinimizerStatus advance(const StepContext& context, const VecX& p, VecX& q);
   bool at_equilibrium(const MinimizerProblem& problem, const VecX& p,
                       MinimizerResult& result) const;
-  bool advance_with_retraction(const MinimizerProblem& problem, const VecX& p, VecX& q,
-                               MinimizerResult& result);
-  void conjugate(const MinimizerProblem& problem, const VecX& q, VecX& p, bool within);
-  void extend(const MinimizerProblem& problem, const VecX& p, double first_slope, double before,
-              VecX& q, MinimizerResult& result);
 
   std::unique_ptr<LineSearch> line_search_ = Registry<LineSearch>::make("backtracking");
-  VecX gradient_before_, q_before_;  // at the last iteration of this minimisation
-  // Hessians of this minimisation are too stiff, since some step, and no step was truncated
-  bool too_stiff_ = false;
-  bool truncated_ = false;  // the last step was truncated
+  StepPolicies step_ = default_step_policies();
   // Force residual too large after the last step, which was below the tolerance.
   bool unbalanced_ = false;
-  bool accelerated_ = false;    // this step is conjugate to the last one, and extrapolated
-  double feasible_length_ = 0;  // feasible length of this step, in units of its direction
   ConvergenceJudge judge_;
   Stagnation stagnation_;
 };

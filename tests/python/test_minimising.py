@@ -33,6 +33,28 @@ class Minimising(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "is over"):
             problem.value(q)
 
+    def test_cuts_and_bounds_of_a_step_are_listed(self):
+        sim = tack.Simulation(blocks, set=small)
+        for _ in range(12):
+            sim.step()
+        problem = sim.problem()
+        q, p = problem.start, np.zeros(problem.size)
+        p[1::3] = -0.05
+        whole = problem.feasible_step(q, p)
+        self.assertLess(whole, 1)
+        cuts = problem.cuts(q, p)
+        self.assertAlmostEqual(min(cut["step"] for cut in cuts), whole, places=9)
+        self.assertTrue({cut["kind"] for cut in cuts} <= {"edge_edge", "point_triangle", "tet"})
+        self.assertTrue(all(set(cut["objects"]) <= {"floor", "lower", "upper"} for cut in cuts))
+        self.assertTrue(all(0 <= block < problem.size / 3 for cut in cuts for block in cut["blocks"]))
+        self.assertLess(len(problem.cuts(q, p, below=1.5 * whole)), len(cuts))
+        together = problem.block_bounds(q, p)
+        self.assertEqual(together.shape, (problem.size // 3,))
+        self.assertGreater(problem.feasible_step(q, np.repeat(together, 3) * p), 0.95)
+        self.assertTrue(np.all(problem.block_bounds(q, p, "alone") >= 0.97 * together))
+        with self.assertRaisesRegex(ValueError, "together, alone"):
+            problem.block_bounds(q, p, "both")
+
     def test_the_documented_descent_ends_where_newton_does(self):
         page = (source / "docs/python.md").read_text(encoding="utf-8")
         code = re.search(r"```python\n(import numpy as np\nimport tack\n\ndef descend.*?)\nsim = ", page, re.S).group(1)

@@ -31,6 +31,8 @@ MinimizerResult StepProblem::minimize(Minimizer& minimizer, MinimizerProblem::Ob
   Convergence judge = convergence(minimizer);
   MinimizerProblem problem{
       potential, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); }, {}, clock};
+  steps.set_feasibility(potential, problem);
+  problem.feasible_step = [this](const VecX& from, const VecX& p) { return feasible_step(from, p); };
   problem.observer = std::move(observer);
   judge.set_criteria(problem);
   path.clear();
