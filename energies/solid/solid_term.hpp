@@ -12,6 +12,7 @@
 #include "energies/solid/principal.hpp"
 #include "energies/solid/svd3.hpp"
 #include "energies/solid/tet_geometry.hpp"
+#include "framework/core/local_stencils.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 #include "geometry/parallel.hpp"
@@ -62,6 +63,22 @@ class SolidTerm : public Term, public StencilRanges {
                hessian);
       if (hessian) hessian += 90 * pack_width;
     }
+  }
+
+  std::unique_ptr<Term> restricted(const StencilChoice& choice) const override {
+    if constexpr (requires { material_.at(0); }) return nullptr;  // materials go by packs
+    else if (choice.stencils.size() != 1) return nullptr;         // another class adds stencils
+    else return std::make_unique<SolidTerm>(*this, choice);
+  }
+  /// The chosen tets of a term, with local vertices.
+  SolidTerm(const SolidTerm& whole, const StencilChoice& choice)
+      : Term(whole.name()), material_(whole.material_) {
+    std::vector<TetRest<double>> rest;
+    for (const int t : choice.stencils[0]) {
+      tets_.push_back(choice.local(whole.tets_[t]));
+      rest.push_back(whole.rest_of(t));
+    }
+    rest_ = packed(rest);
   }
 
   void publish(Records& records) const override {

@@ -30,12 +30,14 @@ IncrementalPotential::IncrementalPotential(std::vector<const Term*> terms, const
 }
 
 void IncrementalPotential::set_mass(const VecX& mass) {
+  settings_.mass = mass;
   free_mass_ = dofs_.own_masses(mass);
   mixed_inertia_.set_mass(mass);
 }
 
 void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction,
                                       const TermScales& scales, bool inertia) {
+  ++moves_;
   x_ = x_start;
   dofs_.update_dependents(x_);
   dofs_.gather(prediction, prediction_);
@@ -43,12 +45,16 @@ void IncrementalPotential::begin_step(const VecX& x_start, const VecX& predictio
   mixed_inertia_.set_prediction(prediction, scales.body, inertia);
   scales_ = scales;
   inertia_ = inertia;
+  settings_.prediction = prediction;
+  settings_.scales = scales;
+  settings_.inertia = inertia;
   block_mass_ = inertia ? free_mass_ : VecX::Zero(free_mass_.size()).eval();
   value_known_ = gradient_known_ = false;
   first_x_.resize(0);
 }
 
 void IncrementalPotential::move_to(const VecX& q) {
+  ++moves_;
   q_ = q;
   dofs_.copy_fixed_directions(x_, q_);
   dofs_.scatter(q_, x_);

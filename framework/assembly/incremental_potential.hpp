@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "framework/assembly/assembler.hpp"
@@ -29,6 +30,19 @@ class IncrementalPotential : public Objective {
   /// configuration that holds the fixed vertices.
   void begin_step(const VecX& x_start, const VecX& prediction, const TermScales& scales,
                   bool inertia);
+
+  /// What the step began with, for problems over a part of its unknowns.
+  struct Settings {
+    VecX mass, prediction;  // n [kg], 3n [m]
+    TermScales scales;
+    bool inertia = true;
+  };
+  const Settings& settings() const { return settings_; }
+  long moves() const { return moves_; }  // changes of the configuration so far
+  /// Returns the terms, without the inertia of mixed vertices.
+  std::span<const Term* const> terms() const {
+    return {terms_.data(), terms_.size() - (mixed_inertia_.empty() ? 0 : 1)};
+  }
 
   const DofMap& dofs() const { return dofs_; }
   const VecX& configuration() const { return x_; }
@@ -79,6 +93,8 @@ class IncrementalPotential : public Objective {
   VecX x_, prediction_, q_;
   TermScales scales_;
   bool inertia_ = true;
+  Settings settings_;
+  long moves_ = 0;
   double value_ = 0, noise_ = 0;
   bool value_known_ = false, gradient_known_ = false;
   int value_count_ = 0;

@@ -7,6 +7,8 @@ namespace tack {
 ContactPotential::ContactPotential() = default;
 ContactPotential::~ContactPotential() = default;
 
+std::unique_ptr<LocalContact> ContactPotential::local(std::span<const int>) { return nullptr; }
+
 PairLaw PreparedLaws::barrier_and_adhesion() const {
   PairLaw law(offset);
   law.add(barrier);

@@ -17,12 +17,14 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_set.hpp"
+#include "framework/contact/local_contact.hpp"
 #include "framework/core/history.hpp"
 #include "framework/core/term.hpp"
 
@@ -148,6 +150,11 @@ class ContactPotential {
   virtual void set_candidates(const VecX& /*x*/) {}
   /// Finds the active stencils at x.
   virtual void find(const VecX& x, ContactSet& contacts) = 0;
+
+  /// Returns the search for active stencils where these vertices (ascending) alone move; null if
+  /// the model has none, as by default. It serves a ContactTerm; a model with other dynamic terms
+  /// than that and linear ones is evaluated as a whole.
+  virtual std::unique_ptr<LocalContact> local(std::span<const int> moved);
 
   /// Returns the contact points at x, where the system must be: positions at which surfaces touch,
   /// adhere or slide. Friction, pressures, probes and checks read them. The default merges the

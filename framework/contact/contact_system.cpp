@@ -78,6 +78,10 @@ void ContactSystem::triangles_near(const Triangle& t, const Vec3& inside, std::v
 
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
 
+bool ContactSystem::covers(const VecX& x, std::span<const int> vertices) const { return broad_phase_->covers(x, vertices); }
+
+bool ContactSystem::covers_displaced(int vertex, const Vec3& position) const { return broad_phase_->covers(vertex, position); }
+
 int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }
 
 void ContactSystem::clear_caches() {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "framework/contact/contact_set.hpp"
 #include "framework/contact/lagged_surface.hpp"
@@ -45,6 +46,10 @@ class ContactSystem : public StepParticipant {
   void triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const;
   // Makes x the current configuration: finds its active stencils.
   void move_to(const VecX& x) override;
+  // Returns whether the candidates are valid as far as these vertices are concerned.
+  bool covers(const VecX& x, std::span<const int> vertices) const;
+  // Whether they are, once more, with a vertex at this position [m].
+  bool covers_displaced(int vertex, const Vec3& position) const;
   // Rebuilds the candidates if a pair outside them may touch between x and x + p.
   void cover(const VecX& x, const VecX& p);
 

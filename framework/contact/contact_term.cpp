@@ -81,13 +81,16 @@ void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
 
 }  // namespace
 
-ContactTerm::ContactTerm(const ContactSystem& system) : Term("contact"), system_(system), residuals_(system) {}
+ContactTerm::ContactTerm(const ContactSystem& system) : ContactTerm(system, system.contacts()) {}
+
+ContactTerm::ContactTerm(const ContactSystem& system, const ContactSet& contacts)
+    : Term("contact"), system_(system), contacts_(contacts), residuals_(system) {}
 
 double ContactTerm::value(const VecX& x) const { return term_value(x, LawTerm::all); }
 
 double ContactTerm::term_value(const VecX& x, LawTerm term) const {
   double sum = 0;
-  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
+  for_each_kind(contacts_, [&](auto kind, const auto& stencils, const double* thresholds) {
     sum += kind_value<decltype(kind)>(x, laws(term), stencils, thresholds);
   });
   return sum;
@@ -95,7 +98,7 @@ double ContactTerm::term_value(const VecX& x, LawTerm term) const {
 
 std::vector<StencilBatch> ContactTerm::batches() const {
   std::vector<StencilBatch> batches;
-  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double*) {
+  for_each_kind(contacts_, [&](auto kind, const auto& stencils, const double*) {
     auto& vertices = batch_vertices_[batches.size()];
     vertices.clear();
     for (const auto& s : stencils) vertices.insert(vertices.end(), s.vertices.begin(), s.vertices.end());
@@ -106,7 +109,7 @@ std::vector<StencilBatch> ContactTerm::batches() const {
 
 void ContactTerm::derivatives(const VecX& x, Projection projection, double* gradient,
                               double* hessian) const {
-  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
+  for_each_kind(contacts_, [&](auto kind, const auto& stencils, const double* thresholds) {
     using K = decltype(kind);
     using Energy = StencilEnergy<K>;
     constexpr int n = Energy::n, slots = 9 * hessian_blocks(K::arity);
@@ -139,7 +142,7 @@ void ContactTerm::derivatives(const VecX& x, Projection projection, double* grad
 // Calls act(kind, stencil, gradient) for each stencil, in order.
 template <class Act>
 void ContactTerm::for_each_gradient(const VecX& x, LawTerm term, const Act& act) const {
-  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
+  for_each_kind(contacts_, [&](auto kind, const auto& stencils, const double* thresholds) {
     using K = decltype(kind);
     std::vector<typename StencilEnergy<K>::Vector> gradients(stencils.size());
     for_each_sample<K>(x, laws(term), stencils, [&](int i, double gap, const LawSample& l) {

@@ -18,6 +18,9 @@ namespace tack {
 class ContactTerm : public Term {
  public:
   explicit ContactTerm(const ContactSystem& system);
+  // Over stencils of the system's laws that others find, with vertices of any numbering. The set
+  // must outlive the term. Its records and residuals are not available.
+  ContactTerm(const ContactSystem& system, const ContactSet& contacts);
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
@@ -46,6 +49,7 @@ class ContactTerm : public Term {
   const std::vector<PairLaw>& laws(LawTerm term) const { return system_.pairs().laws(term); }
 
   const ContactSystem& system_;
+  const ContactSet& contacts_;
   ContactResiduals residuals_;
   mutable std::array<std::vector<int>, stencil_kind_count> batch_vertices_;
 };

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "framework/contact/slip.hpp"
+#include "framework/core/local_stencils.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -121,6 +122,25 @@ double FrictionTerm::term_value(const VecX& x, TangentialTerm term) const {
 
 double FrictionTerm::dissipated(const VecX& x, TangentialTerm term) const {
   return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, term).slope_over_y * slip.y * slip.y; });
+}
+
+// Without points that roll, whose contact points have batches of their own.
+std::unique_ptr<Term> FrictionTerm::restricted(const StencilChoice& choice) const {
+  if (!spins_.empty()) return nullptr;
+  auto part = std::make_unique<FrictionTerm>(system_);
+  part->h_ = h_;
+  part->start_ = VecX::Zero(3 * choice.vertices.count());
+  if (start_.size() > 0)
+    for (int i = 0; i < choice.vertices.count(); ++i) vertex(part->start_, i) = vertex(start_, choice.vertices.global(i));
+  size_t batch = 0;
+  for_each_arity(points_, [&]<int K>(const std::vector<ContactPoint<K>>& points) {
+    for (const int i : choice.stencils[batch]) {
+      ContactPoint<K>& own = part->points_.of<K>().emplace_back(points[i]);
+      own.vertices = choice.local(own.vertices);
+    }
+    ++batch;
+  });
+  return part;
 }
 
 std::vector<StencilBatch> FrictionTerm::batches() const {

@@ -64,6 +64,8 @@ class FrictionTerm : public Term, public ResidualView {
   std::vector<ResidualBatch> residual_batches() const override;
   bool residuals(const VecX& x, double* r, double* jacobian) const override;
 
+  std::unique_ptr<Term> restricted(const StencilChoice& choice) const override;
+
   double term_value(const VecX& x, TangentialTerm term) const;
   bool stores() const override { return false; }
   void publish(Records& records) const override;

@@ -92,16 +92,21 @@ void EdgePairs::search(const Candidates& candidates, const DisplacementBounds& d
   for (int i = first; i < last; ++i) {
     const auto [ia, ib] = chosen_[i].edges;
     if (candidates.reference_distances.edge_edge[chosen_[i].candidate] - displacements.edge(ia) - displacements.edge(ib) >= largest) continue;
-    const Edge &a = surface_.mesh.edges[ia], &b = surface_.mesh.edges[ib];
-    const PairRole& role = role_of(a, b);
-    const int law = chosen_[i].law;
-    const double range = law == role.law ? role.range : surface_.rest_gaps->range(law);
-    const auto ca = corners(x, a), cb = corners(x, b);
-    if (box_gaps(ca, cb).maxCoeff() >= range) continue;  // their boxes are too far apart already
-    if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < range * range)) continue;
-    if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
-    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, role.area_factor * shared_area(edge_area[ia], edge_area[ib], role.area_ratio_max)});
+    search(free, x, i, edge_area, found);
   }
+}
+
+void EdgePairs::search(const std::vector<char>& free, const VecX& x, int pair, const std::vector<double>& edge_area, FoundStencils& found) const {
+  const auto [ia, ib] = chosen_[pair].edges;
+  const Edge &a = surface_.mesh.edges[ia], &b = surface_.mesh.edges[ib];
+  const PairRole& role = role_of(a, b);
+  const int law = chosen_[pair].law;
+  const double range = law == role.law ? role.range : surface_.rest_gaps->range(law);
+  const auto ca = corners(x, a), cb = corners(x, b);
+  if (box_gaps(ca, cb).maxCoeff() >= range) return;  // their boxes are too far apart already
+  if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < range * range)) return;
+  if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) return;
+  found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, role.area_factor * shared_area(edge_area[ia], edge_area[ib], role.area_ratio_max)});
 }
 
 void join(const FoundChunks& chunks, const VecX& rest, ContactSet& contacts) { join_all(chunks.points, chunks.edges, chunks.interior, rest, contacts); }

@@ -101,6 +101,10 @@ class EdgePairs {
   void search(const Candidates& candidates, const DisplacementBounds& displacements,
               const std::vector<char>& free, const VecX& x, int first, int last,
               const std::vector<double>& edge_area, FoundStencils& found) const;
+  // The same for one pair, which is always looked at.
+  void search(const std::vector<char>& free, const VecX& x, int pair,
+              const std::vector<double>& edge_area, FoundStencils& found) const;
+  const std::array<int, 2>& edges(int pair) const { return chosen_[pair].edges; }
 
  private:
   // A candidate between two edges of the mesh.

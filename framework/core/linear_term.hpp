@@ -2,6 +2,7 @@
 // the start of the step, so that large constant parts do not drown the decrease of the energy.
 #pragma once
 
+#include "framework/core/local_stencils.hpp"
 #include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 
@@ -25,6 +26,8 @@ class LinearTerm : public Term, public ResidualView {
     if (force_.size() > 0) gradient -= force_;
   }
 
+  std::unique_ptr<Term> restricted(const StencilChoice& choice) const override;
+
   /// Publishes nothing: the potential of external forces is no energy of a body.
   void publish(Records&) const override {}
 
@@ -34,8 +37,34 @@ class LinearTerm : public Term, public ResidualView {
   bool residuals(const VecX&, double*, double*) const override { return true; }
 
  private:
+  class LocalLinearTerm;
+
   VecX force_;  // empty: none
   VecX reference_;
 };
+
+/// Part of a linear term in a local problem.
+class LinearTerm::LocalLinearTerm : public LinearTerm {
+ public:
+  LocalLinearTerm(const std::string& name, bool dynamic) : LinearTerm(name), dynamic_(dynamic) {}
+  bool dynamic() const override { return dynamic_; }
+
+ private:
+  bool dynamic_;  // of the whole term
+};
+
+inline std::unique_ptr<Term> LinearTerm::restricted(const StencilChoice& choice) const {
+  auto part = std::make_unique<LocalLinearTerm>(name(), dynamic());
+  if (force_.size() == 0) return part;
+  const auto chosen = [&](const VecX& of_all) {
+    VecX own(3 * choice.vertices.count());
+    for (int i = 0; i < choice.vertices.count(); ++i)
+      vertex(own, i) = vertex(of_all, choice.vertices.global(i));
+    return own;
+  };
+  part->set_force(chosen(force_));
+  part->set_reference(chosen(reference_));
+  return part;
+}
 
 }  // namespace tack

@@ -30,6 +30,14 @@ enum class MinimizerStatus {
 /// Returns the status in words.
 std::string_view to_string(MinimizerStatus status);
 
+/// A problem over some blocks of unknowns, the others held (Objective::restricted).
+struct LocalProblem {
+  std::unique_ptr<Objective> objective;
+  /// The largest t in (0, 1] such that q + s p is feasible for s in [0, t]; q, p: of these blocks.
+  std::function<double(const VecX& q, const VecX& p)> feasible_step;
+  VecX q;  // of these blocks, where the others are held
+};
+
 /// One problem: objective, feasible steps and convergence criteria.
 struct MinimizerProblem {
   Objective& objective;
@@ -64,6 +72,12 @@ struct MinimizerProblem {
   /// blocks make fractions of p up to their bounds, all `together`, or one of them `alone`. Throws
   /// InputError if a step filter knows no such bounds.
   std::function<VecX(const VecX& q, const VecX& p, BlockBound kind)> block_bounds = {};
+  /// The problem over some blocks of 3 unknowns (ascending), the others at the objective's current
+  /// point. At most one may exist at a time; the objective's point is undefined until its next
+  /// move_to().
+  std::function<LocalProblem(std::span<const int> blocks)> local = {};
+  /// These blocks (ascending) and those that elements and other lasting stencils connect with them.
+  std::function<std::vector<int>(std::span<const int> blocks)> with_neighbours = {};
   // True: the observer gets the stopping norm also from methods that must do a linear solve for it
   // alone: in the first 20 iterations, later each time their number has grown by a tenth. Not for
   // timed runs.

@@ -3,7 +3,9 @@
 // contacts, above all) is computed twice.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "framework/core/block_matrix.hpp"
@@ -41,6 +43,12 @@ class Objective {
   /// Returns the least-squares form at the current point (residual_view.hpp). Throws InputError if
   /// the objective is no sum of squares.
   virtual LeastSquares least_squares() const;
+  /// Returns the objective as a function of some blocks of 3 unknowns (ascending), the others at
+  /// the current point: the same value but for a constant, the rows of these blocks of gradient and
+  /// Hessian. Its cost is that of the stencils that these blocks move. It must not outlive this
+  /// objective, whose current point is undefined until its next move_to(). The default throws
+  /// InputError.
+  virtual std::unique_ptr<Objective> restricted(std::span<const int> blocks);
   virtual int value_count() const = 0;  // evaluations of value() so far
 };
 

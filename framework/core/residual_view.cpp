@@ -23,4 +23,8 @@ LeastSquares Objective::least_squares() const {
   throw InputError("this objective is no sum of squares; use another solver.type (projected_newton)");
 }
 
+std::unique_ptr<Objective> Objective::restricted(std::span<const int>) {
+  throw InputError("this objective has no local problems; use another solver.step");
+}
+
 }  // namespace tack

@@ -46,6 +46,14 @@ class StepFilter : public Component {
   /// Returns the tightest bound of the step from x to x + p; nothing if the whole step is feasible.
   /// For messages: not fast.
   virtual std::optional<Blocker> blocker(const VecX& x, const VecX& p) = 0;
+  /// Returns largest_step() for a p that moves few vertices, at a cost in proportion to their
+  /// number; nothing if the filter cannot. moved: the only vertices at which p is not zero,
+  /// ascending.
+  virtual std::optional<double> largest_local_step(const VecX& /*x*/, const VecX& /*p*/,
+                                                   std::span<const int> /*moved*/,
+                                                   double /*t_max*/) {
+    return std::nullopt;
+  }
   /// Appends, in any order, every pair or element that by itself allows less than `below` of the
   /// step from x to x + p; below: in (0, 1]. bodies stay unset. The default appends the tightest.
   virtual void add_cuts(const VecX& x, const VecX& p, double below, std::vector<StepCut>& cuts) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@
 
 namespace tack {
 
+struct StencilChoice;
 class Records;
 class ResidualView;
 
@@ -80,6 +82,14 @@ class Term : public StepParticipant {
 
   /// Adds a gradient without slots (3n) [N]: that of a linear potential.
   virtual void add_linear_gradient(VecX& /*gradient*/) const {}
+
+  /// Returns a term of the chosen stencils alone over the local vertices (local_stencils.hpp),
+  /// equal to this one until the next begin_step or lag; a term without stencils: over all of
+  /// these vertices. Its value may differ by a constant. Returns null if there is no such term:
+  /// this one is then evaluated as a whole.
+  virtual std::unique_ptr<Term> restricted(const StencilChoice& /*choice*/) const {
+    return nullptr;
+  }
 
   /// Returns the term as least squares (residual_view.hpp); null if it has no such form.
   virtual const ResidualView* residual_view() const { return nullptr; }

@@ -161,7 +161,9 @@ void DirichletContinuation::minimize(Stage& stage, Result& result, const Minimiz
   const auto norm = [&](const VecX& p, const VecX&) {
     return stage.norm(left(stage.target), left(stage.goal), own_step(p));
   };
-  MinimizerProblem problem{*potential_, feasible_step, norm, clock_};
+  MinimizerProblem problem{*potential_, {}, norm, clock_};
+  steps_.set_feasibility(*potential_, problem);
+  problem.feasible_step = feasible_step;
   const MinimizerResult before = result.solve;
   if (observer)
     problem.observer = [&](int iteration, double residual, double value, double seconds) {

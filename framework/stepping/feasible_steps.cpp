@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "framework/core/disjoint_sets.hpp"
+#include "framework/stepping/local_potential.hpp"
 #include "framework/stepping/obstacle.hpp"
 #include "geometry/errors.hpp"
 
@@ -49,7 +50,28 @@ double FeasibleSteps::largest_requested(const StepPotential& potential, const Ve
   return largest_requested(x, displacement);
 }
 
-void FeasibleSteps::set_feasibility(const StepPotential& potential, MinimizerProblem& problem) {
+double FeasibleSteps::largest_local(LocalPotential& potential, const VecX& q, const VecX& p) {
+  return potential.along(q, p, [&](const VecX& x, const VecX& displacement, std::span<const int> moved) {
+    if (check_) check_->check(x);
+    double t = 1;
+    for (const auto& filter : filters_) {
+      clock_.deadline().check();
+      const std::optional<double> local = filter->largest_local_step(x, displacement, moved, t);
+      t = local ? *local : filter->largest_step(x, displacement, t);
+    }
+    clock_.deadline().check();
+    return t;
+  });
+}
+
+void FeasibleSteps::set_feasibility(StepPotential& potential, MinimizerProblem& problem) {
+  problem.with_neighbours = [&potential](std::span<const int> blocks) { return potential.stencil_maps().with_neighbours(blocks); };
+  problem.local = [this, &potential](std::span<const int> blocks) {
+    auto objective = std::make_unique<LocalPotential>(potential, world_, clock_, blocks);
+    LocalProblem local{nullptr, [this, own = objective.get()](const VecX& q, const VecX& p) { return largest_local(*own, q, p); }, objective->start()};
+    local.objective = std::move(objective);
+    return local;
+  };
   problem.feasible_step = [&](const VecX& q, const VecX& p) { return largest_requested(potential, q, p); };
   problem.cuts = [&](const VecX& q, const VecX& p, double below) { return cuts(potential, q, p, below); };
   problem.block_bounds = [&](const VecX& q, const VecX& p, BlockBound kind) { return block_bounds(potential, q, p, kind); };

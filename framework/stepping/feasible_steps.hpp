@@ -14,6 +14,8 @@
 
 namespace tack {
 
+class LocalPotential;
+
 class FeasibleSteps {
  public:
   // Makes the filters that apply to the world. check: is given every state from which a step is
@@ -29,12 +31,14 @@ class FeasibleSteps {
   // Overload for q and p over the unknowns of the potential, whose configuration supplies all other
   // vertices.
   double largest_requested(const StepPotential& potential, const VecX& q, const VecX& p);
-  // Sets feasible_step, cuts and block_bounds of a problem over the unknowns of the potential. Both
-  // must outlive the problem.
-  void set_feasibility(const StepPotential& potential, MinimizerProblem& problem);
+  // Sets feasible_step, cuts, block_bounds, local and with_neighbours of a problem over the
+  // unknowns of the potential. Both must outlive the problem.
+  void set_feasibility(StepPotential& potential, MinimizerProblem& problem);
   // See MinimizerProblem::cuts and block_bounds.
   StepCuts cuts(const StepPotential& potential, const VecX& q, const VecX& p, double below);
   VecX block_bounds(const StepPotential& potential, const VecX& q, const VecX& p, BlockBound kind);
+  // Returns largest() for a step of a local potential, at the cost of its region.
+  double largest_local(LocalPotential& potential, const VecX& q, const VecX& p);
   // Clears the last requested step.
   void reset() { x_.resize(0); }
   // Returns "; the last step was ..." with the primitive that truncated the last requested step, or

@@ -158,6 +158,17 @@ bool BroadPhase::covers(const VecX& x) const {
   return all_of(mesh_.vertices, [&](int v) { return fat_boxes_[v].contains(vertex(x, v)); });
 }
 
+bool BroadPhase::covers(const VecX& x, std::span<const int> vertices) const {
+  if (builds_ == 0 || x.size() != 3 * static_cast<Eigen::Index>(fat_boxes_.size())) return false;
+  return std::all_of(vertices.begin(), vertices.end(), [&](int v) { return covers(v, vertex(x, v)); });
+}
+
+// Interior vertices have empty boxes, which bound nothing.
+bool BroadPhase::covers(int v, const Vec3& position) const {
+  const Aabb& box = fat_boxes_[v];
+  return box.lo.x() > box.hi.x() || box.contains(position);
+}
+
 Aabb BroadPhase::box_of(const Triangle& triangle) const {
   Aabb box;
   for (const int v : triangle) box.include(fat_boxes_[v]);

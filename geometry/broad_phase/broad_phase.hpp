@@ -50,6 +50,10 @@ class BroadPhase {
 
   // Returns whether every surface vertex lies inside its fat AABB; false before the first build.
   bool covers(const VecX& x) const;
+  // The same for some of the vertices.
+  bool covers(const VecX& x, std::span<const int> vertices) const;
+  // Whether a vertex would lie in its fat AABB at this position [m].
+  bool covers(int vertex, const Vec3& position) const;
 
   const Candidates& candidates() const { return candidates_; }
   // Appends, ascending, the triangles that may come within range of a point of the triangle while

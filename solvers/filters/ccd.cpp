@@ -13,6 +13,7 @@
 #include "geometry/broad_phase/displacement_bounds.hpp"
 #include "geometry/ccd/accd.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/vertex_items.hpp"
 #include "solvers/filters/separating_planes.hpp"
 
 namespace tack {
@@ -139,6 +140,16 @@ class Ccd : public StepFilter {
     return worst;
   }
 
+  std::optional<double> largest_local_step(const VecX& x, const VecX& p, std::span<const int> moved, double t_max) override {
+    double motion = 0;
+    for (const int v : moved) motion = std::max(motion, vertex(p, v).lpNorm<Eigen::Infinity>());
+    const double reach = contact_->search_displacement_max() / std::max(motion, 1e-300);
+    for (double stage = reach;; stage *= stage_growth) {
+      const double end = std::min(stage, t_max), t = local_search(x, p, moved, end);
+      if (t < end || end == t_max || out_of_time()) return t;
+    }
+  }
+
   void add_cuts(const VecX& x, const VecX& p, double below, std::vector<StepCut>& cuts) override {
     contact_->cover(x, below * p);
     const PhaseScope scope(*clock_, Phase::ccd);
@@ -209,6 +220,41 @@ class Ccd : public StepFilter {
     return t;
   }
 
+  // Returns the largest step up to t_max of the pairs that the moved vertices touch.
+  double local_search(const VecX& x, const VecX& p, std::span<const int> moved, double t_max) {
+    bool covered = contact_->covers(x, moved);
+    for (size_t i = 0; covered && i < moved.size(); ++i) covered = contact_->covers_displaced(moved[i], vertex(x, moved[i]) + t_max * vertex(p, moved[i]));
+    if (!covered) contact_->cover(x, t_max * p);
+    const PhaseScope scope(*clock_, Phase::ccd);
+    map_candidates();
+    double t = t_max;
+    size_t map = 0;
+    for_each_kind([&](const auto& kind) {
+      for (const int i : by_vertex_[map++].touching(moved)) {
+        const auto [a, b] = kind.primitives(kind.pairs[i]);
+        t = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {contact_->candidates().reference, x, p}, t, kind.accd);
+      }
+    });
+    return t;
+  }
+
+  // Makes the maps from vertices to candidates of each kind, unless they are for these candidates.
+  void map_candidates() {
+    if (mapped_version_ == contact_->candidates_version() && !by_vertex_.empty()) return;
+    mapped_version_ = contact_->candidates_version();
+    by_vertex_.clear();
+    const int vertices = static_cast<int>(contact_->surface().mesh.vertex_object.size());
+    for_each_kind([&](const auto& kind) {
+      by_vertex_.emplace_back(vertices, [&](const auto& act) {
+        for (size_t i = 0; i < kind.pairs.size(); ++i) {
+          const auto [a, b] = kind.primitives(kind.pairs[i]);
+          for (const int v : a) act(static_cast<int>(i), v);
+          for (const int v : b) act(static_cast<int>(i), v);
+        }
+      });
+    });
+  }
+
   // Candidates of one kind.
   template <class Primitives, class Displacement, class Accd>
   struct Kind {
@@ -266,6 +312,8 @@ class Ccd : public StepFilter {
   PhaseClock* clock_ = nullptr;
   const Deadline* deadline_ = nullptr;
   double largest_offset_ = 0;  // m
+  std::vector<VertexItems> by_vertex_;  // candidates of each kind, made for the first local step
+  long mapped_version_ = 0;             // of the candidates that they are for
 };
 
 TACK_REGISTER(StepFilter, Ccd, "ccd", "No collision along the step (continuous collision detection).",

@@ -21,6 +21,20 @@ const std::string sides_name = "contact/integrating_sides";
 // Arrays of older states: pairs of objects; per pair of objects, whether the first one integrates.
 const std::string coarse_pairs_name = "contact/turned_sides", former_sides_name = "contact/sides";
 
+// The quadrature points and edge pairs that some vertices change.
+class LocalSearch : public LocalContact {
+ public:
+  LocalSearch(NarrowPhase& narrow_phase, const Candidates& candidates, std::span<const int> moved)
+      : narrow_phase_(narrow_phase), candidates_(candidates), items_(narrow_phase.touching(candidates, moved)) {}
+  const std::vector<int>& vertices() const override { return items_.vertices; }
+  void find(const VecX& x, ContactSet& contacts) override { narrow_phase_.find(items_, candidates_, x, contacts); }
+
+ private:
+  NarrowPhase& narrow_phase_;
+  const Candidates& candidates_;
+  LocalItems items_;
+};
+
 class AreaIntegralModel : public ContactModel {
  public:
   std::unique_ptr<ContactPotential> make_potential() const override { return std::make_unique<AreaIntegral>(); }
@@ -157,6 +171,10 @@ void AreaIntegral::begin_step(const VecX&, bool new_candidates) {
 void AreaIntegral::set_candidates(const VecX&) { narrow_phase_->set_candidates(system().candidates()); }
 
 void AreaIntegral::find(const VecX& x, ContactSet& contacts) { narrow_phase_->find(system().candidates(), x, contacts); }
+
+std::unique_ptr<LocalContact> AreaIntegral::local(std::span<const int> moved) {
+  return std::make_unique<LocalSearch>(*narrow_phase_, system().candidates(), moved);
+}
 
 // Fully overlapping triangles have sites at their three Gauss points, partly overlapping ones at
 // their interior quadrature points.

@@ -33,6 +33,7 @@ class AreaIntegral : public ContactPotential {
   void begin_step(const VecX& x, bool new_candidates) override;
   void set_candidates(const VecX& x) override;
   void find(const VecX& x, ContactSet& contacts) override;
+  std::unique_ptr<LocalContact> local(std::span<const int> moved) override;
 
   std::vector<OverlapSite> overlap_sites(const PairFilter& wanted) const override;
   void keep_sides(IntegrationSides::Pairs pairs) override { kept_sides_ = std::move(pairs); }

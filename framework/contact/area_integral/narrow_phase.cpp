@@ -14,7 +14,8 @@ namespace {
 
 class VertexSearch : PointSearch {
  public:
-  VertexSearch(const ContactSurface& surface, const Candidates& candidates, const DisplacementBounds& displacements,
+  // displacements: null: all triangles of a point are looked at.
+  VertexSearch(const ContactSurface& surface, const Candidates& candidates, const DisplacementBounds* displacements,
                const VertexQuadrature& quadrature, const FreeVertices& free, const VecX& x, FoundStencils& found)
       : PointSearch(surface.mesh, free, x, found), candidates_(candidates), displacements_(displacements), quadrature_(quadrature) {}
 
@@ -23,8 +24,9 @@ class VertexSearch : PointSearch {
     weights_.clear();
     for (int i = point.triangle_begin; i < point.triangle_end; ++i) {
       const int candidate = quadrature_.triangles[i], t = candidates_.point_triangle[candidate][1];
-      const double displacement = displacements_.vertex(point.point) + displacements_.triangle(t);
-      if (!(candidates_.reference_distances.point_triangle[candidate] - displacement < point.range)) continue;
+      if (displacements_ &&
+          !(candidates_.reference_distances.point_triangle[candidate] - (displacements_->vertex(point.point) + displacements_->triangle(t)) < point.range))
+        continue;
       triangles_.push_back(mesh_.triangles[t]);
       if (point.weight_begin >= 0) weights_.push_back(quadrature_.weights[point.weight_begin + i - point.triangle_begin]);
     }
@@ -44,7 +46,7 @@ class VertexSearch : PointSearch {
 
  private:
   const Candidates& candidates_;
-  const DisplacementBounds& displacements_;
+  const DisplacementBounds* displacements_;
   const VertexQuadrature& quadrature_;
   WeightedFeatures features_;
   std::vector<TriangleWeight> weights_;
@@ -83,7 +85,7 @@ class InteriorSearch : PointSearch {
   const InteriorPatches& patches_;
 };
 
-// Finds the stencils of crossing rods, weighted with the area of their overlap.
+// Finds the stencils of crossing rods, weighted with the area of their overlap. crossings: of rods.
 void search_crossings(const ContactSurface& surface, const PairTable& pairs, const std::vector<RodOverlaps::Crossing>& crossings,
                       const std::vector<char>& free, const VecX& x, FoundStencils& found) {
   const CollisionMesh& mesh = surface.mesh;
@@ -192,6 +194,7 @@ void NarrowPhase::begin_step(const Candidates& candidates) {
 
 // Makes the quadrature points and the patches of interior points. earlier: null: none in this step.
 void NarrowPhase::make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier) {
+  item_maps_.reset();
   rods_.find(candidates, lagged_);
   const VertexQuadratureRequest request{surface_, pairs_, lagged_, sides_, rods_, candidates, groups_, patches_, later_patches_, weights_at_start_};
   quadrature_ = make_vertex_quadrature(request, earlier);
@@ -209,7 +212,7 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
   found.edges.resize(chunk_count(edges_.size()));
   found.interior.resize(chunk_count(interior_points));
   for_each_chunk(points, [&](int c, int first, int last) {
-    VertexSearch search(surface_, candidates, displacements, quadrature_, free_, x, found.points[c]);
+    VertexSearch search(surface_, candidates, &displacements, quadrature_, free_, x, found.points[c]);
     for (int i = first; i < last; ++i) search.search(quadrature_.points[i]);
   });
   for_each_chunk(edges_.size(), [&](int c, int first, int last) {
@@ -221,6 +224,77 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
     InteriorSearch search(surface_, pairs_, overlap_.interior_points(), interior_patches_, free_, x, found.interior[c]);
     for (int i = first; i < last; ++i) search.search(i);
   });
+  join(found, surface_.rest, contacts);
+}
+
+// Calls act(vertex) for each vertex of the primitives that a quadrature point acts on, and for its
+// own.
+template <class Act>
+void NarrowPhase::for_each_vertex(const Candidates& candidates, int point, const Act& act) const {
+  const CollisionMesh& mesh = surface_.mesh;
+  const VertexQuadraturePoint& p = quadrature_.points[point];
+  act(p.point);
+  for (int i = p.triangle_begin; i < p.triangle_end; ++i)
+    for (const int v : mesh.triangles[candidates.point_triangle[quadrature_.triangles[i]][1]]) act(v);
+  for (int i = p.edge_begin; i < p.edge_end; ++i)
+    for (const int v : mesh.edges[quadrature_.edges[i]]) act(v);
+  for (int i = p.other_begin; i < p.other_end; ++i) act(quadrature_.others[i]);
+}
+
+template <class Act>
+void NarrowPhase::for_each_vertex_of_interior(int point, const Act& act) const {
+  const CollisionMesh& mesh = surface_.mesh;
+  for (const int v : mesh.triangles[overlap_.interior_points()[point].triangle]) act(v);
+  for (int k = interior_patches_.ranges[point].begin; k < interior_patches_.ranges[point].end; ++k)
+    for (const int v : mesh.triangles[interior_patches_.triangles[k]]) act(v);
+}
+
+LocalItems NarrowPhase::touching(const Candidates& candidates, std::span<const int> moved) {
+  const CollisionMesh& mesh = surface_.mesh;
+  const int vertices = static_cast<int>(mesh.vertex_object.size());
+  const size_t interior_points = overlap_.interior_points().size();
+  if (!item_maps_ || item_maps_->interior_points != interior_points) {
+    item_maps_.emplace();
+    item_maps_->interior_points = interior_points;
+    item_maps_->points = VertexItems(vertices, [&](const auto& act) {
+      for (int i = 0; i < static_cast<int>(quadrature_.points.size()); ++i) for_each_vertex(candidates, i, [&](int v) { act(i, v); });
+    });
+    item_maps_->edges = VertexItems(vertices, [&](const auto& act) {
+      for (int i = 0; i < edges_.size(); ++i)
+        for (const int e : edges_.edges(i))
+          for (const int v : mesh.edges[e]) act(i, v);
+    });
+    item_maps_->interior = VertexItems(vertices, [&](const auto& act) {
+      for (int i = 0; i < static_cast<int>(interior_points); ++i) for_each_vertex_of_interior(i, [&](int v) { act(i, v); });
+    });
+  }
+  LocalItems items{item_maps_->points.touching(moved), item_maps_->edges.touching(moved), item_maps_->interior.touching(moved), {}, {}};
+  const auto add = [&](int v) { items.vertices.push_back(v); };
+  for (const int i : items.points) for_each_vertex(candidates, i, add);
+  for (const int i : items.edges)
+    for (const int e : edges_.edges(i))
+      for (const int v : mesh.edges[e]) add(v);
+  for (const int i : items.interior) for_each_vertex_of_interior(i, add);
+  for (const RodOverlaps::Crossing& crossing : rods_.crossings()) {
+    const Edge &a = mesh.edges[crossing.edges[0]], &b = mesh.edges[crossing.edges[1]];
+    const std::array all{a[0], a[1], b[0], b[1]};
+    if (std::none_of(all.begin(), all.end(), [&](int v) { return std::binary_search(moved.begin(), moved.end(), v); })) continue;
+    items.crossings.push_back(crossing);
+    for (const int v : all) add(v);
+  }
+  std::sort(items.vertices.begin(), items.vertices.end());
+  items.vertices.erase(std::unique(items.vertices.begin(), items.vertices.end()), items.vertices.end());
+  return items;
+}
+
+void NarrowPhase::find(const LocalItems& items, const Candidates& candidates, const VecX& x, ContactSet& contacts) const {
+  FoundChunks found{std::vector<FoundStencils>(1), std::vector<FoundStencils>(2), std::vector<FoundStencils>(1)};
+  VertexSearch points(surface_, candidates, nullptr, quadrature_, free_, x, found.points[0]);
+  for (const int i : items.points) points.search(quadrature_.points[i]);
+  for (const int i : items.edges) edges_.search(free_.free, x, i, surface_.edge_area, found.edges[0]);
+  if (!items.crossings.empty()) search_crossings(surface_, pairs_, items.crossings, free_.free, x, found.edges[1]);
+  InteriorSearch interior(surface_, pairs_, overlap_.interior_points(), interior_patches_, free_, x, found.interior[0]);
+  for (const int i : items.interior) interior.search(i);
   join(found, surface_.rest, contacts);
 }
 

@@ -14,8 +14,16 @@
 #include "framework/contact/area_integral/vertex_quadrature.hpp"
 #include "framework/contact/area_integral/overlap_boundary_forces.hpp"
 #include "framework/contact/area_integral/interior_patches.hpp"
+#include "geometry/vertex_items.hpp"
 
 namespace tack {
+
+// Items of a search where few vertices move.
+struct LocalItems {
+  std::vector<int> points, edges, interior;  // quadrature points, edge pairs, interior points
+  std::vector<RodOverlaps::Crossing> crossings;  // of rods
+  std::vector<int> vertices;                     // of all of them, ascending
+};
 
 class NarrowPhase {
  public:
@@ -46,6 +54,11 @@ class NarrowPhase {
   void set_free(std::vector<char> free) { free_ = {surface_.mesh, std::move(free)}; }
   // Finds the stencils closer than the range of their law.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts);
+  // Returns what the search looks at where these vertices alone move, and searches it. Valid until
+  // the candidates change or a step begins.
+  LocalItems touching(const Candidates& candidates, std::span<const int> moved);
+  void find(const LocalItems& items, const Candidates& candidates, const VecX& x,
+            ContactSet& contacts) const;
   // Overlaps and overlap-boundary forces of this step.
   const OverlapBoundaryForces& overlap_boundary_forces() const { return overlap_boundary_forces_; }
   const SurfaceOverlap& overlap() const { return overlap_; }
@@ -74,6 +87,17 @@ class NarrowPhase {
   InteriorPatches interior_patches_;  // of the samples of the overlap
   EdgePairs edges_;
   RodOverlaps rods_;                // of this step
+  // Items by vertex, made for touching(), with the number of interior points that it is for.
+  struct ItemMaps {
+    VertexItems points, edges, interior;
+    size_t interior_points = 0;
+  };
+  template <class Act>
+  void for_each_vertex(const Candidates& candidates, int point, const Act& act) const;
+  template <class Act>
+  void for_each_vertex_of_interior(int point, const Act& act) const;
+
+  std::optional<ItemMaps> item_maps_;
   LaggedWeights previous_weights_;  // of the step before the next
   LaggedWeights weights_at_start_;  // of the step before this one
 };
