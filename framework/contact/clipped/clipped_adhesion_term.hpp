@@ -64,13 +64,11 @@ class ClippedAdhesionTerm : public Term {
     std::array<int, 6> vertices;  // global; corners of a, then of b
     bool two_sided, two_sided_b;  // whether one of the triangles is, and b
     std::array<bool, 3> boundary_a{}, owns_b{};
-    std::array<double, 3> strip_b{};      // m
-    bool close = false, inside = false;   // CloseTriangles::Lanes
+    std::array<double, 3> strip_b{};     // m
+    bool close = false, inside = false;  // CloseTriangles::Lanes
     bool operator==(const ClosePair&) const = default;
     // Law, and whether b has strips.
-    std::pair<int, bool> kind() const {
-      return {pair.law, strip_b != std::array<double, 3>{}};
-    }
+    std::pair<int, bool> kind() const { return {pair.law, strip_b != std::array<double, 3>{}}; }
   };
   struct Oriented;
 
@@ -96,8 +94,8 @@ class ClippedAdhesionTerm : public Term {
   SurfaceTopology topology_;
   StripEdges edges_;
   TrianglePairFinder finder_;
-  double margin_ = 0;  // of close pairs [m]
-  long version_ = -1;  // of the candidates from which the pairs were found
+  double margin_ = 0;               // of close pairs [m]
+  long version_ = -1;               // of the candidates from which the pairs were found
   std::vector<ClosePair> pairs_;    // candidates, by kind
   std::vector<int> pair_vertices_;  // of the pairs, ascending
   std::vector<ClosePair> close_;    // by kind, then those inside, then in the order of the pairs

@@ -25,8 +25,9 @@ class CloseTriangles {
            bool two_sided);
   // A bit per lane.
   struct Lanes {
-    unsigned close = 0;   // 0: the triangles do not interact within the motion of their vertices
-    unsigned inside = 0;  // 1: a lies over the inside of b now, farther from its edges than they move
+    unsigned close = 0;  // 0: the triangles do not interact within the motion of their vertices
+    unsigned inside =
+        0;  // 1: a lies over the inside of b now, farther from its edges than they move
   };
   Lanes test() const;
 
