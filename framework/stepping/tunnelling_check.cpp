@@ -17,20 +17,6 @@ constexpr int max_stages = 256;       // stages of a step; AABBs swept in the wh
 constexpr int max_restarts = 32;      // of additive CCD, which stops at 2% of the gap at its start
 constexpr double gap_ratio_min = 1e-3;  // of the smaller of the gaps at both ends; a smaller gap is a hit
 
-// Returns the collision-free step size up to `end` of two primitives at a and b with displacements da and db.
-double collision_free_fraction(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b, const std::array<Vec3, 2>& da, const std::array<Vec3, 2>& db, double end) {
-  return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], 0, end);
-}
-double collision_free_fraction(const std::array<Vec3, 1>& a, const std::array<Vec3, 3>& b, const std::array<Vec3, 1>& da, const std::array<Vec3, 3>& db, double end) {
-  return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], 0, end);
-}
-double collision_free_fraction(const std::array<Vec3, 1>& a, const std::array<Vec3, 2>& b, const std::array<Vec3, 1>& da, const std::array<Vec3, 2>& db, double end) {
-  return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], 0, end);
-}
-double collision_free_fraction(const std::array<Vec3, 1>& a, const std::array<Vec3, 1>& b, const std::array<Vec3, 1>& da, const std::array<Vec3, 1>& db, double end) {
-  return point_point_accd(a[0], b[0], da[0], db[0], 0, end);
-}
-
 template <size_t N>
 std::array<Vec3, N> moved(std::array<Vec3, N> at, const std::array<Vec3, N>& displacement, double t) {
   for (size_t i = 0; i < N; ++i) at[i] += t * displacement[i];
@@ -74,7 +60,7 @@ bool meet(const std::array<int, A>& va, const std::array<int, B>& vb, const Stag
       if (smallest < 0) smallest = std::min(squared_distance(a, b), squared_distance(moved(a, da, 1), moved(b, db, 1)));
       if (squared_distance(at, bt) <= gap_ratio_min * gap_ratio_min * smallest) break;
     }
-    const double left = stage.end - t, free = collision_free_fraction(at, bt, da, db, left);
+    const double left = stage.end - t, free = accd(at, bt, da, db, 0, left);
     if (free >= left) return false;
     t += free;
   }

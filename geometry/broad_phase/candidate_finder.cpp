@@ -28,6 +28,8 @@ struct MayTouch {
   bool isolated(int rigid_group, const Aabb& box) const { return !nearby.near(rigid_group, box); }
   std::array<int, 2> pair(int a, int b) const { return {first.ids[a], second.ids[b]}; }
 };
+template <std::size_t M, std::size_t N>
+MayTouch(const Primitives<M>&, const Primitives<N>&, const CollidingObjects&, const std::vector<char>&, const NearbyObjects&) -> MayTouch<M, N>;
 
 // Returns 0 .. n-1, stably sorted by the object of the triangle: the order of point-triangle candidates.
 std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
@@ -38,7 +40,7 @@ std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
   return order;
 }
 
-// One kind of candidates.
+// The pairs of one kind, with their lengths.
 template <class List, class Lengths>
 struct CandidateList {
   List& pairs;
@@ -46,9 +48,9 @@ struct CandidateList {
 };
 template <class List, class Lengths>
 CandidateList(List&, Lengths&, Lengths&) -> CandidateList<List, Lengths>;
-template <class C>
-auto list_of(C& candidates, std::vector<std::array<int, 2>> Candidates::* pairs, std::vector<double> CandidateLengths::* lengths) {
-  return CandidateList{candidates.*pairs, candidates.distance_bounds.*lengths, candidates.reference_distances.*lengths};
+template <class Kind, class C>
+auto list_of(C& candidates) {
+  return CandidateList{candidates.*Kind::list, candidates.distance_bounds.*Kind::lengths, candidates.reference_distances.*Kind::lengths};
 }
 
 // Merges the new pairs and the old pairs for which `kept` holds into `out`, in the order of `key`. new_at: the indices of new pairs
@@ -99,6 +101,15 @@ CandidateFinder::CandidateFinder(const CollisionMesh& mesh, CollidingObjects col
   for (const int t : triangles_by_object(mesh)) triangles_.add(mesh.triangles[t], t, mesh);
 }
 
+template <SearchedPrimitives searched>
+const auto& CandidateFinder::primitives() const {
+  if constexpr (searched == SearchedPrimitives::vertices) return points_;
+  else if constexpr (searched == SearchedPrimitives::edges) return edges_;
+  else if constexpr (searched == SearchedPrimitives::triangles) return triangles_;
+  else if constexpr (searched == SearchedPrimitives::rods) return codim_edges_;
+  else return codim_points_;
+}
+
 void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii, Candidates& candidates) {
   search(vertex_boxes, radii, {}, candidates);
 }
@@ -107,17 +118,13 @@ void CandidateFinder::find_changed(const std::vector<Aabb>& vertex_boxes, const 
                                    Candidates& candidates) {
   search(vertex_boxes, radii, changed, changed_pairs_);
   changed_.mark(mesh_, changed);
-  const auto same = [](const std::array<int, 2>& pair) { return pair; };
-  const auto merge = [&](auto pairs, auto lengths, auto indices, const std::vector<char>& first, const std::vector<char>& second, const auto& key) {
+  for_each_kind([&](auto kind) {
+    using Kind = decltype(kind);
+    const std::vector<char>&first = Kind::First::of(changed_), &second = Kind::Second::of(changed_);
     const auto kept = [&](const std::array<int, 2>& pair) { return !(first[pair[0]] | second[pair[1]]); };
-    merge_kept(list_of(std::as_const(candidates), pairs, lengths), kept, changed_pairs_.*pairs, key, list_of(merged_, pairs, lengths), new_candidates_.*indices);
-  };
-  const auto& [objects, vertices, edges, triangles] = changed_;
-  merge(&Candidates::point_triangle, &CandidateLengths::point_triangle, &CandidateIndices::point_triangle, vertices, triangles,
-        [&](const auto& pair) { return std::array{pair[0], mesh_.vertex_object[mesh_.triangles[pair[1]][0]], pair[1]}; });
-  merge(&Candidates::edge_edge, &CandidateLengths::edge_edge, &CandidateIndices::edge_edge, edges, edges, same);
-  merge(&Candidates::point_edge, &CandidateLengths::point_edge, &CandidateIndices::point_edge, vertices, edges, same);
-  merge(&Candidates::point_point, &CandidateLengths::point_point, &CandidateIndices::point_point, vertices, vertices, same);
+    const auto key = [&](const std::array<int, 2>& pair) { return Kind::order_key(mesh_, pair); };
+    merge_kept(list_of<Kind>(std::as_const(candidates)), kept, changed_pairs_.*Kind::list, key, list_of<Kind>(merged_), new_candidates_.*Kind::indices);
+  });
   merged_.reference = std::move(candidates.reference);
   std::swap(candidates, merged_);
 }
@@ -130,13 +137,14 @@ void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, const Inflat
   std::vector<double> largest_radii = radii.surface;
   for (size_t i = 0; i < largest_radii.size(); ++i) largest_radii[i] = std::max(largest_radii[i], radii.edge[i]);
   nearby_.find(vertex_boxes, largest_radii);
-  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, colliding_, self_pairs_, nearby_},
-                candidates.point_triangle);
-  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, colliding_, self_pairs_, nearby_}, candidates.edge_edge);
-  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, colliding_, self_pairs_, nearby_},
-                candidates.point_edge);
-  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, colliding_, self_pairs_, nearby_},
-                candidates.point_point);
+  for_each_kind([&](auto kind) {
+    using Kind = decltype(kind);
+    const auto& first = primitives<Kind::first_searched>();
+    const auto& second = primitives<Kind::second_searched>();
+    const MayTouch may_touch{first, second, colliding_, self_pairs_, nearby_};
+    if constexpr (Kind::first_searched == Kind::second_searched) overlap_pairs(first.tree, may_touch, candidates.*Kind::list);
+    else overlap_pairs(first.tree, second.tree, may_touch, candidates.*Kind::list);
+  });
 }
 
 void CandidateFinder::triangles_in(const Aabb& box, int without, std::vector<int>& out) const {

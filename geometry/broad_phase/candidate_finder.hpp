@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/broad_phase/candidate_kinds.hpp"
 #include "geometry/broad_phase/candidates.hpp"
 #include "geometry/broad_phase/changed_primitives.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
@@ -46,6 +47,8 @@ class CandidateFinder {
  private:
   void search(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii,
               const std::vector<char>& active_objects, Candidates& candidates);
+  template <SearchedPrimitives searched>
+  const auto& primitives() const;
 
   const CollisionMesh& mesh_;
   CollidingObjects colliding_;

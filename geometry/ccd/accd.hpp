@@ -17,6 +17,8 @@
 // min_distance >= 0 [m]. Throws InputError for parameters outside these ranges.
 #pragma once
 
+#include <array>
+
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -35,5 +37,31 @@ double point_triangle_accd(const Vec3& p, const Vec3& t0, const Vec3& t1, const 
 double edge_edge_accd(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0, const Vec3& eb1,
                       const Vec3& dea0, const Vec3& dea1, const Vec3& deb0, const Vec3& deb1,
                       double gap_fraction_min, double t_max, double min_distance = 0.0);
+
+// The same by the vertices of both primitives: a point or an edge, and a point, an edge or a
+// triangle.
+inline double accd(const std::array<Vec3, 1>& a, const std::array<Vec3, 1>& b,
+                   const std::array<Vec3, 1>& da, const std::array<Vec3, 1>& db,
+                   double gap_fraction_min, double t_max, double min_distance = 0.0) {
+  return point_point_accd(a[0], b[0], da[0], db[0], gap_fraction_min, t_max, min_distance);
+}
+inline double accd(const std::array<Vec3, 1>& a, const std::array<Vec3, 2>& b,
+                   const std::array<Vec3, 1>& da, const std::array<Vec3, 2>& db,
+                   double gap_fraction_min, double t_max, double min_distance = 0.0) {
+  return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], gap_fraction_min, t_max,
+                         min_distance);
+}
+inline double accd(const std::array<Vec3, 1>& a, const std::array<Vec3, 3>& b,
+                   const std::array<Vec3, 1>& da, const std::array<Vec3, 3>& db,
+                   double gap_fraction_min, double t_max, double min_distance = 0.0) {
+  return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], gap_fraction_min,
+                             t_max, min_distance);
+}
+inline double accd(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b,
+                   const std::array<Vec3, 2>& da, const std::array<Vec3, 2>& db,
+                   double gap_fraction_min, double t_max, double min_distance = 0.0) {
+  return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], gap_fraction_min, t_max,
+                        min_distance);
+}
 
 }  // namespace tack

@@ -10,8 +10,10 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "framework/core/step_filter.hpp"
+#include "geometry/broad_phase/candidate_kinds.hpp"
 #include "geometry/broad_phase/displacement_bounds.hpp"
 #include "geometry/ccd/accd.hpp"
+#include "geometry/distance/squared_distance.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/vertex_items.hpp"
 #include "solvers/filters/separating_planes.hpp"
@@ -51,9 +53,9 @@ struct StepMotion {
 
 // Returns the largest step up to t that a pair allows. distance_bound: lower bound of its distance;
 // distance: its reference distance; offset: of the pair [m].
-template <size_t A, size_t B, class Accd>
+template <size_t A, size_t B>
 double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double distance_bound, double distance, double offset,
-               const StepMotion& step, double t, const Accd& accd) {
+               const StepMotion& step, double t) {
   const auto da = corners(step.p, va);
   const auto db = corners(step.p, vb);
   const double motion = t * relative_displacement(da, db) / (1 - gap_fraction_min);
@@ -75,7 +77,7 @@ double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, doubl
     const double gap = distance - std::max(before, relative_displacement(ua, ub)) - offset;
     if (free_gap_fraction * motion < gap) return t;
   }
-  return std::min(t, accd(a, b, da, db, t, offset));
+  return std::min(t, accd(a, b, da, db, gap_fraction_min, t, offset));
 }
 
 template <size_t A, size_t B>
@@ -87,14 +89,6 @@ constexpr CutKind cut_kind() {
 // Returns the largest displacement of a vertex [m].
 double largest_motion(const VecX& p) {
   return std::sqrt(Eigen::Map<const Eigen::Matrix3Xd>(p.data(), 3, p.size() / 3).colwise().squaredNorm().maxCoeff());
-}
-
-double gap_between(const std::vector<int>& a, const std::vector<int>& b, const VecX& x) {
-  const auto at = [&](int v) { return Vec3(vertex(x, v)); };
-  if (a.size() == 2) return std::sqrt(edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1])));
-  if (b.size() == 3) return std::sqrt(point_triangle_distance(at(a[0]), at(b[0]), at(b[1]), at(b[2])));
-  if (b.size() == 2) return std::sqrt(point_edge_distance(at(a[0]), at(b[0]), at(b[1])));
-  return (at(a[0]) - at(b[0])).norm();
 }
 
 class Ccd : public StepFilter {
@@ -131,12 +125,12 @@ class Ccd : public StepFilter {
     const VecX& reference = contact_->candidates().reference;
     for_each_kind([&](const auto& kind) {
       for (size_t i = 0; i < kind.pairs.size(); ++i) {
-        const auto [a, b] = kind.primitives(kind.pairs[i]);
-        const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, t, kind.accd);
-        if (bound < t) worst = Blocker{{a.begin(), a.end()}, {b.begin(), b.end()}, 0, t = bound};
+        const auto& a = kind.first(kind.pairs[i]);
+        const auto& b = kind.second(kind.pairs[i]);
+        const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, t);
+        if (bound < t) worst = Blocker{{a.begin(), a.end()}, {b.begin(), b.end()}, std::sqrt(squared_distance(corners(x, a), corners(x, b))), t = bound};
       }
     });
-    if (worst) worst->gap = gap_between(worst->first, worst->second, x);
     return worst;
   }
 
@@ -161,9 +155,10 @@ class Ccd : public StepFilter {
       for_each_chunk(n, [&](int c, int first, int last) {
         for (int i = first; i < last; ++i) {
           if (most < kind.distance_bounds[i] - largest_offset_) continue;
-          const auto [a, b] = kind.primitives(kind.pairs[i]);
-          const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, below, kind.accd);
-          if (bound < below) chunks[c].push_back(step_cut(cut_kind<std::tuple_size_v<decltype(a)>, std::tuple_size_v<decltype(b)>>(), a, b, bound));
+          const auto& a = kind.first(kind.pairs[i]);
+          const auto& b = kind.second(kind.pairs[i]);
+          const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, below);
+          if (bound < below) chunks[c].push_back(step_cut(cut_kind<std::tuple_size_v<std::decay_t<decltype(a)>>, std::tuple_size_v<std::decay_t<decltype(b)>>>(), a, b, bound));
         }
       });
       for (const auto& chunk : chunks) cuts.insert(cuts.end(), chunk.begin(), chunk.end());
@@ -178,13 +173,14 @@ class Ccd : public StepFilter {
       std::vector<std::vector<UnitBound>> chunks(chunk_count(n));
       for_each_chunk(n, [&](int c, int first, int last) {
         for (int i = first; i < last; ++i) {
-          const auto [a, b] = kind.primitives(kind.pairs[i]);
+          const auto& a = kind.first(kind.pairs[i]);
+          const auto& b = kind.second(kind.pairs[i]);
           const double offset = offset_of(a, b);
           const auto da = corners(p, a), db = corners(p, b);
           if (largest_norm(da) + largest_norm(db) < (1 - gap_fraction_min) * (kind.distance_bounds[i] - offset)) continue;
           const auto ca = corners(x, a), cb = corners(x, b);
           if (kind_of_bound == BlockBound::together) bound_by_planes(ca, cb, da, db, units_of(units, a), units_of(units, b), offset, gap_fraction_min, chunks[c]);
-          else bound_alone(da, db, units_of(units, a), units_of(units, b), [&](const auto& ea, const auto& eb) { return kind.accd(ca, cb, ea, eb, 1.0, offset); }, chunks[c]);
+          else bound_alone(da, db, units_of(units, a), units_of(units, b), [&](const auto& ea, const auto& eb) { return accd(ca, cb, ea, eb, gap_fraction_min, 1.0, offset); }, chunks[c]);
         }
       });
       for (const std::vector<UnitBound>& chunk : chunks)
@@ -210,9 +206,10 @@ class Ccd : public StepFilter {
         if (out_of_time()) return 0.0;
         for (int i = first; i < last; ++i) {
           if (least * most < kind.distance_bounds[i] - largest_offset_) continue;
-          if (kind.displacement(displacements, kind.pairs[i]) < kind.reference_distances[i] - largest_offset_) continue;
-          const auto [a, b] = kind.primitives(kind.pairs[i]);
-          least = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, least, kind.accd);
+          if (kind.distance_change(displacements, kind.pairs[i]) < kind.reference_distances[i] - largest_offset_) continue;
+          const auto& a = kind.first(kind.pairs[i]);
+          const auto& b = kind.second(kind.pairs[i]);
+          least = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, least);
         }
         return least;
       });
@@ -231,8 +228,9 @@ class Ccd : public StepFilter {
     size_t map = 0;
     for_each_kind([&](const auto& kind) {
       for (const int i : by_vertex_[map++].touching(moved)) {
-        const auto [a, b] = kind.primitives(kind.pairs[i]);
-        t = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {contact_->candidates().reference, x, p}, t, kind.accd);
+        const auto& a = kind.first(kind.pairs[i]);
+        const auto& b = kind.second(kind.pairs[i]);
+        t = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {contact_->candidates().reference, x, p}, t);
       }
     });
     return t;
@@ -247,7 +245,8 @@ class Ccd : public StepFilter {
     for_each_kind([&](const auto& kind) {
       by_vertex_.emplace_back(vertices, [&](const auto& act) {
         for (size_t i = 0; i < kind.pairs.size(); ++i) {
-          const auto [a, b] = kind.primitives(kind.pairs[i]);
+          const auto& a = kind.first(kind.pairs[i]);
+          const auto& b = kind.second(kind.pairs[i]);
           for (const int v : a) act(static_cast<int>(i), v);
           for (const int v : b) act(static_cast<int>(i), v);
         }
@@ -255,49 +254,10 @@ class Ccd : public StepFilter {
     });
   }
 
-  // Candidates of one kind.
-  template <class Primitives, class Displacement, class Accd>
-  struct Kind {
-    Kind(const std::vector<std::array<int, 2>>& pairs_, const std::vector<double>& bounds_, const std::vector<double>& distances_,
-         Primitives primitives_, Displacement displacement_, Accd accd_)
-        : pairs(pairs_), distance_bounds(bounds_), reference_distances(distances_), primitives(primitives_), displacement(displacement_), accd(accd_) {}
-    const std::vector<std::array<int, 2>>& pairs;
-    const std::vector<double>&distance_bounds, &reference_distances;
-    Primitives primitives;      // vertices of both primitives of a pair
-    Displacement displacement;  // sum of both displacement bounds
-    Accd accd;                  // largest step of a pair
-  };
-
   // Calls visit for each kind of candidates.
   template <class Visit>
   void for_each_kind(const Visit& visit) const {
-    const Candidates& c = contact_->candidates();
-    const CollisionMesh& mesh = contact_->surface().mesh;
-    const auto point = [](int v) { return std::array{v}; };
-    visit(Kind{c.edge_edge, c.distance_bounds.edge_edge, c.reference_distances.edge_edge,
-               [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
-               [](const DisplacementBounds& s, const auto& pair) { return s.edge(pair[0]) + s.edge(pair[1]); },
-               [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-                 return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], gap_fraction_min, limit, offset);
-               }});
-    visit(Kind{c.point_triangle, c.distance_bounds.point_triangle, c.reference_distances.point_triangle,
-               [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
-               [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.triangle(pair[1]); },
-               [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-                 return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], gap_fraction_min, limit, offset);
-               }});
-    visit(Kind{c.point_edge, c.distance_bounds.point_edge, c.reference_distances.point_edge,
-               [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
-               [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.edge(pair[1]); },
-               [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-                 return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], gap_fraction_min, limit, offset);
-               }});
-    visit(Kind{c.point_point, c.distance_bounds.point_point, c.reference_distances.point_point,
-               [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
-               [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.vertex(pair[1]); },
-               [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-                 return point_point_accd(a[0], b[0], da[0], db[0], gap_fraction_min, limit, offset);
-               }});
+    tack::for_each_kind(contact_->surface().mesh, contact_->candidates(), visit);
   }
 
   // Returns how much of the distance between two primitives their contact offsets fill [m].
