@@ -25,6 +25,8 @@ std::string ContactPotential::refusal(ContactFeature feature, const PairSetup&) 
     default: return "";
   }
 }
+    case ContactFeature::rods:
+    case ContactFeature::particles: return "it sums over surfaces of triangles";
 
 PairLawIds ContactPotential::add_laws(const PairSetup&, const PreparedLaws& laws, PairTable& table) {
   const int law = table.add_law(laws.barrier_and_adhesion(), laws.tangential);

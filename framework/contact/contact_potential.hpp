@@ -7,8 +7,9 @@
 // these calls. The system's set of active stencils is what find() writes; terms read it
 // (contact_term.hpp), or lists of their own.
 //
-// Every default is that of a plain sum over close pairs with one law per pair of objects. A model
-// must implement find(), and overrides what differs:
+// Every default is that of a plain sum over close pairs of surfaces, with one law per pair of
+// objects. A model must implement find(), and overrides what differs:
+//   - rods and particles, where its stencils are of them as well: refusal()
 //   - another potential: make_terms()
 //   - contact points that are not those of the stencils: points()
 //   - laws and ranges: add_laws(), roles()
@@ -42,6 +43,8 @@ enum class ContactFeature {
   both_sides,           // `integrate: both`
   barrier,              // a barrier that the scene chooses
 };
+  rods,                 // edges of an object that are in no triangle
+  particles,            // vertices of an object that are in no edge
 
 /// Integration side of a pair, as the scene gives it.
 enum class IntegrationSide { automatic, finer, both, first, second };
@@ -68,6 +71,8 @@ struct PairLawIds {
 struct PairSetup {
   int a = -1, b = -1;                // objects
   bool surfaces = false;             // both have triangles
+  bool rods = false;                 // one of them has rods
+  bool particles = false;            // one of them has particles
   bool region = false;               // these are laws of regions
   PairLawIds laws;                   // of the objects, or of the regions
   std::vector<PairLawIds> all_laws;  // of the objects, then of their pairs of regions
@@ -105,7 +110,7 @@ class ContactPotential {
   // Building.
 
   /// Returns why the model does not support a feature between two objects ("it counts close pairs,
-  /// not areas"); "" if it does.
+  /// not areas"); "" if it does. By default it supports adhesion of the gap, and surfaces alone.
   virtual std::string refusal(ContactFeature feature, const PairSetup& pair) const;
   /// Returns the range of PreparedLaws::safety_barrier, in contact distances. chosen: that of the
   /// scene, or its default. A scene that chooses another one than this returns is refused. The

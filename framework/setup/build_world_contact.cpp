@@ -18,12 +18,6 @@
 namespace tack {
 namespace {
 
-struct SurfaceSize {
-  double area = 0;  // of its triangles [m^2]
-  int vertices = 0;
-  double per_vertex() const { return vertices > 0 ? area / vertices : 0; }
-};
-
 // Returns edge areas; rods beside triangles count length times width.
 std::vector<double> areas_of_edges(const Mesh& mesh, const Surface& surface, double rod_width) {
   std::vector<double> areas = edge_areas(mesh, surface);
@@ -35,7 +29,7 @@ std::vector<double> areas_of_edges(const Mesh& mesh, const Surface& surface, dou
 }
 
 // Appends a body's surface to the collision mesh.
-SurfaceSize add_surface(const Body& body, int object, const VecX& rest, bool hull, ContactSurface& all) {
+ContactPrimitives add_surface(const Body& body, int object, const VecX& rest, bool hull, ContactSurface& all) {
   const Mesh mesh = body.surface_triangles.empty() ? local_mesh(body, rest) : surface_mesh(body, rest);
   Surface surface = extract_surface(mesh);
   // Keeps the triangle order of the start of the run, which the history's indices refer to.
@@ -48,7 +42,8 @@ SurfaceSize add_surface(const Body& body, int object, const VecX& rest, bool hul
   const auto global = [&](int v) {
     return v < body.vertex_count ? body.first_vertex + v : body.surface_vertices[v - body.vertex_count];
   };
-  const SurfaceSize size{std::accumulate(areas.begin(), areas.end(), 0.0), static_cast<int>(surface.vertices.size())};
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const ContactPrimitives primitives{surface.vertices.empty() ? 0 : area / static_cast<double>(surface.vertices.size()), !surface.triangles.empty(), !surface.codim_edges.empty(), !surface.codim_points.empty()};
   all.mesh.vertex_object.insert(all.mesh.vertex_object.end(), body.vertex_count, object);
   for (const int e : surface.codim_edges)
     all.mesh.codim_edges.push_back(static_cast<int>(all.mesh.edges.size()) + e);
@@ -61,7 +56,7 @@ SurfaceSize add_surface(const Body& body, int object, const VecX& rest, bool hul
   const bool closed = hull || !body.frame.empty() || (!body.surface_triangles.empty() && !body.tets.empty());
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
     all.two_sided.push_back(!closed && t >= surface.first_sheet);
-  return size;
+  return primitives;
 }
 
 // Throws InputError if the contact range exceeds the scene's size: all primitives would be in
@@ -104,10 +99,10 @@ std::vector<int> rigid_groups(const World& world) {
 void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock, World& world) {
   if (!scene.contact) return;
   ContactSurface surface;
-  std::vector<SurfaceSize> sizes;
+  std::vector<ContactPrimitives> primitives;
   const std::vector<char> hulls = find_hulls(world);
   for (size_t i = 0; i < world.bodies.size(); ++i)
-    sizes.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, hulls[i], surface));
+    primitives.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, hulls[i], surface));
   std::sort(surface.mesh.vertices.begin(), surface.mesh.vertices.end());
   surface.rest = world.rest;
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);
@@ -115,10 +110,8 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
     surface.mesh.vertex_movable[v] = world.dofs.moves(v) || world.prescribed_motion.may_move(v);
   surface.mesh.vertex_object.insert(surface.mesh.vertex_object.end(), world.extra_object.begin(), world.extra_object.end());
   surface.mesh.vertex_group = rigid_groups(world);
-  std::vector<double> cells;
-  for (const SurfaceSize& size : sizes) cells.push_back(size.per_vertex());
   std::unique_ptr<ContactPotential> potential = scene.contact->model->make_potential();
-  PairBuilder builder(scene, root, cells, times, world, *potential);
+  PairBuilder builder(scene, root, std::move(primitives), times, world, *potential);
   builder.build();
   BondTable bonds = std::move(builder.bonds());
   check_range(builder.table(), root, world.rest);

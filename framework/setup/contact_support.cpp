@@ -63,7 +63,7 @@ void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool
            "(particle: {radius: ...})");
 }
 
-std::string unsupported_text(const ContactPotential& potential, std::string_view model, ContactFeature feature, const PairSetup& pair) {
+std::string unsupported_text(const ContactPotential& potential, std::string_view model, ContactFeature feature, const PairSetup& pair, const std::vector<std::string>& objects) {
   const std::string reason = potential.refusal(feature, pair);
   if (reason.empty()) return "";
   const auto [name, remedy] = [&]() -> std::pair<const char*, const char*> {
@@ -75,10 +75,15 @@ std::string unsupported_text(const ContactPotential& potential, std::string_view
       case ContactFeature::integration_side: return {"`integrate`", "take it away"};
       case ContactFeature::both_sides: return {"`integrate: both`", "name one side, or leave it out"};
       case ContactFeature::barrier: return {"`barrier`", "take it away"};
+      case ContactFeature::rods: return {"rods", "make the object a surface or a solid"};
+      case ContactFeature::particles: return {"particles", "make the object a surface or a solid"};
     }
     return {"", ""};
   }();
-  return fmt::format("contact.model: {} has no {}: {}; {}, or choose model: area_integral", model, name, reason, remedy);
+  std::string where;
+  if (objects.size() == 1) where = fmt::format(", and object '{}' has some", objects[0]);
+  if (objects.size() == 2) where = fmt::format(" between '{}' and '{}'", objects[0], objects[1]);
+  return fmt::format("contact.model: {} has no {}{}: {}; {}, or choose model: area_integral", model, name, where, reason, remedy);
 }
 
 }  // namespace tack

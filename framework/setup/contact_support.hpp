@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "framework/contact/contact_potential.hpp"
 #include "geometry/mesh/mesh.hpp"
@@ -17,8 +18,10 @@ void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool
                                bool has_radius);
 
 // Returns the message that the contact model of that name does not support a feature of a pair, with
-// the remedy; "" if it does.
+// the remedy; "" if it does. objects: names of the two objects, or of the one that has rods or
+// particles; empty: the feature is of all pairs.
 std::string unsupported_text(const ContactPotential& potential, std::string_view model,
-                             ContactFeature feature, const PairSetup& pair);
+                             ContactFeature feature, const PairSetup& pair,
+                             const std::vector<std::string>& objects);
 
 }  // namespace tack

@@ -58,6 +58,12 @@ double barrier_traction(double adhesion_peak, double resting) {
   return adhesion_peak > 0 ? std::max(adhesion_peak, (resting - effect_limit * adhesion_peak) / of_adhesion) : 0;
 }
 
+std::vector<double> mean_areas(const std::vector<ContactPrimitives>& primitives) {
+  std::vector<double> areas;
+  for (const ContactPrimitives& of_object : primitives) areas.push_back(of_object.mean_area);
+  return areas;
+}
+
 bool adheres(const ContactConfig& contact) {
   return std::any_of(contact.pairs.begin(), contact.pairs.end(), [](const PairConfig& pair) { return pair.adhesion != nullptr; });
 }
@@ -70,11 +76,11 @@ std::vector<double> contact_offsets(const SceneConfig& scene) {
 
 }  // namespace
 
-PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& mean_areas, const RunTimes& times, World& world, ContactPotential& potential)
-    : scene_(scene), contact_(*scene.contact), root_(root), world_(world), potential_(potential), loadings_(loadings(scene, world, times.duration)),
+PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, std::vector<ContactPrimitives> primitives, const RunTimes& times, World& world, ContactPotential& potential)
+    : scene_(scene), contact_(*scene.contact), root_(root), world_(world), potential_(potential), primitives_(std::move(primitives)), loadings_(loadings(scene, world, times.duration)),
       pressures_(dynamic_pressures(scene, world, loadings_)), sheets_(sheet_stiffnesses(scene, world, loadings_, times.step)),
       resting_(adheres(contact_) ? resting_pressures(scene, world, times.duration) : std::vector<double>(world.bodies.size(), 0)),
-      classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), regions_(scene, configs_, world), table_(classes_, mean_areas),
+      classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), regions_(scene, configs_, world), table_(classes_, mean_areas(primitives_)),
       colliding_(classes_), bonds_(classes_, contact_offsets(scene)) {
   if (regions_.any()) table_.set_regions(regions_.vertex_regions());
 }
@@ -84,7 +90,7 @@ void PairBuilder::refuse_unsupported_barriers() const {
   const Value* contact = root_.find("contact");
   const std::string_view model = contact_.model->type();
   if (const Value* barrier = contact ? contact->find("barrier") : nullptr)
-    if (const std::string text = unsupported_text(potential_, model, ContactFeature::barrier, {}); !text.empty())
+    if (const std::string text = unsupported_text(potential_, model, ContactFeature::barrier, {}, {}); !text.empty())
       throw InputError(barrier->mark.text() + ": " + text);
   if (!contact_.safety_barrier) return;
   const double chosen = *contact_.safety_barrier, range = potential_.safety_barrier_range(chosen);
@@ -129,18 +135,15 @@ void PairBuilder::check_regions(int a, int b, const std::vector<int>& regions, b
   regions_.require_distinct(regions, a, b);
 }
 
-// Throws InputError at the contact block if the model has no roles for the pair.
-PairRoles PairBuilder::roles_of(const PairSetup& setup) const {
-  try {
-    return potential_.roles(setup, table_);
-  } catch (const InputError& error) {
-    throw InputError(contact_location() + error.what());
-  }
-}
-
 std::string PairBuilder::contact_location() const {
   const Value* contact = root_.find("contact");
   return contact ? contact->mark.text() + ": " : "";
+}
+
+std::string PairBuilder::model_location() const {
+  const Value* contact = root_.find("contact");
+  const Value* model = contact ? contact->find("model") : nullptr;
+  return model ? model->mark.text() + ": " : contact_location();
 }
 
 // Returns the tangential law of a pair whose adhesion has the given peak traction.
@@ -241,20 +244,31 @@ void PairBuilder::report(int a, int b, int region, const AdhesionLaw& adhesion, 
                              adhesion.peak_traction()});
 }
 
-bool PairBuilder::has_surface(int object) const { return !world_.bodies[object].triangles.empty() || !world_.bodies[object].surface_triangles.empty(); }
-
 PairSetup PairBuilder::setup_of(int a, int b) const {
   PairSetup setup;
   setup.a = a;
   setup.b = b;
-  setup.surfaces = has_surface(a) && has_surface(b);
+  const ContactPrimitives &first = primitives_[a], &second = primitives_[b];
+  setup.surfaces = first.triangles && second.triangles;
+  setup.rods = first.rods || second.rods;
+  setup.particles = first.particles || second.particles;
   return setup;
 }
 
 // Throws InputError at an entry of contact.pairs if the model does not support a feature of it.
 void PairBuilder::refuse_unsupported(const PairSetup& setup, int config, ContactFeature feature) const {
-  const std::string text = unsupported_text(potential_, contact_.model->type(), feature, setup);
+  const std::string text = unsupported_text(potential_, contact_.model->type(), feature, setup, {world_.bodies[setup.a].name, world_.bodies[setup.b].name});
   if (!text.empty()) throw configs_.error(config, text);
+}
+
+// Throws InputError at contact.model for rods and particles that the model does not support.
+void PairBuilder::refuse_unsupported_primitives(const PairSetup& setup) const {
+  for (const auto& [feature, has] : {std::pair{ContactFeature::rods, &ContactPrimitives::rods}, {ContactFeature::particles, &ContactPrimitives::particles}})
+    for (const int object : {setup.a, setup.b}) {
+      if (!(primitives_[object].*has)) continue;
+      const std::string text = unsupported_text(potential_, contact_.model->type(), feature, setup, {world_.bodies[object].name});
+      if (!text.empty()) throw InputError(model_location() + text);
+    }
 }
 
 // Throws InputError for features of an entry of contact.pairs that the model does not support. region: it is of regions.
@@ -271,7 +285,7 @@ void PairBuilder::refuse_unsupported(const PairSetup& setup, int config, bool re
 }
 
 void PairBuilder::refuse_bond(int a, int b, int config) const {
-  if (!has_surface(a) && !has_surface(b))
+  if (!primitives_[a].triangles && !primitives_[b].triangles)
     throw configs_.error(config, fmt::format("neither '{}' nor '{}' has a surface: bonds are anchored in triangles; choose an adhesion of the gap for rods and "
                                              "particles among each other (tack list adhesion)", world_.bodies[a].name, world_.bodies[b].name));
 }
@@ -333,6 +347,7 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& re
   setup.bonds = by_bonds(config) || std::any_of(regions.begin(), regions.end(), by_bonds);
   setup.gap_adhesion = by_gap(config) || std::any_of(regions.begin(), regions.end(), by_gap);
   for (const LawIds& ids : of_regions) setup.region_range = std::max(setup.region_range, table_.laws()[ids.laws.pressure].range());
+  refuse_unsupported_primitives(setup);
   refuse_unsupported(setup, config, false);
   for (const int entry : regions) refuse_unsupported(setup, entry, true);
   if (of_objects.bond >= 0) refuse_bond(a, b, config);
@@ -342,7 +357,7 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& re
   setup.laws = of_objects.laws;
   setup.all_laws = {of_objects.laws};
   for (const LawIds& ids : of_regions) setup.all_laws.push_back(ids.laws);
-  const PairRoles roles = roles_of(setup);
+  const PairRoles roles = potential_.roles(setup, table_);
   table_.point(a, b) = roles.first;
   table_.point(b, a) = roles.second;
   table_.set_edge(a, b, roles.edge);

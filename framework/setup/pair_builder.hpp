@@ -18,12 +18,19 @@
 
 namespace tack {
 
+// Primitives by which an object takes part in contact.
+struct ContactPrimitives {
+  double mean_area = 0;  // tributary area of its surface vertices, mean [m^2]
+  bool triangles = false, rods = false, particles = false;
+};
+
 class PairBuilder {
  public:
-  // mean_areas: mean tributary area of a surface vertex, per object [m^2]. times: of the run.
-  // potential: of the contact model, which chooses laws and roles of each pair.
-  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& mean_areas,
-              const RunTimes& times, World& world, ContactPotential& potential);
+  // primitives: per object. times: of the run. potential: of the contact model, which chooses laws
+  // and roles of each pair.
+  PairBuilder(const SceneConfig& scene, const Value& root,
+              std::vector<ContactPrimitives> primitives, const RunTimes& times, World& world,
+              ContactPotential& potential);
 
   void build();
 
@@ -38,8 +45,8 @@ class PairBuilder {
     int bond;     // of the bond table; -1: without bonds
   };
 
-  PairRoles roles_of(const PairSetup& setup) const;
   std::string contact_location() const;
+  std::string model_location() const;
   TangentialLaw tangential_of(const PairConfig* pair, double peak_traction) const;
   double offset_of(int a, int b) const;
   PairMaterials materials_of(int a, int b) const;
@@ -48,11 +55,11 @@ class PairBuilder {
   void add_to(AdhesionSummary& summary, int a, int b) const;
   void report(int a, int b, int region, const AdhesionLaw& adhesion, const PairLaw& law);
   void report(int a, int b, int region, const BondLaw& bond);
-  bool has_surface(int object) const;
   PairSetup setup_of(int a, int b) const;
   void refuse_unsupported_barriers() const;
   void refuse_unsupported(const PairSetup& setup, int config, ContactFeature feature) const;
   void refuse_unsupported(const PairSetup& setup, int config, bool region) const;
+  void refuse_unsupported_primitives(const PairSetup& setup) const;
   void refuse_bond(int a, int b, int config) const;
   void check_regions(int a, int b, const std::vector<int>& regions, bool no_contact) const;
   BondRule rule_of(const PairConfig& pair, std::shared_ptr<const BondLaw> law,
@@ -67,9 +74,10 @@ class PairBuilder {
   const Value& root_;
   World& world_;
   ContactPotential& potential_;
-  const std::vector<Loading> loadings_;  // of objects
-  const std::vector<double> pressures_;  // dynamic ones, of objects [Pa]
-  const std::vector<double> sheets_;     // stiffnesses of sheets, of objects [Pa]; 0: no sheet
+  const std::vector<ContactPrimitives> primitives_;  // of objects
+  const std::vector<Loading> loadings_;              // of objects
+  const std::vector<double> pressures_;              // dynamic ones, of objects [Pa]
+  const std::vector<double> sheets_;  // stiffnesses of sheets, of objects [Pa]; 0: no sheet
   // Pressure of weight and loads per object [Pa]; 0 if the object does not adhere.
   const std::vector<double> resting_;
   ObjectClasses classes_;

@@ -7,7 +7,6 @@
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/gcp/gcp_points.hpp"
-#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -21,12 +20,9 @@ class GeometricPotential : public ContactPotential {
       case ContactFeature::adhesion:
       case ContactFeature::tangential_adhesion: return "its directional factors take forces away where surfaces are not about to touch";
       default: return ContactPotential::refusal(feature, pair);
+      case ContactFeature::rods:
+      case ContactFeature::particles: return "its factors need the triangles around an edge or a vertex";
     }
-  }
-  PairRoles roles(const PairSetup& pair, const PairTable& table) override {
-    if (!pair.surfaces)
-      throw InputError("contact.model: gcp has no rods and no particles, which have no tangents; give them triangles, or choose contact.model: ipc or area_integral");
-    return ContactPotential::roles(pair, table);
   }
   std::unique_ptr<ContactPotential> isolated(int, int) const override { return std::make_unique<GeometricPotential>(smoothing_); }
 

@@ -23,8 +23,6 @@ void store(const GcpHessian& h, int arity, double* out) {
 
 GcpContacts::GcpContacts(const ContactSurface& surface, const PairTable& pairs, const GcpSmoothing& smoothing)
     : surface_(surface), pairs_(pairs), smoothing_(smoothing), rings_(surface) {
-  if (!surface.mesh.codim_edges.empty() || !surface.mesh.codim_points.empty())
-    throw InputError("the geometric contact potential has no rods and no particles, whose directions it does not define");
   if (rings_.valence_max() > gcp_valence_max)
     throw InputError("a surface vertex has " + std::to_string(rings_.valence_max()) + " neighbours, and the geometric contact potential takes at most " +
                      std::to_string(gcp_valence_max) + "; mesh the surface anew");

@@ -13,8 +13,8 @@ namespace tack {
 // Stencils of the present configuration.
 class GcpContacts {
  public:
-  // The surface and the pairs must outlive this. Throws InputError for rods, particles, and
-  // vertices with more than gcp_valence_max neighbours.
+  // The surface and the pairs must outlive this. Throws InputError for vertices with more than
+  // gcp_valence_max neighbours.
   GcpContacts(const ContactSurface& surface, const PairTable& pairs, const GcpSmoothing& smoothing);
 
   // Sets the free vertices (non-zero): no stencil is without one. Empty: all are free.

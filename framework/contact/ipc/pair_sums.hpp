@@ -40,9 +40,13 @@ class PairSums : public ContactPotential {
 
   // Pairs count on both sides, whatever `integrate` says.
   std::string refusal(ContactFeature feature, const PairSetup& pair) const override {
-    if (feature == ContactFeature::integration_side || feature == ContactFeature::both_sides)
-      return "";
-    return ContactPotential::refusal(feature, pair);
+    switch (feature) {
+      case ContactFeature::integration_side:
+      case ContactFeature::both_sides:
+      case ContactFeature::rods:
+      case ContactFeature::particles: return "";
+      default: return ContactPotential::refusal(feature, pair);
+    }
   }
   PairLawIds add_laws(const PairSetup& pair, const PreparedLaws& laws, PairTable& table) override;
   std::unique_ptr<ContactPotential> isolated(int a, int b) const override;

@@ -7,7 +7,6 @@
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/ogc/ogc_search.hpp"
-#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -18,15 +17,12 @@ class OffsetContact : public ContactPotential {
     switch (feature) {
       case ContactFeature::adhesion:
       case ContactFeature::tangential_adhesion: return "its forces jump where blocks of concave surfaces overlap, which adhesion would multiply";
+      case ContactFeature::rods:
+      case ContactFeature::particles: return "its offset blocks are those of faces and of their edges and vertices";
       default: return ContactPotential::refusal(feature, pair);
     }
   }
   bool uses_rest_gaps() const override { return true; }
-  PairRoles roles(const PairSetup& pair, const PairTable& table) override {
-    if (!pair.surfaces)
-      throw InputError("contact.model: ogc has no rods and no particles here; give them triangles, or choose contact.model: ipc or area_integral");
-    return ContactPotential::roles(pair, table);
-  }
   std::unique_ptr<ContactPotential> isolated(int, int) const override { return std::make_unique<OffsetContact>(); }
 
   void set_free(std::vector<char> free) override { free_ = std::move(free); }

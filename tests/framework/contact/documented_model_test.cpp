@@ -112,12 +112,12 @@ TEST_CASE("the documented contact model refuses what it does not have", "[docume
   };
   using Catch::Contains;
   CHECK_THAT(message("pairs: [{between: [floor, crate], adhesion: {type: fang, peak_traction: 1 kPa}}]"),
-             Contains("contact.model: documented_penalty has no adhesion of the gap: it only pushes; take `adhesion` away, or choose model: area_integral"));
+             Contains("contact.model: documented_penalty has no adhesion of the gap between 'floor' and 'crate': it only pushes; take `adhesion` away, or choose model: area_integral"));
   // No remedy that is refused as well.
   CHECK_THAT(message("pairs: [{between: [floor, crate], adhesion: {type: bilinear, peak_traction: 1 kPa, work_of_adhesion: 1}}]"),
              Contains("documented_penalty has no adhesion by bonds") && Contains("; take `adhesion` away, or choose model: area_integral"));
   CHECK_THAT(message("barrier: {type: clamped_log}"), Contains("documented_penalty has no `barrier`: its law is that of its stiffness; take it away, or choose model: area_integral"));
-  CHECK_THAT(message("pairs: [{between: [floor, crate], barrier: {type: clamped_log}}]"), Contains("documented_penalty has no `barrier`"));
+  CHECK_THAT(message("pairs: [{between: [floor, crate], barrier: {type: clamped_log}}]"), Contains("documented_penalty has no `barrier` between 'floor' and 'crate'"));
   CHECK_THAT(message("safety_barrier: 0.3"),
              Contains("contact.safety_barrier is 0.3, and contact.model: documented_penalty has barriers over 1 contact distances for all pairs; take it away, or choose model: area_integral"));
   CHECK(message("safety_barrier: 1") == "accepted");

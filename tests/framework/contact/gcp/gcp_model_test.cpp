@@ -75,7 +75,5 @@ TEST_CASE("contact models gcp and ogc: what they do not have is refused at its l
     refuses(boxes(model, "adhesion: {type: fang, peak_traction: 1 kPa}"), ":5:", "choose model: area_integral");
     refuses(boxes(model, "adhesion: {type: rcc, normal_stiffness: 1e8 Pa/m, work_of_adhesion: 1 J/m^2}"), ":5:", model + " has no adhesion by bonds");
     refuses(boxes(model, "integrate: a"), ":5:", model + " has no `integrate`");
-    refuses(boxes(model, "", "  - {name: r, shape: {type: segment, length: 0.1, edges: 2}, rod: {radius: 1 mm}, energies: [{type: string, young: 1e5, density: 1000}], place: {translate: [0, 1, 0]}}\n"),
-            ":6:", "no rods");
   }
 }
