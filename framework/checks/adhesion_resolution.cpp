@@ -29,11 +29,12 @@ double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec
   return std::sqrt(area * std::max(0.0, 1 - cosine * cosine));
 }
 
-// Returns whether adhesion between two objects, or regions of them, is clipped: its quadrature is
-// exact, whatever the change of the gap.
-bool is_clipped(const PairTable& pairs, int a, int b) {
+// Returns whether interior points of a towards b, or regions of them, are no quadrature points of
+// the laws of points: those of clipped adhesion, whose quadrature is exact whatever the change of
+// the gap.
+bool has_exact_quadrature(const PairTable& pairs, int a, int b) {
   for (int region_pair = -1; region_pair < pairs.region_pair_count(a, b); ++region_pair)
-    if (pairs.edge(a, b, region_pair).clipped_range > 0) return true;
+    if (!pairs.point(a, b, region_pair).counts_area) return true;
   return false;
 }
 
@@ -85,7 +86,7 @@ void AdhesionResolution::examine(const VecX& x, double h) {
   const ContactPoints points = contact_points({*world_.contact, adheres_, x});
   for_each_record(points, [&]<int K>(const ContactPoint<K>& c) {
     if (c.kind() == PointKind::edges || c.gap >= laws[c.law].range()) return;
-    if (c.kind() == PointKind::interior && is_clipped(world_.contact->pairs(), c.object, c.opposite)) return;
+    if (c.kind() == PointKind::interior && has_exact_quadrature(world_.contact->pairs(), c.object, c.opposite)) return;
     Element element;
     if (c.kind() == PointKind::vertex) element = element_at(c.point, c.normal, x);
     else if constexpr (K > 3) element = element_around({c.vertices[0], c.vertices[1], c.vertices[2]}, c.normal, c.area, x);

@@ -26,10 +26,8 @@ ContactPoint<4> edge_point(const ContactPointsRequest& request, const ContactSte
 
 void add_integrated_laws(const PairTable& pairs, int a, int b, std::vector<char>& laws) {
   for (int region_pair = -1; region_pair < pairs.region_pair_count(a, b); ++region_pair) {
-    // The contact points of clipped adhesion, which have the other law, cover the area of the barrier.
-    const bool clipped = pairs.edge(a, b, region_pair).clipped_range > 0;
     for (const PairRole* role : {&pairs.point(a, b, region_pair), &pairs.point(b, a, region_pair)})
-      if (!clipped && role->law >= 0 && role->carries_pressure) laws[role->law] = 1;
+      if (role->law >= 0 && role->counts_area) laws[role->law] = 1;
     if (const int codimensional = pairs.codimensional(a, b, region_pair).law; codimensional >= 0) laws[codimensional] = 1;
   }
 }

@@ -52,7 +52,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
     : surface_(std::move(surface)), pairs_(std::move(pairs)), colliding_(colliding), clock_(clock), lagged_(surface_), potential_(std::move(potential)) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
   range_ = std::max(range_, pairs_.bond_range());
-  for (const auto& [a, b] : pairs_.classes().examples()) range_ = std::max(range_, pairs_.edge(a, b).clipped_range);
+  for (const auto& [a, b] : pairs_.classes().examples()) range_ = std::max(range_, pairs_.edge(a, b).search_range);
   const double mean_edge = mean_edge_of(surface_);
   skin_ = skin_of(mean_edge, range_);
   radii_ = pair_radii(surface_, pairs_);

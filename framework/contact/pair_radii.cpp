@@ -19,7 +19,7 @@ double surface_range(const PairTable& pairs, int a, int b) {
   double range = 0;
   for (int region_pair = -1; region_pair < pairs.region_pair_count(a, b); ++region_pair)
     for (const PairRole* role : {&pairs.point(a, b, region_pair), &pairs.point(b, a, region_pair), &pairs.edge(a, b, region_pair), &pairs.codimensional(a, b, region_pair)})
-      range = std::max({range, role->range_max(), role->safety_barrier_range, role->clipped_range, role->bonds ? pairs.bond_range() : 0});
+      range = std::max({range, role->range_max(), role->safety_barrier_range, role->search_range, role->bonds ? pairs.bond_range() : 0});
   return range;
 }
 

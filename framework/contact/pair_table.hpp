@@ -1,25 +1,12 @@
-// Laws between pairs of objects, and the quadrature of the surface integral of each pair.
+// Laws between pairs of objects, and the roles of their points, edges, rods and particles: law,
+// weight and range of each, for all contact models. What a model needs beyond that is in tables of
+// its own (area_integral/integration_rules.hpp).
 //
-// Energy per area needs an integral over the interface that does not depend on the meshes:
-//  * Quadrature points are the vertices of the integration side, weighted with their tributary
-//    area, and interior points of partly overlapping triangles (surface_overlap.hpp). With
-//    `by_size`, and within one object, both sides integrate, with weights that sum up to one.
-//  * A point sees the other surface through inclusion-exclusion (point_features.hpp), so that the
-//    number of triangles around the closest point does not matter.
-// These stencils carry contact pressure: the whole law, barrier + adhesion. Edge-edge pairs and
-// points of the other side would count area again. They are *safety-barrier pairs*: they carry the
-// barrier alone, over a shorter range, so that nothing passes where no quadrature point is near.
-//
-// Codimensional elements (rods and particles) have a width or a cross-section instead of an area,
-// and surfaces do not know their overlap with them. Between a surface and a codimensional element
-// the latter integrates, whatever the integration side of the pair; between two rods, or a rod and
-// a particle, the overlap of their projections counts (rod_overlaps.hpp).
+// *Safety-barrier pairs* carry the barrier alone, over a shorter range, where a model would count
+// area again with the whole law.
 //
 // Regions of surfaces may have laws of their own. A triangle or edge belongs to a region if all of
-// its vertices do, and takes part in the integral as a whole: the interface of two regions is an
-// overlap boundary of each (surface_region.hpp), so that areas and forces are those of two objects
-// that meet there. The region of a triangle's integral is that of the triangle opposite; of
-// safety-barrier pairs, rods and particles it is that of the nearest primitive.
+// its vertices do.
 #pragma once
 
 #include <algorithm>
@@ -39,21 +26,13 @@ struct PairRole {
   int law = -1;            // index into the laws; -1: no interaction
   double area_factor = 0;  // factor on the tributary area of the point (or edge pair)
   double range = 0;        // of the law [m]
-  // The point carries contact pressure: its weight is its projected tributary area towards the
-  // other surface.
-  bool carries_pressure = false;
+  // Contact points of the law cover the interface once: pressures and probes take areas from them.
+  bool counts_area = false;
   int safety_barrier = -1;          // law of safety-barrier pairs; -1: none
   double safety_barrier_range = 0;  // m
-  double clipped_range = 0;         // of adhesion that is integrated by clipping [m]
-  // Pressure only while this side is the secondary side by overlap (integration_sides.hpp).
-  bool by_overlap = false;
-  bool only_if_finer = false;  // pressure only if this side has the finer surface
-  // Both sides carry pressure, with weights by the areas per vertex; none past an overlap boundary.
-  bool by_size = false;
-  bool overlap_only = false;          // integrates over the overlap alone (surface_overlap.hpp)
-  bool bonds = false;                 // some or all of the overlap bonds (framework/bond)
-  bool adheres_beside_bonds = false;  // some regions bond, others adhere by a law of the gap
-  double region_range_max = 0;        // largest range of laws between regions of the objects [m]
+  double search_range = 0;          // of pairs that the model needs beyond the ranges of laws [m]
+  bool bonds = false;               // some or all of the overlap bonds (framework/bond)
+  double region_range_max = 0;      // largest range of laws between regions of the objects [m]
   // Largest ratio of the areas of two edges: a larger area is cut to that ratio.
   double area_ratio_max = std::numeric_limits<double>::infinity();
 
@@ -90,11 +69,6 @@ class PairTable {
   bool finer(int a, int b) const {
     const double area_a = mean_tributary_area(a), area_b = mean_tributary_area(b);
     return a < b ? area_a <= area_b : area_a < area_b;
-  }
-  // Returns whether points of a carry pressure, or may: with `by_overlap`, overlap areas decide.
-  bool may_carry_pressure(int a, int b) const {
-    const PairRole& role = point(a, b);
-    return role.carries_pressure && (!role.only_if_finer || finer(a, b));
   }
   int add_law(PairLaw law, const TangentialLaw& tangential = {}) {
     barrier_laws_.push_back(law.only(LawTerm::barrier));
@@ -201,23 +175,6 @@ class PairTable {
   // Largest distance at which sites bond, offsets included [m].
   void set_bond_range(double range) { bond_range_ = std::max(bond_range_, range); }
   double bond_range() const { return bond_range_; }
-
-  bool any_by_overlap() const {
-    return std::any_of(point_.begin(), point_.end(),
-                       [](const PairRole& role) { return role.by_overlap; });
-  }
-  bool any_overlap_only() const {
-    return std::any_of(point_.begin(), point_.end(),
-                       [](const PairRole& role) { return role.overlap_only; });
-  }
-
-  // Returns whether any pair adheres by a law of the gap over its overlap, and has
-  // overlap-boundary forces.
-  bool any_overlap_boundary() const {
-    return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) {
-      return role.overlap_only && (!role.bonds || role.adheres_beside_bonds);
-    });
-  }
 
  private:
   ObjectClasses classes_;

@@ -56,6 +56,11 @@ PairLawIds AreaIntegral::add_laws(const PairSetup&, const PreparedLaws& laws, Pa
   return ids;
 }
 
+IntegrationRules& AreaIntegral::rules_of(const PairTable& table) {
+  if (!rules_) rules_.emplace(table.classes());
+  return *rules_;
+}
+
 PairRoles AreaIntegral::roles(const PairSetup& pair, const PairTable& table) {
   const auto range = [&](int law) { return table.laws()[law].range(); };
   const double barrier_range = range(pair.laws.safety_barrier);
@@ -65,17 +70,22 @@ PairRoles AreaIntegral::roles(const PairSetup& pair, const PairTable& table) {
   if (!pair.adheres) roles.edge.area_ratio_max = area_ratio_max;
   roles.codimensional.region_range_max = pair.region_range;
   PairRole pressure{pair.laws.pressure, 1, range(pair.laws.pressure), true, pair.laws.safety_barrier, barrier_range};
-  pressure.overlap_only = pair.overlap_only;
   pressure.bonds = pair.bonds;
-  pressure.adheres_beside_bonds = pair.gap_adhesion;
   pressure.region_range_max = pair.region_range;
+  IntegrationRule rule;
+  rule.carries_pressure = true;
+  rule.overlap_only = pair.overlap_only;
+  rule.boundary_forces = pair.overlap_only && (!pair.bonds || pair.gap_adhesion);
   const bool within_object = pair.a == pair.b;
-  pressure.by_size = !within_object && pair.side == IntegrationSide::automatic && !pressure.overlap_only;
-  if (within_object || pair.side == IntegrationSide::both || pressure.by_size) pressure.area_factor = 0.5;
-  else pressure.by_overlap = pair.side == IntegrationSide::automatic, pressure.only_if_finer = pair.side == IntegrationSide::finer;
-  roles.first = roles.second = pressure;
-  if (!within_object && pair.side == IntegrationSide::first) roles.second = barrier_only;
-  if (!within_object && pair.side == IntegrationSide::second) roles.first = barrier_only;
+  rule.by_size = !within_object && pair.side == IntegrationSide::automatic && !rule.overlap_only;
+  if (within_object || pair.side == IntegrationSide::both || rule.by_size) pressure.area_factor = 0.5;
+  else rule.by_overlap = pair.side == IntegrationSide::automatic, rule.only_if_finer = pair.side == IntegrationSide::finer;
+  const bool first_only = !within_object && pair.side == IntegrationSide::first, second_only = !within_object && pair.side == IntegrationSide::second;
+  roles.first = second_only ? barrier_only : pressure;
+  roles.second = first_only ? barrier_only : pressure;
+  // Regions integrate as their objects do.
+  rules_of(table).of(pair.a, pair.b) = second_only ? IntegrationRule() : rule;
+  rules_of(table).of(pair.b, pair.a) = first_only ? IntegrationRule() : rule;
   return roles;
 }
 
@@ -86,6 +96,10 @@ std::unique_ptr<ContactPotential> AreaIntegral::isolated(int a, int b) const {
 }
 
 void AreaIntegral::take_history(const AreaIntegral& other, int a, int b) {
+  const int last = a == b ? 0 : 1;
+  rules_.emplace(ObjectClasses::single(last + 1));
+  rules_->of(0, last) = other.rules_->of(a, b);
+  rules_->of(last, 0) = other.rules_->of(b, a);
   const IntegrationSides::Pairs& all = other.narrow_phase_->coarse_pairs();
   previous_coarse_pairs_.emplace();
   if (std::binary_search(all.begin(), all.end(), std::pair(a, b))) previous_coarse_pairs_->emplace_back(0, 1);
@@ -93,7 +107,7 @@ void AreaIntegral::take_history(const AreaIntegral& other, int a, int b) {
 
 void AreaIntegral::make_terms() {
   ContactPotential::make_terms();
-  if (system().pairs().any_overlap_boundary()) add_term(std::make_unique<OverlapBoundaryTerm>(*this));
+  if (rules_->any(&IntegrationRule::boundary_forces)) add_term(std::make_unique<OverlapBoundaryTerm>(*this));
 }
 
 void AreaIntegral::load_history(const History& history) {
@@ -105,7 +119,7 @@ void AreaIntegral::load_history(const History& history) {
     previous_coarse_pairs_.emplace();
     for (int a = 0; a < pairs.objects(); ++a)
       for (int b = a + 1; b < pairs.objects(); ++b)
-        if (pairs.point(a, b).by_overlap && ((*all)[a * pairs.objects() + b] != 0) != pairs.finer(a, b)) previous_coarse_pairs_->emplace_back(a, b);
+        if (rules_->of(a, b).by_overlap && ((*all)[a * pairs.objects() + b] != 0) != pairs.finer(a, b)) previous_coarse_pairs_->emplace_back(a, b);
   }
   if (const auto turned = history.find(coarse_pairs_name); turned != history.end()) {
     previous_coarse_pairs_.emplace();
@@ -118,7 +132,7 @@ void AreaIntegral::load_history(const History& history) {
   for (const auto& [vertex, other] : sides->second.keys) {
     const int integrates = mesh.vertex_object[vertex];
     const std::pair<int, int> pair = std::minmax(integrates, other);
-    if (pairs.point(pair.first, pair.second).by_overlap && pairs.finer(pair.first, pair.second) != (integrates == pair.first)) previous_coarse_pairs_->push_back(pair);
+    if (rules_->of(pair.first, pair.second).by_overlap && pairs.finer(pair.first, pair.second) != (integrates == pair.first)) previous_coarse_pairs_->push_back(pair);
   }
   std::sort(previous_coarse_pairs_->begin(), previous_coarse_pairs_->end());
 }
@@ -139,7 +153,7 @@ void AreaIntegral::commit(const VecX& x, History& history) const {
   store_weights(weights, mesh, history);
   history.erase(former_sides_name);
   history.erase(coarse_pairs_name);
-  if (!pairs.any_by_overlap()) return;
+  if (!rules_->any(&IntegrationRule::by_overlap)) return;
   HistoryArray& sides = history[sides_name] = {1, {}, {}};
   if (coarse_pairs.empty()) return;
   std::vector<int> first_vertex(pairs.objects(), -1);
@@ -157,7 +171,7 @@ const CollisionMesh& AreaIntegral::mesh() const { return system().surface().mesh
 
 void AreaIntegral::clear_caches() {
   LaggedWeights weights = narrow_phase_ ? narrow_phase_->previous_weights() : LaggedWeights();
-  narrow_phase_ = std::make_unique<NarrowPhase>(system().surface(), system().pairs(), system().lagged_surface(), system().broad_phase());
+  narrow_phase_ = std::make_unique<NarrowPhase>(system().surface(), system().pairs(), rules_of(system().pairs()), system().lagged_surface(), system().broad_phase());
   narrow_phase_->set_previous_weights(std::move(weights));
 }
 

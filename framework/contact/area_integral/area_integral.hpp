@@ -44,13 +44,17 @@ class AreaIntegral : public ContactPotential {
     return narrow_phase_->overlap_boundary_forces();
   }
   const CollisionMesh& mesh() const;
+  const IntegrationRules& rules() const { return *rules_; }
 
  protected:
   void make_terms() override;
-  // Takes the history of the objects a and b of another potential, which are 0 and 1 here.
+  // Takes rules and history of the objects a and b of another potential, which are 0 and 1 here.
   void take_history(const AreaIntegral& other, int a, int b);
 
  private:
+  IntegrationRules& rules_of(const PairTable& table);
+
+  std::optional<IntegrationRules> rules_;  // none: no pair has been built
   std::unique_ptr<NarrowPhase> narrow_phase_;
   // Pairs whose coarser side was the secondary side in the last accepted step; none: unknown.
   std::optional<IntegrationSides::Pairs> previous_coarse_pairs_;

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/area_integral/integration_rules.hpp"
 
 namespace tack {
 
@@ -27,7 +27,8 @@ class IntegrationSides {
   // Pairs of objects a < b, ascending.
   using Pairs = std::vector<std::pair<int, int>>;
 
-  explicit IntegrationSides(const PairTable& pairs) : pairs_(pairs) {}
+  IntegrationSides(const PairTable& pairs, const IntegrationRules& rules)
+      : pairs_(pairs), rules_(rules) {}
 
   struct Overlap {
     double area = 0;  // m^2
@@ -50,7 +51,7 @@ class IntegrationSides {
   void keep(Pairs pairs) { kept_ = std::move(pairs); }
   // Returns whether a is the secondary side towards b.
   bool integrates(int a, int b) const {
-    if (!pairs_.point(a, b).by_overlap) return pairs_.may_carry_pressure(a, b);
+    if (!rules_.of(a, b).by_overlap) return rules_.may_carry_pressure(a, b, pairs_);
     return pairs_.finer(a, b) != contains(coarse_pairs_, std::minmax(a, b));
   }
 
@@ -62,6 +63,7 @@ class IntegrationSides {
   bool first_integrates(std::pair<int, int> pair, const Both& overlaps) const;
 
   const PairTable& pairs_;
+  const IntegrationRules& rules_;
   // Pairs of objects that are close; all other pairs have no overlap.
   std::map<std::pair<int, int>, Both> overlaps_;
   Pairs coarse_pairs_;

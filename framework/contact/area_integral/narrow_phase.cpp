@@ -104,13 +104,13 @@ void search_crossings(const ContactSurface& surface, const PairTable& pairs, con
 
 }  // namespace
 
-NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const LaggedSurface& lagged, const BroadPhase& broad_phase)
-    : surface_(surface), pairs_(pairs), lagged_(lagged), sides_(pairs), overlap_(surface, pairs, lagged_),
+NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const IntegrationRules& rules, const LaggedSurface& lagged, const BroadPhase& broad_phase)
+    : surface_(surface), pairs_(pairs), rules_(rules), lagged_(lagged), sides_(pairs, rules), overlap_(surface, pairs, rules, lagged_),
       broad_phase_(broad_phase), edges_(surface, pairs, EdgePairs::RestNeighbours::do_not_press), rods_(surface, pairs) {}
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
   const int own = surface_.mesh.vertex_object[group.point];
-  return pairs_.point(own, group.object).law >= 0 && pairs_.may_carry_pressure(own, group.object) &&
+  return pairs_.point(own, group.object).law >= 0 && rules_.may_carry_pressure(own, group.object, pairs_) &&
          !lagged_.topology().triangles_at(group.point).empty();
 }
 

@@ -30,8 +30,8 @@ class NarrowPhase {
   // All arguments must outlive the narrow phase. Candidates passed to it are those of the broad
   // phase.
   // The lagged surface is set before every call of set_candidates and begin_step.
-  NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const LaggedSurface& lagged,
-              const BroadPhase& broad_phase);
+  NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const IntegrationRules& rules,
+              const LaggedSurface& lagged, const BroadPhase& broad_phase);
 
   // Groups a new list of candidates before a step begins. changed: the primitives changed since
   // the last list of the step; null: all may have.
@@ -72,6 +72,7 @@ class NarrowPhase {
   void make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier);
 
   const ContactSurface& surface_;
+  const IntegrationRules& rules_;
   const PairTable& pairs_;
   const LaggedSurface& lagged_;
   bool begun_ = false;

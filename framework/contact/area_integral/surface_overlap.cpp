@@ -21,14 +21,6 @@ constexpr double shared_boundary_overshoot_max = 1e-3;
 constexpr double gap_change_per_range_max = 0.25, parallel_cosine_min = 0.999;
 constexpr double distance_tolerance_relative = 1e-9;  // of distances: far above rounding
 
-// Returns the index of the group of a point and an object; -1: none.
-int find_group(const std::vector<GroupPatches>& groups, int point, int object) {
-  const std::array key{point, object};
-  const auto at = std::lower_bound(groups.begin(), groups.end(), key,
-                                   [](const GroupPatches& g, const std::array<int, 2>& k) { return g.key() < k; });
-  return at != groups.end() && at->key() == key ? static_cast<int>(at - groups.begin()) : -1;
-}
-
 }  // namespace
 
 // Results of a chunk of triangles: areas of their corners, interior points and deferred cells.
@@ -65,17 +57,17 @@ struct SurfaceOverlap::TriangleChunk {
   int index, first, last;
 };
 
-SurfaceOverlap::SurfaceOverlap(const ContactSurface& surface, const PairTable& pairs, const LaggedSurface& lagged)
-    : surface_(surface), pairs_(pairs), lagged_(lagged), first_triangle_(pairs.objects() + 1, 0), needed_(pairs.any_overlap_only()) {
+SurfaceOverlap::SurfaceOverlap(const ContactSurface& surface, const PairTable& pairs, const IntegrationRules& rules, const LaggedSurface& lagged)
+    : surface_(surface), pairs_(pairs), rules_(rules), lagged_(lagged), first_triangle_(pairs.objects() + 1, 0), needed_(rules.any(&IntegrationRule::overlap_only)) {
   for (const Triangle& t : surface.mesh.triangles) ++first_triangle_[surface.mesh.vertex_object[t[0]] + 1];
   for (int a = 0; a < pairs.objects(); ++a) first_triangle_[a + 1] += first_triangle_[a];
 }
 
-std::array<SurfaceOverlap::Corner, 3> SurfaceOverlap::corners(const std::vector<GroupPatches>& groups, int triangle, int object) const {
+std::array<SurfaceOverlap::Corner, 3> SurfaceOverlap::corners(const PatchesByVertex& groups, int triangle, int object) const {
   std::array<Corner, 3> found;
   for (int i = 0; i < 3; ++i) {
     const int v = surface_.mesh.triangles[triangle][i];
-    found[i] = {find_group(groups, v, object), -1};
+    found[i] = {groups.find(v, object), -1};
     if (found[i].group < 0) continue;
     const VisiblePatches& visible = groups[found[i].group].visible;
     double most = facing_cosine_min;
@@ -87,7 +79,7 @@ std::array<SurfaceOverlap::Corner, 3> SurfaceOverlap::corners(const std::vector<
   return found;
 }
 
-bool SurfaceOverlap::overlaps_fully(const std::vector<GroupPatches>& groups, int triangle, const std::array<Corner, 3>& corners) const {
+bool SurfaceOverlap::overlaps_fully(const PatchesByVertex& groups, int triangle, const std::array<Corner, 3>& corners) const {
   const double on_line = TriangleSubdivision::line_tolerance(lagged_.area(triangle));
   const double shared = shared_boundary_overshoot_max * std::sqrt(lagged_.area(triangle));
   return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) {
@@ -99,7 +91,7 @@ bool SurfaceOverlap::overlaps_fully(const std::vector<GroupPatches>& groups, int
 
 // Returns whether the own surface ends at a corner as well: no triangle there that faces the patch of
 // the corner overshoots the boundary by more than overshoot_max [m].
-bool SurfaceOverlap::ends_there(const std::vector<GroupPatches>& groups, const Corner& corner, double overshoot_max) const {
+bool SurfaceOverlap::ends_there(const PatchesByVertex& groups, const Corner& corner, double overshoot_max) const {
   const GroupPatches& at = groups[corner.group];
   const SurfaceTopology& topology = lagged_.topology();
   if (topology.smooth_vertex(at.point)) return false;
@@ -107,7 +99,7 @@ bool SurfaceOverlap::ends_there(const std::vector<GroupPatches>& groups, const C
   for (const int t : topology.triangles_at(at.point)) {
     if (!(lagged_.cosine(t, normal) > facing_cosine_min)) continue;
     for (const int v : surface_.mesh.triangles[t]) {
-      const int group = find_group(groups, v, at.object);
+      const int group = groups.find(v, at.object);
       const int patch = group < 0 ? -1 : groups[group].visible.patch_of(normal);
       if (patch < 0 || groups[group].visible.patches[patch].overshoot > overshoot_max) return false;
     }
@@ -117,7 +109,7 @@ bool SurfaceOverlap::ends_there(const std::vector<GroupPatches>& groups, const C
 
 // Returns whether one law holds between a fully overlapping triangle and the opposite surface, and
 // for its corners, which receive its area.
-bool SurfaceOverlap::has_one_law(const std::vector<GroupPatches>& groups, int triangle, int object, const std::array<Corner, 3>& at) const {
+bool SurfaceOverlap::has_one_law(const PatchesByVertex& groups, int triangle, int object, const std::array<Corner, 3>& at) const {
   const CollisionMesh& mesh = surface_.mesh;
   const Triangle& own = mesh.triangles[triangle];
   const int of = mesh.vertex_object[own[0]];
@@ -135,22 +127,21 @@ bool SurfaceOverlap::may_face(int triangle, int other) const {
          lagged_.cosine(other, lagged_.normal(triangle)) > facing_cosine_min;
 }
 
-void SurfaceOverlap::choose_sides(const std::vector<GroupPatches>& groups, IntegrationSides& sides) const {
+void SurfaceOverlap::choose_sides(const std::vector<GroupPatches>& all, IntegrationSides& sides) const {
+  const PatchesByVertex groups(all, surface_.mesh.vertex_object.size());
   sides.clear();
   const CollisionMesh& mesh = surface_.mesh;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+  const int triangles = rules_.any(&IntegrationRule::by_overlap) ? static_cast<int>(mesh.triangles.size()) : 0;
+  for (int t = 0; t < triangles; ++t) {
     const int object = mesh.vertex_object[mesh.triangles[t][0]];
-    const int corner = mesh.triangles[t][0];
-    const auto first = std::lower_bound(groups.begin(), groups.end(), corner,
-                                        [](const GroupPatches& g, int point) { return g.point < point; });
-    for (auto group = first; group != groups.end() && group->point == corner; ++group) {
-      const PairRole& role = pairs_.point(object, group->object);
-      if (!role.by_overlap) continue;
-      const auto at = corners(groups, t, group->object);
+    for (const GroupPatches& group : groups.of_vertex(mesh.triangles[t][0])) {
+      const PairRole& role = pairs_.point(object, group.object);
+      if (!rules_.of(object, group.object).by_overlap) continue;
+      const auto at = corners(groups, t, group.object);
       if (!overlaps_fully(groups, t, at)) continue;
-      const VisiblePatch& patch = group->visible.patches[at[0].patch];
+      const VisiblePatch& patch = group.visible.patches[at[0].patch];
       if (patch.distance >= role.range_max()) continue;
-      IntegrationSides::Overlap& overlap = sides.overlap(object, group->object);
+      IntegrationSides::Overlap& overlap = sides.overlap(object, group.object);
       overlap.area += lagged_.area(t) * lagged_.cosine(t, patch.normal);
       ++overlap.triangles;
     }
@@ -160,7 +151,7 @@ void SurfaceOverlap::choose_sides(const std::vector<GroupPatches>& groups, Integ
 
 // Adds the area of a triangle that overlaps at its corners.
 void SurfaceOverlap::add_full_triangle(int triangle, double range_twice, bool bonds, const std::array<Corner, 3>& at,
-                                       const std::vector<GroupPatches>& groups, Result& found) const {
+                                       const PatchesByVertex& groups, Result& found) const {
   double area_of_all = 0;
   bool close_by = false;
   for (const Corner& corner : at) {
@@ -175,7 +166,7 @@ void SurfaceOverlap::add_full_triangle(int triangle, double range_twice, bool bo
 }
 
 // Returns whether the gap over a triangle that overlaps at its corners is uniform.
-bool SurfaceOverlap::has_uniform_gap(int triangle, const std::array<Corner, 3>& at, const std::vector<GroupPatches>& groups, double range) const {
+bool SurfaceOverlap::has_uniform_gap(int triangle, const std::array<Corner, 3>& at, const PatchesByVertex& groups, double range) const {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   bool level = true;
   for (const Corner& corner : at) {
@@ -187,7 +178,7 @@ bool SurfaceOverlap::has_uniform_gap(int triangle, const std::array<Corner, 3>& 
   return level && high - low <= gap_change_per_range_max * range;
 }
 
-void SurfaceOverlap::evaluate_chunk(const TriangleChunk& chunk, const BroadPhase& broad_phase, const std::vector<GroupPatches>& groups) const {
+void SurfaceOverlap::evaluate_chunk(const TriangleChunk& chunk, const BroadPhase& broad_phase, const PatchesByVertex& groups) const {
   const CollisionMesh& mesh = surface_.mesh;
   TriangleSubdivision subdivision(mesh, lagged_);
   std::vector<int> near;
@@ -280,7 +271,7 @@ void SurfaceOverlap::subdivide_or_defer(int triangle, int object, const NearbyTr
 }
 
 bool SurfaceOverlap::uses_overlap(int a, int b, const IntegrationSides& sides) const {
-  return pairs_.point(a, b).overlap_only && sides.integrates(a, b);
+  return rules_.of(a, b).overlap_only && sides.integrates(a, b);
 }
 
 double SurfaceOverlap::unknown_area(int vertex_index, int object, const Vec3& normal) const {
@@ -350,7 +341,8 @@ void SurfaceOverlap::evaluate(const IntegrationSides& sides, const BroadPhase& b
     for (int c = 0; c < chunk_count(n); ++c)
       chunks.push_back({opposite, c, begin + c * chunk_size, begin + std::min(n, (c + 1) * chunk_size)});
   }
-  for_each(static_cast<int>(chunks.size()), [&](int i) { evaluate_chunk(chunks[i], broad_phase, groups); }, 1);
+  const PatchesByVertex by_vertex(groups, surface_.mesh.vertex_object.size());
+  for_each(static_cast<int>(chunks.size()), [&](int i) { evaluate_chunk(chunks[i], broad_phase, by_vertex); }, 1);
   for (size_t pair = 0; pair < near.size(); ++pair) {
     OverlapFacets& facets = facets_.emplace_back(OverlapFacets{near[pair][0], near[pair][1], {}, {}, {}});
     KnownPair& known = known_.emplace_back(KnownPair{near[pair][0], near[pair][1], {}});

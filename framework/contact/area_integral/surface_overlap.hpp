@@ -46,7 +46,7 @@ struct InteriorPoint {
 class SurfaceOverlap {
  public:
   SurfaceOverlap(const ContactSurface& surface, const PairTable& pairs,
-                 const LaggedSurface& lagged);
+                 const IntegrationRules& rules, const LaggedSurface& lagged);
 
   // Chooses the secondary sides of the pairs that choose them by overlap.
   void choose_sides(const std::vector<GroupPatches>& groups, IntegrationSides& sides) const;
@@ -115,15 +115,13 @@ class SurfaceOverlap {
   struct OppositeObject;
   struct TriangleChunk;
   class Displacements;
-  std::array<Corner, 3> corners(const std::vector<GroupPatches>& groups, int triangle,
-                                int object) const;
-  bool overlaps_fully(const std::vector<GroupPatches>& groups, int triangle,
+  std::array<Corner, 3> corners(const PatchesByVertex& groups, int triangle, int object) const;
+  bool overlaps_fully(const PatchesByVertex& groups, int triangle,
                       const std::array<Corner, 3>& corners) const;
-  bool ends_there(const std::vector<GroupPatches>& groups, const Corner& corner,
-                  double overshoot_max) const;
-  bool has_uniform_gap(int triangle, const std::array<Corner, 3>& at,
-                       const std::vector<GroupPatches>& groups, double range) const;
-  bool has_one_law(const std::vector<GroupPatches>& groups, int triangle, int object,
+  bool ends_there(const PatchesByVertex& groups, const Corner& corner, double overshoot_max) const;
+  bool has_uniform_gap(int triangle, const std::array<Corner, 3>& at, const PatchesByVertex& groups,
+                       double range) const;
+  bool has_one_law(const PatchesByVertex& groups, int triangle, int object,
                    const std::array<Corner, 3>& at) const;
   bool may_face(int triangle, int other) const;
   // Returns the ordered pairs of objects that use overlap areas and may be near, ascending.
@@ -131,7 +129,7 @@ class SurfaceOverlap {
                                                const std::vector<Aabb>& boxes) const;
   std::vector<Aabb> object_boxes() const;
   void evaluate_chunk(const TriangleChunk& chunk, const BroadPhase& broad_phase,
-                      const std::vector<GroupPatches>& groups) const;
+                      const PatchesByVertex& groups) const;
   NearbyTriangles find_nearby(int triangle, int object, const std::vector<int>& near) const;
   void subdivide_or_defer(int triangle, int object, const NearbyTriangles& nearby,
                           TriangleSubdivision& subdivision, Result& found) const;
@@ -143,11 +141,12 @@ class SurfaceOverlap {
                     const std::vector<int>& nearby);
   std::vector<int> insert(std::vector<InteriorPoint>& added);
   void add_full_triangle(int triangle, double range_twice, bool bonds,
-                         const std::array<Corner, 3>& at, const std::vector<GroupPatches>& groups,
+                         const std::array<Corner, 3>& at, const PatchesByVertex& groups,
                          Result& found) const;
 
   const ContactSurface& surface_;
   const PairTable& pairs_;
+  const IntegrationRules& rules_;
   const LaggedSurface& lagged_;
   std::vector<int> first_triangle_;  // of each object, and the end
   bool needed_;

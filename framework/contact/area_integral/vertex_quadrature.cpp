@@ -40,6 +40,7 @@ class QuadratureMaker {
     const PairRole& role = r_.pairs.point(own, group.object, region_pair_);
     if (role.law < 0) return;
     if (!topology().triangles_at(group.point).empty()) {
+    rule_ = r_.rules.of(own, group.object);
       if (r_.sides.integrates(own, group.object)) add_pressure(group, role);
       else add_safety_barrier(group, safety_barrier_of(role), r_.lagged.tributary_area(group.point));
     }
@@ -101,8 +102,8 @@ class QuadratureMaker {
     return r_.lagged.tributary_area(point) + (topology().is_codimensional(point) ? r_.lagged.codimensional_area(point) : 0);
   }
   // Returns the safety barrier of a side that carries pressure, or the law of a side that does not.
-  static SafetyBarrier safety_barrier_of(const PairRole& role) {
-    if (role.carries_pressure) return {role.safety_barrier, role.safety_barrier_range};
+  SafetyBarrier safety_barrier_of(const PairRole& role) const {
+    if (rule_.carries_pressure) return {role.safety_barrier, role.safety_barrier_range};
     return {role.law, role.range};
   }
   int triangle(int i) const { return r_.candidates.point_triangle[i][1]; }
@@ -200,14 +201,14 @@ class QuadratureMaker {
   // opposite side. Both sides of uniform meshes together count the overlap once; a finer mesh counts
   // nearly all of it. A coarse point, whose area may exceed the overlap, counts little.
   double size_weight(const PairRole& role, int point, const VisiblePatch& patch) const {
-    if (!role.by_size) return role.area_factor;
+    if (!rule_.by_size) return role.area_factor;
     const double own = r_.lagged.area_per_vertex(point, patch.normal), opposite = patch.area_per_vertex;
     return opposite > 0 ? 1 / (1 + std::pow(own / opposite, 4)) : 0;
   }
 
   // Returns the pressure area; 0 past the overlap boundary, where the safety barrier alone acts.
-  static double pressure_area(const VisiblePatch& patch, const PairRole& role, double weight) {
-    return role.by_size && patch.overshoot > overshoot_per_size_max * std::sqrt(patch.area) ? 0 : weight * patch.area;
+  double pressure_area(const VisiblePatch& patch, double weight) const {
+    return rule_.by_size && patch.overshoot > overshoot_per_size_max * std::sqrt(patch.area) ? 0 : weight * patch.area;
   }
 
   // Returns the role of a patch, by its seed triangle.
@@ -240,7 +241,7 @@ class QuadratureMaker {
       add_patch(group, {patch_role.law, patch_role.range, areas[k]}, k);
       // The safety barrier acts with the remaining weight, so that points of little pressure do not
       // penetrate.
-      const double rest = role.by_size ? (1 - size_weights[k]) * r_.lagged.tributary_area(group.point) : 0;
+      const double rest = rule_.by_size ? (1 - size_weights[k]) * r_.lagged.tributary_area(group.point) : 0;
       if (barrier.law >= 0 && rest > 0) add_patch(group, {barrier.law, barrier.range, rest}, k);
     }
     if (barrier.law < 0) return;
@@ -339,6 +340,8 @@ class QuadratureMaker {
 };
 
 }  // namespace
+  IntegrationRule rule_;            // of the group
+  std::vector<int> laws_;           // of the quadrature points of a group, ascending
 
 VertexQuadrature make_vertex_quadrature(const VertexQuadratureRequest& request, const EarlierVertexQuadrature* earlier) {
   const int n = static_cast<int>(request.groups.groups.size());

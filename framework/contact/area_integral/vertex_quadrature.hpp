@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "framework/contact/visible_patches.hpp"
+#include "framework/contact/area_integral/patches_by_vertex.hpp"
 #include "framework/contact/area_integral/integration_sides.hpp"
 #include "framework/contact/pair_table.hpp"
 #include "framework/contact/point_groups.hpp"
@@ -38,14 +38,7 @@ struct VertexQuadrature {
   std::vector<int> edges;        // of the mesh: rods
   std::vector<int> others;       // global vertices: particles
   LaggedWeights lagged_weights;  // of rods and particles in this step
-};
-
-// Visible patches of a group, constant through the step.
-struct GroupPatches {
-  int point, object;
-  VisiblePatches visible;
-
-  std::array<int, 2> key() const { return {point, object}; }
+  int contact_point_count = 0;
 };
 
 struct VertexQuadratureRequest {

@@ -72,7 +72,10 @@ class ClippedIntegral : public AreaIntegral {
     of_pressure.gap_adhesion = false;
     PairRoles roles = AreaIntegral::roles(of_pressure, table);
     // Both triangles may move by the margin.
-    if (pair.laws.other >= 0) roles.edge.clipped_range = laws_->laws()[pair.laws.other].range * (1 + 2 * ClippedLaws::margin_per_range);
+    if (pair.laws.other < 0) return roles;
+    roles.edge.search_range = laws_->laws()[pair.laws.other].range * (1 + 2 * ClippedLaws::margin_per_range);
+    // The contact points of the clipped adhesion, which have the other law, cover the area.
+    roles.first.counts_area = roles.second.counts_area = false;
     return roles;
   }
 

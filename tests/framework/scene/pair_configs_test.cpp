@@ -58,8 +58,8 @@ TEST_CASE("a named group is the integration side, with all of its objects", "[sc
   TestScene scene(boxes(std::string(apart) + "pairs: [{between: [red, \"*\"], integrate: red}]"));
   const PairTable& pairs = scene.world->contact->pairs();
   const auto id = [&](const char* name) { return scene.world->body_index(name); };
-  CHECK(pairs.point(id("a"), id("c")).carries_pressure);
-  CHECK_FALSE(pairs.point(id("c"), id("a")).carries_pressure);
+  CHECK(pairs.point(id("a"), id("c")).counts_area);
+  CHECK_FALSE(pairs.point(id("c"), id("a")).counts_area);
   CHECK(pairs.point(id("a"), id("b")).area_factor == 0.5);
   CHECK(pairs.point(id("b"), id("a")).area_factor == 0.5);
 }

@@ -9,15 +9,15 @@ namespace {
 // Two objects; the surface of the first is finer.
 PairTable pair_by_overlap() {
   PairTable pairs(ObjectClasses::single(2), {1e-6, 2e-6});
-  PairRole role{0, 1, 1e-3, true};
-  role.by_overlap = true;
-  pairs.point(0, 1) = pairs.point(1, 0) = role;
+  pairs.point(0, 1) = pairs.point(1, 0) = {0, 1, 1e-3, true};
   return pairs;
 }
 
 bool first_chosen(const PairTable& pairs, IntegrationSides::Overlap first, IntegrationSides::Overlap second,
                   std::optional<IntegrationSides::Pairs> previous = std::nullopt) {
-  IntegrationSides sides(pairs);
+  IntegrationRules rules(pairs.classes());
+  for (const auto& [a, b] : {std::pair(0, 1), {1, 0}}) rules.of(a, b).carries_pressure = rules.of(a, b).by_overlap = true;
+  IntegrationSides sides(pairs, rules);
   sides.set_previous(std::move(previous));
   sides.overlap(0, 1) = first;
   sides.overlap(1, 0) = second;

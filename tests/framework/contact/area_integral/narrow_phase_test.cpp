@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "framework/contact/area_integral/area_integral.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
@@ -46,7 +47,8 @@ TEST_CASE("contacts do not depend on the distance bounds of candidates", "[conta
     RandomMotions random(23);
     BroadPhase broad_phase(system.surface().mesh, system.colliding());
     LaggedSurface lagged(system.surface());
-    NarrowPhase culled(system.surface(), system.pairs(), lagged, broad_phase), unbounded(system.surface(), system.pairs(), lagged, broad_phase);
+    const IntegrationRules& rules = dynamic_cast<const AreaIntegral&>(system.potential()).rules();
+    NarrowPhase culled(system.surface(), system.pairs(), rules, lagged, broad_phase), unbounded(system.surface(), system.pairs(), rules, lagged, broad_phase);
     const double range = system.range(), skin = range;
     size_t contacts = 0, known = 0;
     VecX x = scene.world->rest;

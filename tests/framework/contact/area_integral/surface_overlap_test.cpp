@@ -40,12 +40,15 @@ struct Overlap {
     x = moved(flat, rotation, offset);
     at = std::make_unique<SurfaceAt>(builder, x);
     PairRole role{pairs.add_law(flat_law(range)), 1, range, true};
-    role.overlap_only = true;
-    role.by_overlap = setup.by_overlap;
     pairs.point(0, 1) = role;
     if (setup.by_overlap) pairs.point(1, 0) = role;
-    sides = std::make_unique<IntegrationSides>(pairs);
-    overlap = std::make_unique<SurfaceOverlap>(at->surface, pairs, at->lagged);
+    for (const auto& [a, b] : {std::pair(0, 1), {1, 0}}) {
+      if (pairs.point(a, b).law < 0) continue;
+      rules.of(a, b).carries_pressure = rules.of(a, b).overlap_only = true;
+      rules.of(a, b).by_overlap = setup.by_overlap;
+    }
+    sides = std::make_unique<IntegrationSides>(pairs, rules);
+    overlap = std::make_unique<SurfaceOverlap>(at->surface, pairs, rules, at->lagged);
     broad_phase = std::make_unique<BroadPhase>(at->surface.mesh, CollidingObjects());
     broad_phase->update(x, {}, 2 * range, 0.01);
     PatchFinder finder(at->surface.mesh, at->lagged);
@@ -85,6 +88,7 @@ struct Overlap {
   VecX x;
   std::unique_ptr<SurfaceAt> at;
   PairTable pairs{2};
+  IntegrationRules rules{pairs.classes()};
   std::unique_ptr<IntegrationSides> sides;
   std::unique_ptr<BroadPhase> broad_phase;
   std::unique_ptr<SurfaceOverlap> overlap;

@@ -32,21 +32,32 @@ struct Points {
     groups.make(candidates, mesh);
   }
   VertexQuadrature make(const VertexQuadrature* earlier = nullptr, const ChangedPrimitives* changed = nullptr) {
-    const IntegrationSides sides(pairs);
+    const IntegrationSides sides(pairs, rules);
     const RodOverlaps rods(at.surface, pairs);
     PatchFinder finder(at.surface.mesh, at.lagged);
     patches.clear();
     for (const PointGroup& g : groups.groups)
       patches.push_back({g.point, g.object, finder.find(finder.at_vertex(g.point), g.triangle_end - g.triangle_begin,
                                                       [&](int i) { return candidates.point_triangle[g.triangle_begin + i][1]; })});
-    const VertexQuadratureRequest request{at.surface, pairs, at.lagged, sides, rods, candidates, groups, patches, {}, {}};
+    std::vector<int> patches_of_group(patches.size());
+    std::iota(patches_of_group.begin(), patches_of_group.end(), 0);
+    const VertexQuadratureRequest request{at.surface, pairs, rules, at.lagged, sides, rods, candidates, patches, patches_of_group, {}};
     if (!earlier) return make_vertex_quadrature(request, nullptr);
     const EarlierVertexQuadrature before{groups, *earlier, *changed};
     return make_vertex_quadrature(request, &before);
   }
 
   SurfaceAt at;
+  // Lets points of a press on the surface of b.
+  void press(int a, int b, bool by_size = false) {
+    pairs.point(a, b) = pressure_role();
+    if (by_size) pairs.point(a, b).area_factor = 0.5;
+    rules.of(a, b).carries_pressure = true;
+    rules.of(a, b).by_size = by_size;
+  }
+
   PairTable pairs{2};
+  IntegrationRules rules{pairs.classes()};
   Candidates candidates;
   PointGroups groups;
   std::vector<GroupPatches> patches;
@@ -71,7 +82,7 @@ double area(const Points& points, const VertexQuadrature& quadrature, int law, i
 
 TEST_CASE("points of the secondary side carry the area of the surface, on all opposite triangles", "[contact][quadrature]") {
   Points points(plates({3, 4}, {2, 2}));
-  points.pairs.point(0, 1) = pressure_role();
+  points.press(0, 1);
   const VertexQuadrature quadrature = points.make();
   CHECK(quadrature.points.size() == 20);
   CHECK(area(points, quadrature, whole_law, 0) == Approx(1));
@@ -88,10 +99,8 @@ TEST_CASE("points of the secondary side carry the area of the surface, on all op
 TEST_CASE("weights by size are a partition of unity: both sides together carry the area once", "[contact][quadrature]") {
   for (const auto& [upper, lower] : {std::pair(3, 3), std::pair(3, 4), std::pair(2, 9)}) {
     Points points(plates({upper, upper}, {lower, lower}));
-    PairRole role = pressure_role();
-    role.by_size = true;
-    role.area_factor = 0.5;
-    points.pairs.point(0, 1) = points.pairs.point(1, 0) = role;
+    points.press(0, 1, true);
+    points.press(1, 0, true);
     const VertexQuadrature quadrature = points.make();
     const double first = area(points, quadrature, whole_law, 0), second = area(points, quadrature, whole_law, 1), ratio = std::pow(double(lower) / upper, 8);
     CHECK(first + second == Approx(1));
@@ -104,7 +113,7 @@ TEST_CASE("weights by size are a partition of unity: both sides together carry t
 
 TEST_CASE("the side that is not integrated has the safety barrier on its whole area", "[contact][quadrature]") {
   Points points(plates({3, 3}, {2, 2}));
-  points.pairs.point(0, 1) = pressure_role();
+  points.press(0, 1);
   points.pairs.point(1, 0) = {barrier_law, 1, barrier_range};
   const VertexQuadrature quadrature = points.make();
   CHECK(area(points, quadrature, barrier_law, 1) == Approx(1));
@@ -118,7 +127,7 @@ TEST_CASE("a quadrature point acts on the triangles of its patch, the safety bar
   builder.add_rectangle({1, 1}, 0, {0.4, 0.4, 0.1}, 0.2, 0.2, false);
   builder.add_box({0, 0, -1}, {1, 1, 0}, 1);
   Points points(builder);
-  points.pairs.point(0, 1) = pressure_role();
+  points.press(0, 1);
   const VertexQuadrature quadrature = points.make();
   REQUIRE(quadrature.points.size() == 8);
   const auto faces_up = [&](int candidate) { return points.at.lagged.normal(points.candidates.point_triangle[candidate][1]).z() > 0.5; };
@@ -132,7 +141,7 @@ TEST_CASE("quadrature points leave out triangles that stay out of range", "[cont
   RandomPoints random(1);
   Points points(plates({3, 3}, {4, 4}));
   for (double& bound : points.candidates.distance_bounds.point_triangle) bound = random.uniform(0, 1);
-  points.pairs.point(0, 1) = pressure_role();
+  points.press(0, 1);
   points.pairs.point(1, 0) = {barrier_law, 1, barrier_range};
   const VertexQuadrature quadrature = points.make();
   std::vector<int> found(points.candidates.point_triangle.size(), 0);
@@ -154,7 +163,7 @@ TEST_CASE("pairs without a law have no quadrature points", "[contact][quadrature
 TEST_CASE("quadrature points of groups follow each other in the order of the groups", "[contact][quadrature]") {
   // More groups than a chunk, so that chunks are joined.
   Points points(plates({20, 20}, {2, 2}));
-  points.pairs.point(0, 1) = pressure_role();
+  points.press(0, 1);
   points.pairs.point(1, 0) = {barrier_law, 1, barrier_range};
   const VertexQuadrature quadrature = points.make();
   REQUIRE(quadrature.group_begin.size() == points.groups.groups.size() + 1);
@@ -223,7 +232,7 @@ TEST_CASE("joined quadrature points are those of the chunks, one after another",
 
 TEST_CASE("quadrature points that are taken over from an earlier list are those of a list from scratch", "[contact][quadrature]") {
   Points points(plates({5, 5}, {3, 3}));
-  points.pairs.point(0, 1) = pressure_role();
+  points.press(0, 1);
   points.pairs.point(1, 0) = {barrier_law, 1, barrier_range};
   const VertexQuadrature first = points.make();
   ChangedPrimitives changed;
