@@ -191,8 +191,8 @@ class Warnings {
     world_.contact->begin_step({world_.start.x});
     world_.contact->move_to(world_.start.x);
     std::set<int> on_themselves;
-    world_.contact->potential().visit_active([&](int a, int b, int) {
-      if (a == b) on_themselves.insert(a);
+    world_.contact->potential().visit_active([&](const ActivePair& pair) {
+      if (pair.object == pair.opposite) on_themselves.insert(pair.object);
     });
     for (const int i : on_themselves) {
       const VecX force = forces_within(i);

@@ -195,9 +195,10 @@ void Trial::evaluate_end() {
     ContactSystem& contact = *world.contact;
     result_.intersections +=
         static_cast<int>(find_intersections(contact.surface().mesh, result_.x, contact.colliding(), 100).size());
-    contact.move_to(result_.x);
+    contact.at(result_.x, [&] { result_.probes = probes_.sample(world, simulation_.state()); });
+  } else {
+    result_.probes = probes_.sample(world, simulation_.state());
   }
-  result_.probes = probes_.sample(world, simulation_.state());
 }
 
 }  // namespace tack

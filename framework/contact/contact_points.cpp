@@ -59,7 +59,10 @@ TangentBasis tangents_of(const Vec3& normal) {
   return basis;
 }
 
-ContactPoints contact_points(const ContactPointsRequest& request) { return request.system.potential().points(request); }
+ContactPoints contact_points(const ContactPointsRequest& request) {
+  request.system.require_at(request.x);
+  return request.system.potential().points(request);
+}
 
 ContactPoints points_of_stencils(const ContactPointsRequest& request) {
   ContactPoints out;

@@ -78,11 +78,12 @@ struct ContactPoint {
 using ContactPoints = ByArity<ContactPoint>;
 
 struct ContactPointsRequest {
-  const ContactSystem& system;      // must be at x
+  const ContactSystem& system;
   const std::vector<char>& wanted;  // per law of its pair table: 0 leaves out its points
   const VecX& x;
 };
-// Returns the contact points of a system, as its contact model defines them.
+// Returns the contact points of a system, as its contact model defines them. Throws logic_error if
+// x is not its configuration; points of another one: ContactSystem::at.
 ContactPoints contact_points(const ContactPointsRequest& request);
 // Returns the contact points of the active stencils of a system.
 ContactPoints points_of_stencils(const ContactPointsRequest& request);

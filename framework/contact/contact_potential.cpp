@@ -1,6 +1,9 @@
 #include "framework/contact/contact_potential.hpp"
 
+#include <cmath>
+
 #include "framework/contact/contact_term.hpp"
+#include "framework/contact/stencil_distance.hpp"
 
 namespace tack {
 
@@ -22,11 +25,11 @@ std::string ContactPotential::refusal(ContactFeature feature, const PairSetup&) 
     case ContactFeature::regions:
     case ContactFeature::integration_side:
     case ContactFeature::both_sides: return "it counts close pairs, not areas";
+    case ContactFeature::rods:
+    case ContactFeature::particles: return "it sums over surfaces of triangles";
     default: return "";
   }
 }
-    case ContactFeature::rods:
-    case ContactFeature::particles: return "it sums over surfaces of triangles";
 
 PairLawIds ContactPotential::add_laws(const PairSetup&, const PreparedLaws& laws, PairTable& table) {
   const int law = table.add_law(laws.barrier_and_adhesion(), laws.tangential);
@@ -56,8 +59,10 @@ int ContactPotential::active_count() const { return static_cast<int>(system().co
 
 void ContactPotential::visit_active(const ActiveVisitor& visit) const {
   const std::vector<int>& object = system().surface().mesh.vertex_object;
+  const VecX& x = system().configuration();
   for_each_kind(system().contacts(), [&](auto kind, const auto& stencils, const double*) {
-    for (const auto& s : stencils) visit(object[s.vertices[0]], object[s.vertices[kind.first_vertices]], s.law);
+    for (const auto& s : stencils)
+      visit({object[s.vertices[0]], object[s.vertices[kind.first_vertices]], s.law, std::sqrt(stencil_distance<ValueKernels>(kind, x, s)), s.vertices});
   });
 }
 

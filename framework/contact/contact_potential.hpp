@@ -42,9 +42,9 @@ enum class ContactFeature {
   integration_side,     // `integrate`, where it is not automatic
   both_sides,           // `integrate: both`
   barrier,              // a barrier that the scene chooses
-};
   rods,                 // edges of an object that are in no triangle
   particles,            // vertices of an object that are in no edge
+};
 
 /// Integration side of a pair, as the scene gives it.
 enum class IntegrationSide { automatic, finer, both, first, second };
@@ -88,6 +88,14 @@ struct PairSetup {
 struct PairRoles {
   PairRole first, second;  // of the points of a towards b, and of b towards a
   PairRole edge, codimensional;
+};
+
+/// A pair of primitives that acts.
+struct ActivePair {
+  int object, opposite;
+  int law;                        // of the pair table
+  double distance;                // offsets included [m]
+  std::span<const int> vertices;  // global, of both primitives
 };
 
 /// A point of the overlap of two surfaces in the present step.
@@ -161,14 +169,14 @@ class ContactPotential {
   /// than that and linear ones is evaluated as a whole.
   virtual std::unique_ptr<LocalContact> local(std::span<const int> moved);
 
-  /// Returns the contact points at x, where the system must be: positions at which surfaces touch,
-  /// adhere or slide. Friction, pressures, probes and checks read them. The default merges the
-  /// active stencils.
+  /// Returns the contact points at the system's configuration, which is that of the request:
+  /// positions at which surfaces touch, adhere or slide. Friction, pressures, probes and checks
+  /// read them. The default merges the active stencils of each contact point.
   virtual ContactPoints points(const ContactPointsRequest& request) const;
   /// Returns the number of pairs of primitives that act at the system's configuration.
   virtual int active_count() const;
-  /// Calls visit(object, opposite, law) for each of them. The default visits the active stencils.
-  using ActiveVisitor = std::function<void(int object, int opposite, int law)>;
+  /// Calls visit for each of them. The default visits the active stencils.
+  using ActiveVisitor = std::function<void(const ActivePair& pair)>;
   virtual void visit_active(const ActiveVisitor& visit) const;
   /// Returns the points of the overlap of pairs of objects for which wanted(a, b) is true; a: the
   /// object of the point. Bonds form there. None: the model finds no overlap.

@@ -86,6 +86,7 @@ int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }
 
 void ContactSystem::clear_caches() {
   contacts_ = {};
+  configuration_.resize(0);
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, colliding_);
   lagged_.clear();
   potential_->clear_caches();
@@ -95,6 +96,7 @@ void ContactSystem::begin_step(const StepStart& start) {
   const bool updated = update_candidates(start.x, VecX());
   const PhaseScope scope(clock_, Phase::narrow_phase);
   lagged_.update(start.x);
+  configuration_.resize(0);
   potential_->begin_step(start.x, updated);
 }
 
@@ -104,6 +106,19 @@ void ContactSystem::move_to(const VecX& x) {
   potential_->find(x, contacts_);
   require_complete(contacts_, checked_version_ != candidates_version_);
   checked_version_ = candidates_version_;
+  configuration_ = x;
+}
+
+const VecX& ContactSystem::configuration() const {
+  if (configuration_.size() == 0) throw std::logic_error("contact has no configuration since the step began: move it to one first (ContactSystem::move_to)");
+  return configuration_;
+}
+
+void ContactSystem::require_at(const VecX& x) const {
+  // Positions that are scattered from unknowns again may differ by rounding errors.
+  constexpr double rounding = 1e-12;  // relative, of coordinates
+  const bool close = x.size() == configuration_.size() && (x.size() == 0 || (x - configuration_).lpNorm<Eigen::Infinity>() <= rounding * x.lpNorm<Eigen::Infinity>());
+  if (!close) throw std::logic_error("contact is asked for at another configuration than its own: move it there first (ContactSystem::move_to), or for a while (ContactSystem::at)");
 }
 
 bool ContactSystem::update_candidates(const VecX& x, const VecX& p) {

@@ -46,6 +46,19 @@ class ContactSystem : public StepParticipant {
   void triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const;
   // Makes x the current configuration: finds its active stencils.
   void move_to(const VecX& x) override;
+  // Returns the current configuration (3n) [m]. Throws logic_error before the first one of a step.
+  const VecX& configuration() const;
+  // Throws logic_error if x is not the current configuration, to rounding.
+  void require_at(const VecX& x) const;
+  // Calls act() at the configuration x, then returns to the current one. If act throws, the system
+  // stays at x.
+  template <class Act>
+  void at(const VecX& x, const Act& act) {
+    const VecX before = configuration_;
+    if (!is_at(x)) move_to(x);
+    act();
+    if (before.size() > 0 && !is_at(before)) move_to(before);
+  }
   // Returns whether the candidates are valid as far as these vertices are concerned.
   bool covers(const VecX& x, std::span<const int> vertices) const;
   // Whether they are, once more, with a vertex at this position [m].
@@ -69,6 +82,9 @@ class ContactSystem : public StepParticipant {
   SmallestGaps smallest_gaps(const VecX& x) const;
 
  private:
+  bool is_at(const VecX& x) const {
+    return x.size() == configuration_.size() && x == configuration_;
+  }
   bool update_candidates(const VecX& x, const VecX& p);
 
   ContactSurface surface_;
@@ -84,6 +100,7 @@ class ContactSystem : public StepParticipant {
   long checked_version_ = -1;  // of the candidates whose stencils were seen to be sorted
   LaggedSurface lagged_;
   ContactSet contacts_;
+  VecX configuration_;  // of the active stencils; empty: areas have changed since
   std::unique_ptr<ContactPotential> potential_;
 };
 

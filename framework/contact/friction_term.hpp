@@ -32,8 +32,8 @@ class FrictionTerm : public Term, public ResidualView {
 
   void clear_caches() override { take({}); }
   void begin_step(const StepStart& start) override;
-  // Lags magnitudes and tangents at x, where the contact system must be. A step of zero length has
-  // no points, as nothing slides in it.
+  // Lags magnitudes and tangents at x. A step of zero length has no points, as nothing slides in
+  // it. Throws logic_error if x is not the configuration of the contact system, as lagged_at().
   bool lags() const override { return true; }
   void lag(const VecX& x) override { take(h_ > 0 ? lagged_at(x) : ContactPoints()); }
   // Returns the contact points that lag(x) would set.

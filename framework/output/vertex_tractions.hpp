@@ -19,7 +19,7 @@ struct World;
 //    rods, particles     towards and away from the opposite object
 //    no force            0
 //    inside of solids    NaN
-// Contact must be at x.
+// Throws logic_error if contact is at another configuration.
 VecX normal_pressures(const World& world, const VecX& x, const VecX& forces,
                       std::string_view summand);
 

@@ -100,8 +100,9 @@ class AttachedObjects : public Probe {
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State& state) override {
     std::vector<char> attached(world.bodies.size(), 0);
-    world.contact->potential().visit_active([&](int a, int b, int law) {
-      if (!adhesive_[law]) return;
+    world.contact->potential().visit_active([&](const ActivePair& pair) {
+      const int a = pair.object, b = pair.opposite;
+      if (!adhesive_[pair.law]) return;
       if (a == index_ && b != index_) attached[b] = 1;
       if (b == index_ && a != index_) attached[a] = 1;
     });

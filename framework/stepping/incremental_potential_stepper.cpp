@@ -158,7 +158,10 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, const Step& 
     if (check_) check_->check(result.x);
   };
   minimize();
-  if (!world_.friction) return;
+  if (!world_.friction) {
+    if (step.potential.configuration() != result.x) world_.participants.move_to(result.x);
+    return;
+  }
   const LaggingConfig& lagging = scene_.contact->lagging;
   const auto solved = [&]() -> SolveResult::LaggedSolve {
     if (step.potential.configuration() != result.x) step.potential.move_to(q);

@@ -6,6 +6,7 @@
 #include "framework/contact/contact_model.hpp"
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
+#include "framework/contact/gcp/gcp_energy.hpp"
 #include "framework/contact/gcp/gcp_points.hpp"
 
 namespace tack {
@@ -19,9 +20,9 @@ class GeometricPotential : public ContactPotential {
     switch (feature) {
       case ContactFeature::adhesion:
       case ContactFeature::tangential_adhesion: return "its directional factors take forces away where surfaces are not about to touch";
-      default: return ContactPotential::refusal(feature, pair);
       case ContactFeature::rods:
       case ContactFeature::particles: return "its factors need the triangles around an edge or a vertex";
+      default: return ContactPotential::refusal(feature, pair);
     }
   }
   std::unique_ptr<ContactPotential> isolated(int, int) const override { return std::make_unique<GeometricPotential>(smoothing_); }
@@ -34,9 +35,11 @@ class GeometricPotential : public ContactPotential {
   int active_count() const override { return static_cast<int>(contacts_->stencils().stencils.size()); }
   void visit_active(const ActiveVisitor& visit) const override {
     const std::vector<int>& object = system().surface().mesh.vertex_object;
+    GcpPositions positions;
     for (const GcpStencil& s : contacts_->stencils().stencils) {
       const auto v = contacts_->stencils().vertices_of(s);
-      visit(object[v[0]], object[v[gcp_first_count(s.kind)]], s.law);
+      gcp_positions(system().configuration(), v, positions);
+      visit({object[v[0]], object[v[gcp_first_count(s.kind)]], s.law, gcp_distance(s.kind, positions), v.first(gcp_core_count(s.kind))});
     }
   }
   ContactPoints points(const ContactPointsRequest& request) const override { return gcp_points(*contacts_, *term_, request.wanted, request.x); }

@@ -7,7 +7,7 @@
 
 namespace tack {
 
-// Returns the contact points at x, where the contacts must be. wanted: per law.
+// Returns the contact points of the stencils found at x. wanted: per law.
 ContactPoints gcp_points(const GcpContacts& contacts, const GcpTerm& term,
                          const std::vector<char>& wanted, const VecX& x);
 
