@@ -1,5 +1,6 @@
-// Merges the features of points into contact points, one for each direction (contact_points.hpp).
+// Merges the stencils of each contact point into one for each direction (contact_points.hpp).
 #include <algorithm>
+#include <numeric>
 
 #include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_system.hpp"
@@ -10,8 +11,9 @@
 namespace tack {
 namespace {
 
-// Feature of a point.
+// Feature of a contact point: one of its stencils.
 struct Feature {
+  int contact_point;
   int point, object, law;  // vertex or interior point; object of the feature
   int own_vertex_count;    // of the point: 1, or 3 of an interior point
   std::array<int, 3> own_vertices;
@@ -24,10 +26,6 @@ struct Feature {
 
   int arity() const { return own_vertex_count + 1 + (vertices[1] >= 0) + (vertices[2] >= 0); }
 };
-// Sort key of features: (own_vertex_count, point, object, law), then the index of the feature. Vertices come
-// before interior points.
-using FeatureKey = std::array<int, 5>;
-
 // Sets the geometry and force of a feature. c: the point, then the corners of the feature, which are
 // the vertices of the stencil from `first` on.
 template <size_t K, size_t N>
@@ -55,30 +53,45 @@ class FeatureMerging {
  public:
   FeatureMerging(const ContactPointsRequest& request, ContactPoints& out)
       : object_(request.system.surface().mesh.vertex_object), barriers_(request.system.pairs().laws(LawTerm::barrier)), request_(request), out_(out) {
-    for_each_kind(request.system.contacts(), [&](auto kind, const auto& stencils, const double*) {
-      if constexpr (!std::is_same_v<decltype(kind), EdgeEdgeKind>) take(stencils);
-    });
-    std::vector<FeatureKey> keys;
-    keys.reserve(features_.size());
-    for (const Feature& f : features_) keys.push_back({f.own_vertex_count, f.point, f.object, f.law, static_cast<int>(keys.size())});
-    std::sort(keys.begin(), keys.end());
-    std::vector<const Feature*> group;
-    for (size_t i = 0; i < keys.size(); ++i) {
-      group.push_back(&features_[keys[i].back()]);
-      if (i + 1 < keys.size() && std::equal(keys[i].begin(), keys[i].end() - 1, keys[i + 1].begin())) continue;
-      split(group);
-      group.clear();
-    }
+    const ContactSet& set = request.system.contacts();
+    merge<false>(set, set.point_count);
+    merge<true>(set, set.interior_point_count);
   }
 
  private:
+  // Merges the features of vertices, or of interior points. points: their number of contact points;
+  // stencils that are contact points of their own follow.
+  template <bool interior>
+  void merge(const ContactSet& set, int points) {
+    features_.clear();
+    for_each_kind(set, [&](auto kind, const auto& stencils, const double*) {
+      using Kind = decltype(kind);
+      if constexpr (is_interior<Kind> == interior && !std::is_same_v<Kind, EdgeEdgeKind>) take(stencils, points);
+    });
+    std::vector<int> end(points + 1, 0);  // per contact point, into features in the order of points
+    for (const Feature& f : features_) ++end[f.contact_point + 1];
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<const Feature*> sorted(features_.size());
+    for (const Feature& f : features_) sorted[end[f.contact_point]++] = &f;
+    auto first = sorted.begin();
+    for (int p = 0; p < points; ++p) {
+      const auto last = sorted.begin() + end[p];
+      if (first != last) split(first, last);
+      first = last;
+    }
+  }
+
   template <class Stencil>
-  void take(const std::vector<Stencil>& stencils) {
+  void take(const std::vector<Stencil>& stencils, int& points) {
     const size_t before = features_.size();
     std::vector<int> chosen;
     for (size_t i = 0; i < stencils.size(); ++i)
       if (request_.wanted[stencils[i].law]) chosen.push_back(static_cast<int>(i));
     features_.resize(before + chosen.size());
+    for (size_t i = 0; i < chosen.size(); ++i) {
+      const int point = stencils[chosen[i]].point;
+      features_[before + i].contact_point = point < 0 ? points++ : point;
+    }
     for_each(static_cast<int>(chosen.size()), [&](int i) {
       const Stencil& s = stencils[chosen[i]];
       Feature& f = features_[before + i];
@@ -104,18 +117,19 @@ class FeatureMerging {
     f.own_coefficients = s.inside;
   }
 
-  // Makes the contact points of the features of one point: repeatedly the strongest remaining feature,
-  // with all features whose normals agree.
-  void split(std::vector<const Feature*>& group) {
-    if (group.size() > 1)
-      std::stable_sort(group.begin(), group.end(), [](const Feature* a, const Feature* b) {
+  // Makes the contact points of the features first .. last of one: repeatedly the strongest remaining
+  // feature, with all features whose normals agree.
+  using Features = std::vector<const Feature*>::iterator;
+  void split(Features first, Features last) {
+    if (last - first > 1)
+      std::stable_sort(first, last, [](const Feature* a, const Feature* b) {
         return a->force != b->force ? a->force > b->force : a->gap < b->gap;
       });
-    for (auto first = group.begin(); first != group.end();) {
+    while (first != last) {
       const Feature& strongest = **first;
       auto next = std::next(first);
-      if (next != group.end())
-        next = std::stable_partition(next, group.end(), [&](const Feature* f) { return f->normal.dot(strongest.normal) > 0; });
+      if (next != last)
+        next = std::stable_partition(next, last, [&](const Feature* f) { return f->normal.dot(strongest.normal) > 0; });
       double force = 0, area = 0;
       for (auto f = first; f != next; ++f) {
         force += (*f)->force * (*f)->normal.dot(strongest.normal);
@@ -151,7 +165,7 @@ class FeatureMerging {
   const std::vector<PairLaw>& barriers_;
   const ContactPointsRequest& request_;
   ContactPoints& out_;
-  std::vector<Feature> features_;
+  std::vector<Feature> features_;  // of vertices, or of interior points
 };
 
 }  // namespace

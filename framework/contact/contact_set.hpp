@@ -20,7 +20,10 @@ template <int K>
 struct ContactStencil {
   std::array<int, K> vertices;  // global
   int law;                      // of the pair table
-  double weight;                // area x multiplicity [m^2]; may be negative for points
+  // Of a vertex: its contact point, below ContactSet::point_count; -1: one of its own. Stencils of
+  // a contact point have one vertex, opposite object and law. Of two edges: -1.
+  int point;
+  double weight;  // area x multiplicity [m^2]; may be negative for points
 };
 
 template <int K>
@@ -33,7 +36,7 @@ struct InteriorStencil {
   int law;                      // of the pair table
   double weight;                // area x multiplicity [m^2]; may be negative
   Vec3 inside;                  // barycentric coordinates of the point
-  int point;                    // index of the point (SurfaceOverlap::interior_points)
+  int point;  // contact point and index of the interior point, below interior_point_count
 };
 
 template <int K>
@@ -48,6 +51,8 @@ struct ContactSet {
   InteriorStencils<5> interior_edge;
   InteriorStencils<6> interior_triangle;
   std::vector<double> mollifier_threshold;  // eps_x of each edge-edge stencil [m^4]
+  int point_count = 0;                      // contact points of vertices, by (vertex, object, law)
+  int interior_point_count = 0;             // contact points of interior points
 
   std::size_t size() const {
     return point_point.size() + point_edge.size() + point_triangle.size() + edge_edge.size() +
@@ -58,9 +63,9 @@ struct ContactSet {
 // Constant properties of the contact surfaces, valid for the whole run.
 struct ContactSurface {
   CollisionMesh mesh;
-  std::vector<double> edge_area;        // per edge of the mesh: a third of its triangles at rest [m^2]
-  std::vector<char> two_sided;          // per triangle of the mesh: whether it is of a sheet
-  std::vector<double> rod_width;        // per object: of its edges that are in no triangle [m]
+  std::vector<double> edge_area;  // per edge of the mesh: a third of its triangles at rest [m^2]
+  std::vector<char> two_sided;    // per triangle of the mesh: whether it is of a sheet
+  std::vector<double> rod_width;  // per object: of its edges that are in no triangle [m]
   std::vector<double> particle_radius;  // per object: of its points that are in no edge [m]
   VecX rest;                            // rest configuration (3n) [m]
   // Gaps at rest within each object; null: no law is cut down.

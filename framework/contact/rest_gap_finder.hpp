@@ -6,7 +6,7 @@
 
 #include "framework/contact/visible_patches.hpp"
 #include "framework/contact/pair_table.hpp"
-#include "framework/contact/point_groups.hpp"
+#include "geometry/broad_phase/candidates.hpp"
 
 namespace tack {
 

@@ -62,16 +62,15 @@ void RestGaps::find_levels(const PairTable& pairs) {
     for (double& radius : *list) radius /= 2;
   broad_phase.update(surface_.rest, VecX(), radii, 0);
   const Candidates& candidates = broad_phase.candidates();
-  PointGroups groups;
-  groups.make(candidates, mesh);
+  const std::vector<PointGroup>& groups = candidates.groups.all;
   const RestShape shape(surface_, pairs, search_radius_);
   std::vector<double> of_point(mesh.vertex_object.size(), infinity);
-  const int points = static_cast<int>(groups.groups.size()), edges = static_cast<int>(candidates.edge_edge.size());
+  const int points = static_cast<int>(groups.size()), edges = static_cast<int>(candidates.edge_edge.size());
   std::vector<Keys> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   std::vector<std::vector<double>> of_edges(chunk_count(edges));
   for_each_chunk(points, [&](int c, int first, int last) {
     RestGapFinder finder(shape, candidates);
-    for (int g = first; g < last; ++g) of_point[groups.groups[g].point] = finder.of_point(groups.groups[g], found_points[c]);
+    for (int g = first; g < last; ++g) of_point[groups[g].point] = finder.of_point(groups[g], found_points[c]);
   });
   for_each_chunk(edges, [&](int c, int first, int last) {
     RestGapFinder finder(shape, candidates);

@@ -9,24 +9,39 @@
 namespace tack {
 namespace {
 
-template <class Stencils>
-void join_kind(const std::vector<FoundStencils>& chunks, Stencils FoundStencils::* member, Stencils& all) {
+// added(chunk, begin, end): called after the stencils of a chunk were added.
+template <class Stencils, class Added>
+void join_kind(const std::vector<FoundStencils>& chunks, Stencils FoundStencils::* member, Stencils& all, Added added) {
   all.clear();
-  for (const FoundStencils& chunk : chunks)
-    all.insert(all.end(), (chunk.*member).begin(), (chunk.*member).end());
+  for (const FoundStencils& chunk : chunks) {
+    const auto begin = all.insert(all.end(), (chunk.*member).begin(), (chunk.*member).end());
+    added(chunk, begin, all.end());
+  }
   const auto by_law = [](const auto& a, const auto& b) { return a.law < b.law; };
   if (!std::is_sorted(all.begin(), all.end(), by_law)) std::stable_sort(all.begin(), all.end(), by_law);
 }
 
+template <int K>
+void join_points(const std::vector<FoundStencils>& chunks, ContactStencils<K> FoundStencils::* member, ContactStencils<K>& all) {
+  join_kind(chunks, member, all, [first = 0](const FoundStencils& chunk, auto begin, auto end) mutable {
+    if (first > 0)
+      for (auto s = begin; s != end; ++s) s->point += first;
+    first += chunk.point_count;
+  });
+}
+
 void join_all(const std::vector<FoundStencils>& points, const std::vector<FoundStencils>& edges, const std::vector<FoundStencils>& interior, const VecX& rest,
               ContactSet& contacts) {
-  join_kind(interior, &FoundStencils::interior_point, contacts.interior_point);
-  join_kind(interior, &FoundStencils::interior_edge, contacts.interior_edge);
-  join_kind(interior, &FoundStencils::interior_triangle, contacts.interior_triangle);
-  join_kind(points, &FoundStencils::point_point, contacts.point_point);
-  join_kind(points, &FoundStencils::point_edge, contacts.point_edge);
-  join_kind(points, &FoundStencils::point_triangle, contacts.point_triangle);
-  join_kind(edges, &FoundStencils::edge_edge, contacts.edge_edge);
+  const auto as_they_are = [](const FoundStencils&, auto, auto) {};
+  join_kind(interior, &FoundStencils::interior_point, contacts.interior_point, as_they_are);
+  join_kind(interior, &FoundStencils::interior_edge, contacts.interior_edge, as_they_are);
+  join_kind(interior, &FoundStencils::interior_triangle, contacts.interior_triangle, as_they_are);
+  join_points(points, &FoundStencils::point_point, contacts.point_point);
+  join_points(points, &FoundStencils::point_edge, contacts.point_edge);
+  join_points(points, &FoundStencils::point_triangle, contacts.point_triangle);
+  join_kind(edges, &FoundStencils::edge_edge, contacts.edge_edge, as_they_are);
+  contacts.point_count = contacts.interior_point_count = 0;
+  for (const FoundStencils& chunk : points) contacts.point_count += chunk.point_count;
   contacts.mollifier_threshold.clear();
   for (const auto& s : contacts.edge_edge)
     contacts.mollifier_threshold.push_back(edge_edge_mollifier_threshold(
@@ -106,7 +121,7 @@ void EdgePairs::search(const std::vector<char>& free, const VecX& x, int pair, c
   if (box_gaps(ca, cb).maxCoeff() >= range) return;  // their boxes are too far apart already
   if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < range * range)) return;
   if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) return;
-  found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, role.area_factor * shared_area(edge_area[ia], edge_area[ib], role.area_ratio_max)});
+  found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, -1, role.area_factor * shared_area(edge_area[ia], edge_area[ib], role.area_ratio_max)});
 }
 
 void join(const FoundChunks& chunks, const VecX& rest, ContactSet& contacts) { join_all(chunks.points, chunks.edges, chunks.interior, rest, contacts); }

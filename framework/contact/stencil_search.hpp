@@ -35,14 +35,14 @@ inline bool any_of(const std::vector<char>& marked, std::span<const int> vertice
 
 using FoundStencils = ContactSet;  // of one chunk, without thresholds
 
-// Adds the stencil of a vertex p and a feature.
-inline void add_stencil(int p, const PointFeature& f, int law, double weight,
+// Adds the stencil of a vertex p and a feature. point: its contact point, below found.point_count.
+inline void add_stencil(int p, const PointFeature& f, int law, int point, double weight,
                         FoundStencils& found) {
   const auto& v = f.vertices;
   switch (f.count()) {
-    case 1: found.point_point.push_back({{p, v[0]}, law, weight}); break;
-    case 2: found.point_edge.push_back({{p, v[0], v[1]}, law, weight}); break;
-    default: found.point_triangle.push_back({{p, v[0], v[1], v[2]}, law, weight});
+    case 1: found.point_point.push_back({{p, v[0]}, law, point, weight}); break;
+    case 2: found.point_edge.push_back({{p, v[0], v[1]}, law, point, weight}); break;
+    default: found.point_triangle.push_back({{p, v[0], v[1], v[2]}, law, point, weight});
   }
 }
 
@@ -62,13 +62,13 @@ class PointSearch {
     if (any_of(free_.free, all.first(Own)) || any_of(free_.one_ring, all.subspan(Own)))
       stencils.push_back(stencil);
   }
-  // Adds the stencil of a vertex p and a feature.
-  void add(int p, const PointFeature& f, int law, double weight) {
+  // Adds the stencil of a vertex p and a feature. point: the contact point.
+  void add(int p, const PointFeature& f, int law, int point, double weight) {
     const auto& v = f.vertices;
     switch (f.count()) {
-      case 1: add_if_free<1>(found_.point_point, {{p, v[0]}, law, weight}); break;
-      case 2: add_if_free<1>(found_.point_edge, {{p, v[0], v[1]}, law, weight}); break;
-      default: add_if_free<1>(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, weight});
+      case 1: add_if_free<1>(found_.point_point, {{p, v[0]}, law, point, weight}); break;
+      case 2: add_if_free<1>(found_.point_edge, {{p, v[0], v[1]}, law, point, weight}); break;
+      default: add_if_free<1>(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, point, weight});
     }
   }
 
@@ -124,7 +124,8 @@ class EdgePairs {
 };
 
 // Replaces the stencils of a set by those of all chunks, sorted by law, and sets the thresholds of
-// the edge-edge mollifier. rest: rest positions [m].
+// the edge-edge mollifier. Contact points are numbered on from chunk to chunk; chunks without a
+// point_count have numbers that hold for all. rest: rest positions [m].
 struct FoundChunks {
   std::vector<FoundStencils> points, edges, interior;
 };

@@ -77,6 +77,7 @@ bool BroadPhase::update(const VecX& x, const VecX& p, const InflationRadii& radi
     if (tight_boxes_.empty()) find_new_distance_bounds(mesh_, fat_boxes_, changed, finder_.new_candidates(), candidates_);
     else find_distance_bounds(mesh_, fat_boxes_, candidates_);
   }
+  candidates_.groups.make(candidates_, mesh_);
   partial_ = !changed.empty() && tight_boxes_.empty();
   tight_boxes_.clear();
   updates_since_bounds_ = 0;

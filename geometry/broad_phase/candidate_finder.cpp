@@ -126,6 +126,7 @@ void CandidateFinder::find_changed(const std::vector<Aabb>& vertex_boxes, const 
     merge_kept(list_of<Kind>(std::as_const(candidates)), kept, changed_pairs_.*Kind::list, key, list_of<Kind>(merged_), new_candidates_.*Kind::indices);
   });
   merged_.reference = std::move(candidates.reference);
+  merged_.groups = std::move(candidates.groups);
   std::swap(candidates, merged_);
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/broad_phase/point_groups.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -38,6 +39,8 @@ struct Candidates {
   CandidateLengths reference_distances;
   // Reference positions: 3 coordinates per global vertex [m].
   VecX reference;
+  // Groups by vertex and object, of the broad phase.
+  PointGroups groups;
 
   std::size_t size() const {
     return point_triangle.size() + edge_edge.size() + point_edge.size() + point_point.size();

@@ -187,17 +187,9 @@ void ContactFinder::add_edges(int a, int b, const VecX& x, const VecX& displacem
 }
 
 ContactRows ContactFinder::find(const VecX& x, const VecX& displacement, const StoredContacts& before) {
-  const CollisionMesh& mesh = surface_.mesh;
   const double search_radius = search_radius_in_margins * margin_ + system_.pairs().largest_offset() + displaced_depth(before, displacement);
   broad_phase_.update(x, VecX(), search_radius, 0.5 * margin_);
   const Candidates& candidates = broad_phase_.candidates();
-
-  std::vector<int> groups;
-  const auto whose = [&](int i) { return std::pair(candidates.point_triangle[i][0], mesh.vertex_object[mesh.triangles[candidates.point_triangle[i][1]][0]]); };
-  const int points = static_cast<int>(candidates.point_triangle.size());
-  for (int i = 0; i < points; ++i)
-    if (i == 0 || whose(i) != whose(i - 1)) groups.push_back(i);
-  groups.push_back(points);
 
   ContactRows found;
   found.stored.begun = true;
@@ -211,10 +203,12 @@ ContactRows ContactFinder::find(const VecX& x, const VecX& displacement, const S
       std::move(chunk.edges.begin(), chunk.edges.end(), std::back_inserter(found.stored.edges));
     }
   };
-  const int n = static_cast<int>(groups.size()) - 1;
+  std::vector<PointGroup> groups;
+  std::copy_if(candidates.groups.all.begin(), candidates.groups.all.end(), std::back_inserter(groups), [](const PointGroup& g) { return g.has_triangles(); });
+  const int n = static_cast<int>(groups.size());
   std::vector<Chunk> chunks(chunk_count(n));
   for_each_chunk(n, [&](int c, int first, int last) {
-    for (int i = first; i < last; ++i) add_points(candidates, groups[i], groups[i + 1], x, displacement, search_radius, before, chunks[c]);
+    for (int i = first; i < last; ++i) add_points(candidates, groups[i].triangle_begin, groups[i].triangle_end, x, displacement, search_radius, before, chunks[c]);
   });
   join(chunks);
   const int edges = static_cast<int>(candidates.edge_edge.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "framework/contact/area_integral/weighted_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
@@ -32,7 +33,7 @@ class VertexSearch : PointSearch {
     }
     if (point.weight_begin >= 0) {
       for (const PointFeature& f : features_.reduce(x_, vertex(x_, point.point), triangles_, weights_, point.range))
-        add(point.point, f, point.law, point.area * f.multiplicity);
+        add(point.point, f, point.law, point.contact_point, point.area * f.multiplicity);
       return;
     }
     if (triangles_.empty() && point.edge_begin == point.edge_end && point.other_begin == point.other_end) return;
@@ -41,7 +42,7 @@ class VertexSearch : PointSearch {
     const std::span<const int> others(quadrature_.others.data() + point.other_begin, quadrature_.others.data() + point.other_end);
     for (const PointFeature& f : features_.reduce(x_, vertex(x_, point.point), triangles_, edges_, others, point.range,
                                                   FeatureCount::inclusion_exclusion))
-      add(point.point, f, point.law, point.area * f.multiplicity);
+      add(point.point, f, point.law, point.contact_point, point.area * f.multiplicity);
   }
 
  private:
@@ -98,7 +99,7 @@ void search_crossings(const ContactSurface& surface, const PairTable& pairs, con
     const auto ca = corners(x, a), cb = corners(x, b);
     if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < range * range)) continue;
     if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
-    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, area});
+    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, -1, area});
   }
 }
 
@@ -114,47 +115,50 @@ bool NarrowPhase::may_integrate(const PointGroup& group) const {
          !lagged_.topology().triangles_at(group.point).empty();
 }
 
-// Returns the groups that integrate and have no patches in this step yet. changed: only groups with
-// changed primitives may have none; null: any group.
-std::vector<PointGroup> NarrowPhase::groups_without_patches(const ChangedPrimitives* changed) const {
-  const auto may_be_new = [&](const PointGroup& g) {
-    return !changed || changed->vertices[g.point] || changed->objects[g.object];
-  };
-  const std::vector<PointGroup>& groups = groups_.groups;
-  const int n = static_cast<int>(groups.size());
-  std::vector<std::vector<PointGroup>> chunks(chunk_count(n));
-  for_each_chunk(n, [&](int c, int first, int last) {
-    SortedCursor<GroupPatches> known(patches_), later(later_patches_);
-    for (int i = first; i < last; ++i)
-      if (may_be_new(groups[i]) && may_integrate(groups[i]) && !known.find(groups[i].key()) && !later.find(groups[i].key())) chunks[c].push_back(groups[i]);
-  });
-  std::vector<PointGroup> all;
-  concatenate(chunks, all);
-  return all;
-}
-
-// Finds the visible patches of groups. later: whether overlaps of this step are known: then patches
-// have only the area whose overlap is unknown.
-std::vector<GroupPatches> NarrowPhase::find_patches(const Candidates& candidates, const std::vector<PointGroup>& groups, bool later) const {
-  std::vector<GroupPatches> found(groups.size());
+// Sets the index of the patches of each group; -1: it has none yet.
+void NarrowPhase::look_up_patches(const std::vector<PointGroup>& groups) {
+  patches_of_group_.resize(groups.size());
   for_each_chunk(static_cast<int>(groups.size()), [&](int, int first, int last) {
-    PatchFinder finder(surface_.mesh, lagged_);
+    SortedCursor<GroupPatches> known(patches_);
     for (int i = first; i < last; ++i) {
-      const PointGroup& g = groups[i];
-      found[i] = {g.point, g.object, finder.find(finder.at_vertex(g.point), g.triangle_end - g.triangle_begin,
-                                                [&](int k) { return candidates.point_triangle[g.triangle_begin + k][1]; })};
-      if (!later || !overlap_.uses_overlap(surface_.mesh.vertex_object[g.point], g.object, sides_)) continue;
-      VisiblePatches& visible = found[i].visible;
-      for (int k = 0; k < visible.count; ++k) visible.patches[k].area = overlap_.unknown_area(g.point, g.object, visible.patches[k].normal);
+      const GroupPatches* found = known.find(groups[i].key());
+      patches_of_group_[i] = found ? static_cast<int>(found - patches_.data()) : -1;
     }
   });
-  return found;
 }
 
-void NarrowPhase::prepare(const Candidates& candidates, const ChangedPrimitives* changed) {
-  groups_.make(candidates, surface_.mesh);
-  edges_.choose(candidates, changed);
+// Finds the patches of the groups that integrate and have none in this step yet. later: overlaps of
+// this step are known; then patches have only the area whose overlap is unknown.
+void NarrowPhase::add_patches(const Candidates& candidates, bool later) {
+  const std::vector<PointGroup>& groups = candidates.groups.all;
+  look_up_patches(groups);
+  const int n = static_cast<int>(groups.size());
+  std::vector<std::vector<GroupPatches>> chunks(chunk_count(n));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    std::optional<PatchFinder> finder;
+    for (int i = first; i < last; ++i) {
+      const PointGroup& g = groups[i];
+      if (patches_of_group_[i] >= 0 || !may_integrate(g)) continue;
+      if (!finder) finder.emplace(surface_.mesh, lagged_);
+      GroupPatches& found = chunks[c].emplace_back(GroupPatches{g.point, g.object, finder->find(finder->at_vertex(g.point), g.triangle_end - g.triangle_begin,
+                                                                                                [&](int k) { return candidates.point_triangle[g.triangle_begin + k][1]; })});
+      if (!later || !overlap_.uses_overlap(surface_.mesh.vertex_object[g.point], g.object, sides_)) continue;
+      for (int k = 0; k < found.visible.count; ++k) {
+        VisiblePatch& patch = found.visible.patches[k];
+        patch.area = overlap_.unknown_area(g.point, g.object, patch.normal);
+      }
+    }
+  });
+  std::vector<GroupPatches> added, all;
+  concatenate(chunks, added);
+  if (added.empty()) return;
+  std::merge(patches_.begin(), patches_.end(), added.begin(), added.end(), std::back_inserter(all),
+             [](const GroupPatches& a, const GroupPatches& b) { return a.key() < b.key(); });
+  patches_ = std::move(all);
+  look_up_patches(groups);
 }
+
+void NarrowPhase::prepare(const Candidates& candidates, const ChangedPrimitives* changed) { edges_.choose(candidates, changed); }
 
 void NarrowPhase::set_candidates(const Candidates& candidates) {
   if (!begun_) {
@@ -163,18 +167,13 @@ void NarrowPhase::set_candidates(const Candidates& candidates) {
     return;
   }
   const ChangedPrimitives* changed = broad_phase_.changed();
-  const PointGroups groups = std::move(groups_);
   prepare(candidates, changed);
-  const std::vector<GroupPatches> found = find_patches(candidates, groups_without_patches(changed), true);
-  std::vector<GroupPatches> all;
-  std::merge(later_patches_.begin(), later_patches_.end(), found.begin(), found.end(), std::back_inserter(all),
-             [](const GroupPatches& a, const GroupPatches& b) { return a.key() < b.key(); });
-  later_patches_ = std::move(all);
+  add_patches(candidates, true);
   if (!changed) {
     make_lists(candidates, nullptr);
     return;
   }
-  const EarlierVertexQuadrature earlier{groups, quadrature_, *changed};
+  const EarlierVertexQuadrature earlier{quadrature_, *changed};
   make_lists(candidates, &earlier);
 }
 
@@ -182,8 +181,7 @@ void NarrowPhase::begin_step(const Candidates& candidates) {
   begun_ = true;
   weights_at_start_ = previous_weights_;
   patches_.clear();
-  later_patches_.clear();
-  patches_ = find_patches(candidates, groups_without_patches(nullptr), false);
+  add_patches(candidates, false);
   overlap_.choose_sides(patches_, sides_);
   if (overlap_.needed()) {
     overlap_.evaluate(sides_, broad_phase_, patches_);
@@ -196,7 +194,7 @@ void NarrowPhase::begin_step(const Candidates& candidates) {
 void NarrowPhase::make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier) {
   item_maps_.reset();
   rods_.find(candidates, lagged_);
-  const VertexQuadratureRequest request{surface_, pairs_, lagged_, sides_, rods_, candidates, groups_, patches_, later_patches_, weights_at_start_};
+  const VertexQuadratureRequest request{surface_, pairs_, rules_, lagged_, sides_, rods_, candidates, patches_, patches_of_group_, weights_at_start_};
   quadrature_ = make_vertex_quadrature(request, earlier);
   if (earlier) update_interior_patches(earlier->changed, overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_, interior_patches_);
   else interior_patches_ = make_interior_patches(overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_);
@@ -225,6 +223,8 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
     for (int i = first; i < last; ++i) search.search(i);
   });
   join(found, surface_.rest, contacts);
+  contacts.point_count = quadrature_.contact_point_count;
+  contacts.interior_point_count = interior_points;
 }
 
 // Calls act(vertex) for each vertex of the primitives that a quadrature point acts on, and for its

@@ -1,5 +1,5 @@
 // Narrow phase: from candidates to active stencils.
-//  1. Candidates are grouped by (point, object) (point_groups.hpp).
+//  1. Candidates are in groups of (point, object) (point_groups.hpp).
 //  2. Each group becomes quadrature points that carry contact pressure or a safety barrier
 //     (vertex_quadrature.hpp), once per list of candidates.
 //  3. Where an overlap boundary crosses a triangle, interior quadrature points are added
@@ -33,8 +33,8 @@ class NarrowPhase {
   NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const IntegrationRules& rules,
               const LaggedSurface& lagged, const BroadPhase& broad_phase);
 
-  // Groups a new list of candidates before a step begins. changed: the primitives changed since
-  // the last list of the step; null: all may have.
+  // Chooses the edge pairs of a new list of candidates before a step begins. changed: the
+  // primitives changed since the last list of the step; null: all may have.
   void prepare(const Candidates& candidates, const ChangedPrimitives* changed = nullptr);
   // Sets a new list of candidates within a step, or begins the first step.
   void set_candidates(const Candidates& candidates);
@@ -66,14 +66,13 @@ class NarrowPhase {
 
  private:
   bool may_integrate(const PointGroup& group) const;
-  std::vector<PointGroup> groups_without_patches(const ChangedPrimitives* changed) const;
-  std::vector<GroupPatches> find_patches(const Candidates& candidates,
-                                         const std::vector<PointGroup>& groups, bool later) const;
+  void look_up_patches(const std::vector<PointGroup>& groups);
+  void add_patches(const Candidates& candidates, bool later);
   void make_lists(const Candidates& candidates, const EarlierVertexQuadrature* earlier);
 
   const ContactSurface& surface_;
-  const IntegrationRules& rules_;
   const PairTable& pairs_;
+  const IntegrationRules& rules_;
   const LaggedSurface& lagged_;
   bool begun_ = false;
   IntegrationSides sides_;
@@ -81,9 +80,8 @@ class NarrowPhase {
   OverlapBoundaryForces overlap_boundary_forces_;
   const BroadPhase& broad_phase_;
   FreeVertices free_;
-  PointGroups groups_;
-  std::vector<GroupPatches> patches_;        // of groups at the start of this step, by key
-  std::vector<GroupPatches> later_patches_;  // of later groups, by key
+  std::vector<GroupPatches> patches_;  // of the groups of this step that integrate, by key
+  std::vector<int> patches_of_group_;  // per group of the candidates: index into them, or -1
   VertexQuadrature quadrature_;
   InteriorPatches interior_patches_;  // of the samples of the overlap
   EdgePairs edges_;

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "framework/contact/area_integral/weighted_features.hpp"
-#include "framework/contact/sorted_cursor.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "geometry/distance/point_triangle.hpp"
 #include "geometry/parallel.hpp"
@@ -23,25 +22,27 @@ class QuadratureMaker {
  public:
   // add() expects groups in ascending order.
   QuadratureMaker(const VertexQuadratureRequest& r, const EarlierVertexQuadrature* earlier)
-      : r_(r), mesh_(r.surface.mesh), earlier_(earlier), finder_(mesh_, r.lagged), codimensional_(mesh_, r.lagged), patches_(r.patches),
-        later_patches_(r.later_patches), earlier_groups_(earlier ? earlier->groups.groups : r.groups.groups) {}
+      : r_(r), mesh_(r.surface.mesh), earlier_(earlier), finder_(mesh_, r.lagged), codimensional_(mesh_, r.lagged) {}
 
   void add(int g) {
-    const PointGroup& group = r_.groups.groups[g];
-    out_.group_begin.push_back(static_cast<int>(out_.points.size()));
-    if (!copy_earlier(group)) make(group);
+    const PointGroup& group = r_.candidates.groups.all[g];
+    const int begin = static_cast<int>(out_.points.size());
+    out_.group_begin.push_back(begin);
+    if (!copy_earlier(group)) make(g);
+    number_contact_points(begin);
   }
   VertexQuadrature take() { return std::move(out_); }
 
  private:
-  void make(const PointGroup& group) {
+  void make(int g) {
+    const PointGroup& group = r_.candidates.groups.all[g];
     const int own = mesh_.vertex_object[group.point];
     region_pair_ = nearest_region_pair(group, own);
     const PairRole& role = r_.pairs.point(own, group.object, region_pair_);
     if (role.law < 0) return;
-    if (!topology().triangles_at(group.point).empty()) {
     rule_ = r_.rules.of(own, group.object);
-      if (r_.sides.integrates(own, group.object)) add_pressure(group, role);
+    if (!topology().triangles_at(group.point).empty()) {
+      if (r_.sides.integrates(own, group.object)) add_pressure(g, role);
       else add_safety_barrier(group, safety_barrier_of(role), r_.lagged.tributary_area(group.point));
     }
     if (topology().is_codimensional(group.point) && group.triangle_end > group.triangle_begin) add_codimensional(group, role);
@@ -54,18 +55,28 @@ class QuadratureMaker {
     if (!earlier_ || has_rods_or_particles(group) || topology().is_codimensional(group.point)) return false;
     const ChangedPrimitives& changed = earlier_->changed;
     if (changed.vertices[group.point] || changed.objects[group.object]) return false;
-    const PointGroup* before = earlier_groups_.find(group.key());
-    if (!before) return false;
+    if (group.before < 0) return false;
     const VertexQuadrature& earlier = earlier_->quadrature;
-    const auto index = before - earlier_->groups.groups.data();
-    const int shift = group.triangle_begin - before->triangle_begin;
-    for (int k = earlier.group_begin[index]; k < earlier.group_begin[index + 1]; ++k) {
+    for (int k = earlier.group_begin[group.before]; k < earlier.group_begin[group.before + 1]; ++k) {
       const VertexQuadraturePoint& point = earlier.points[k];
       begin_point(group, {point.law, point.range, point.area});
-      for (int i = point.triangle_begin; i < point.triangle_end; ++i) out_.triangles.push_back(earlier.triangles[i] + shift);
+      for (int i = point.triangle_begin; i < point.triangle_end; ++i) out_.triangles.push_back(earlier.triangles[i] + group.triangle_shift);
       end_point();
     }
     return true;
+  }
+
+  // Numbers the contact points of a group by their laws. begin: its first quadrature point.
+  void number_contact_points(int begin) {
+    laws_.clear();
+    const auto first = out_.points.begin() + begin;
+    std::for_each(first, out_.points.end(), [&](const VertexQuadraturePoint& p) { laws_.push_back(p.law); });
+    std::sort(laws_.begin(), laws_.end());
+    laws_.erase(std::unique(laws_.begin(), laws_.end()), laws_.end());
+    std::for_each(first, out_.points.end(), [&](VertexQuadraturePoint& p) {
+      p.contact_point = out_.contact_point_count + static_cast<int>(std::lower_bound(laws_.begin(), laws_.end(), p.law) - laws_.begin());
+    });
+    out_.contact_point_count += static_cast<int>(laws_.size());
   }
 
   struct ActingLaw {
@@ -108,7 +119,7 @@ class QuadratureMaker {
   }
   int triangle(int i) const { return r_.candidates.point_triangle[i][1]; }
   int rod(int i) const { return r_.candidates.point_edge[i][1]; }
-  int particle(int i) const { return r_.groups.particles[i][1]; }
+  int particle(int i) const { return r_.candidates.groups.particles[i][1]; }
   // Returns whether the pair may come within a range [m] while the candidates are valid.
   bool may_come_within(int i, double range) const { return r_.candidates.distance_bounds.point_triangle[i] < range; }
 
@@ -217,14 +228,14 @@ class QuadratureMaker {
     return r_.pairs.point(own, group.object, r_.pairs.region_pair(own, group.object, std::array{group.point}, mesh_.triangles[patch.seed_triangle]));
   }
 
-  void add_pressure(const PointGroup& group, const PairRole& role) {
-    const GroupPatches* known = patches_.find(group.key());
-    const VisiblePatches& visible = (known ? known : later_patches_.find(group.key()))->visible;
+  void add_pressure(int g, const PairRole& role) {
+    const PointGroup& group = r_.candidates.groups.all[g];
+    const VisiblePatches& visible = r_.patches[r_.patches_of_group[g]].visible;
     const SafetyBarrier barrier = safety_barrier_of(role);
     std::array<double, VisiblePatches::count_max> areas{}, size_weights{};
     for (int k = 0; k < visible.count; ++k) {
       size_weights[k] = size_weight(role, group.point, visible.patches[k]);
-      areas[k] = pressure_area(visible.patches[k], role, size_weights[k]);
+      areas[k] = pressure_area(visible.patches[k], size_weights[k]);
     }
     const QueryPoint from = finder_.at_vertex(group.point);
     const double range_max = std::max(role.range_max(), barrier.law >= 0 ? barrier.range : 0);
@@ -328,9 +339,9 @@ class QuadratureMaker {
   const EarlierVertexQuadrature* const earlier_;
   PatchFinder finder_;
   CodimensionalWeights codimensional_;
-  SortedCursor<GroupPatches> patches_, later_patches_;
-  SortedCursor<PointGroup> earlier_groups_;
   VertexQuadrature out_;
+  IntegrationRule rule_;            // of the group
+  std::vector<int> laws_;           // of the quadrature points of a group, ascending
   int region_pair_ = -1;            // of the nearest primitive of the group
   std::vector<NearTriangle> near_;  // of a group
   std::vector<int> triangles_;      // of a group
@@ -340,11 +351,9 @@ class QuadratureMaker {
 };
 
 }  // namespace
-  IntegrationRule rule_;            // of the group
-  std::vector<int> laws_;           // of the quadrature points of a group, ascending
 
 VertexQuadrature make_vertex_quadrature(const VertexQuadratureRequest& request, const EarlierVertexQuadrature* earlier) {
-  const int n = static_cast<int>(request.groups.groups.size());
+  const int n = static_cast<int>(request.candidates.groups.all.size());
   std::vector<VertexQuadrature> chunks(chunk_count(n));
   for_each_chunk(n, [&](int c, int first, int last) {
     QuadratureMaker maker(request, earlier);

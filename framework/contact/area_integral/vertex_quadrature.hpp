@@ -10,7 +10,6 @@
 #include "framework/contact/area_integral/patches_by_vertex.hpp"
 #include "framework/contact/area_integral/integration_sides.hpp"
 #include "framework/contact/pair_table.hpp"
-#include "framework/contact/point_groups.hpp"
 #include "framework/contact/area_integral/rod_overlaps.hpp"
 #include "framework/contact/area_integral/weight_relaxation.hpp"
 #include "framework/contact/area_integral/codimensional_weights.hpp"
@@ -19,7 +18,7 @@
 namespace tack {
 
 struct VertexQuadraturePoint {
-  int point;
+  int point;  // global vertex
   int law;
   double area;                       // weight times tributary area [m^2]
   double range;                      // of the law [m]
@@ -28,6 +27,7 @@ struct VertexQuadraturePoint {
   int weight_begin;
   int edge_begin, edge_end;    // into VertexQuadrature::edges
   int other_begin, other_end;  // into VertexQuadrature::others
+  int contact_point = 0;       // one for all quadrature points of a group and a law
 };
 
 struct VertexQuadrature {
@@ -44,21 +44,20 @@ struct VertexQuadrature {
 struct VertexQuadratureRequest {
   const ContactSurface& surface;
   const PairTable& pairs;
+  const IntegrationRules& rules;
   const LaggedSurface& lagged;
   const IntegrationSides& sides;
   const RodOverlaps& rods;
   const Candidates& candidates;
-  const PointGroups& groups;
-  // Patches of the groups that existed at the start of the step, sorted by key.
+  // Patches of the groups of this step that integrate, and the index into them of each group of
+  // the candidates; -1: it does not integrate.
   const std::vector<GroupPatches>& patches;
-  // Patches of later groups, sorted by key. Every group that integrates is in one of the two lists.
-  const std::vector<GroupPatches>& later_patches;
+  const std::vector<int>& patches_of_group;
   const LaggedWeights& previous_weights;  // of the last step
 };
-// Quadrature of earlier candidates of this step, and the primitives that changed since. Groups
-// without changed primitives keep their points.
+// Quadrature of the list of candidates before in this step, and the primitives that changed since.
+// Groups without changed primitives keep their points.
 struct EarlierVertexQuadrature {
-  const PointGroups& groups;
   const VertexQuadrature& quadrature;
   const ChangedPrimitives& changed;
 };

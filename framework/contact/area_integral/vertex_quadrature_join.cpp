@@ -9,10 +9,11 @@ namespace {
 // Offsets of the lists of a chunk in the joined lists.
 struct QuadratureOffsets {
   size_t point = 0, group = 0, triangle = 0, weight = 0, edge = 0, other = 0, lagged_weight = 0;
+  int contact_point = 0;
 
   QuadratureOffsets after(const VertexQuadrature& p) const {
     return {point + p.points.size(), group + p.group_begin.size(), triangle + p.triangles.size(), weight + p.weights.size(),
-            edge + p.edges.size(), other + p.others.size(), lagged_weight + p.lagged_weights.size()};
+            edge + p.edges.size(), other + p.others.size(), lagged_weight + p.lagged_weights.size(), contact_point + p.contact_point_count};
   }
 };
 
@@ -31,6 +32,7 @@ VertexQuadrature joined(const std::vector<VertexQuadrature>& chunks) {
   all.edges.resize(end.edge);
   all.others.resize(end.other);
   all.lagged_weights.resize(end.lagged_weight);
+  all.contact_point_count = end.contact_point;
   for_each(static_cast<int>(chunks.size()), [&](int c) {
     const VertexQuadrature& chunk = chunks[c];
     const QuadratureOffsets& at = offsets[c];
@@ -44,6 +46,7 @@ VertexQuadrature joined(const std::vector<VertexQuadrature>& chunks) {
       if (p.weight_begin >= 0) p.weight_begin += static_cast<int>(at.weight);
       shift(at.edge, p.edge_begin, p.edge_end);
       shift(at.other, p.other_begin, p.other_end);
+      p.contact_point += at.contact_point;
     }
     for (size_t i = 0; i < chunk.group_begin.size(); ++i) all.group_begin[at.group + i] = chunk.group_begin[i] + static_cast<int>(at.point);
     const auto copy = [](const auto& from, auto& to, size_t offset) { std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(offset)); };

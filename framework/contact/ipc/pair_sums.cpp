@@ -42,7 +42,9 @@ class PairSums::VertexSearch : PointSearch {
   VertexSearch(const PairSums& sums, const DisplacementBounds& displacements, const VecX& x, FoundStencils& found)
       : PointSearch(sums.system().surface().mesh, sums.free_, x, found), sums_(sums), candidates_(sums.system().candidates()), displacements_(displacements) {}
 
-  void search(const PointGroup& group) {
+  // The vertices of a group have one law: the group is their contact point.
+  void search(int index) {
+    const PointGroup& group = candidates_.groups.all[index];
     const PairRole& role = sums_.system().pairs().point(mesh_.vertex_object[group.point], group.object);
     if (role.law < 0) return;
     const double weight = role.area_factor * sums_.vertex_weight(group.point, group.object);
@@ -57,11 +59,11 @@ class PairSums::VertexSearch : PointSearch {
         triangles_.push_back(mesh_.triangles[t]);
     }
     for (int i = group.edge_begin; i < group.edge_end; ++i) edges_.push_back(mesh_.edges[candidates_.point_edge[i][1]]);
-    for (int i = group.other_begin; i < group.other_end; ++i) particles_.push_back(sums_.groups_.particles[i][1]);
+    for (int i = group.other_begin; i < group.other_end; ++i) particles_.push_back(candidates_.groups.particles[i][1]);
     if (triangles_.empty() && edges_.empty() && particles_.empty()) return;
     const FeatureCount count = sums_.inclusion_exclusion_ ? FeatureCount::inclusion_exclusion : FeatureCount::each;
     for (const PointFeature& f : features_.reduce(x_, vertex(x_, group.point), triangles_, edges_, particles_, role.range, count))
-      add(group.point, f, role.law, weight * f.multiplicity);
+      add(group.point, f, role.law, index, weight * f.multiplicity);
   }
 
  private:
@@ -84,7 +86,7 @@ PairLawIds PairSums::add_laws(const PairSetup&, const PreparedLaws& laws, PairTa
 std::unique_ptr<ContactPotential> PairSums::isolated(int, int) const { return std::make_unique<PairSums>(weights_, inclusion_exclusion_); }
 
 void PairSums::clear_caches() {
-  grouped_ = false;
+  begun_ = false;
   free_ = {};
   const ContactSurface& surface = system().surface();
   edges_.emplace(surface, system().pairs(), EdgePairs::RestNeighbours::press);
@@ -109,15 +111,14 @@ void PairSums::clear_caches() {
 void PairSums::set_free(std::vector<char> free) { free_ = {system().surface().mesh, std::move(free)}; }
 
 void PairSums::begin_step(const VecX&, bool new_candidates) {
-  if (new_candidates || !grouped_) group_candidates(nullptr);
+  if (new_candidates || !begun_) choose_edges(nullptr);
 }
 
-void PairSums::set_candidates(const VecX&) { group_candidates(grouped_ ? system().broad_phase().changed() : nullptr); }
+void PairSums::set_candidates(const VecX&) { choose_edges(begun_ ? system().broad_phase().changed() : nullptr); }
 
-void PairSums::group_candidates(const ChangedPrimitives* changed) {
-  groups_.make(system().candidates(), system().surface().mesh);
+void PairSums::choose_edges(const ChangedPrimitives* changed) {
   edges_->choose(system().candidates(), changed);
-  grouped_ = true;
+  begun_ = true;
 }
 
 // Returns the weight of a vertex [m^2] towards an object.
@@ -130,19 +131,20 @@ double PairSums::vertex_weight(int v, int opposite) const {
 void PairSums::find(const VecX& x, ContactSet& contacts) {
   const ContactSurface& surface = system().surface();
   const Candidates& candidates = system().candidates();
-  const int points = static_cast<int>(groups_.groups.size());
+  const int points = static_cast<int>(candidates.groups.all.size());
   const DisplacementBounds displacements(surface.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
   FoundChunks found;
   found.points.resize(chunk_count(points));
   found.edges.resize(chunk_count(edges_->size()));
   for_each_chunk(points, [&](int c, int first, int last) {
     VertexSearch search(*this, displacements, x, found.points[c]);
-    for (int i = first; i < last; ++i) search.search(groups_.groups[i]);
+    for (int i = first; i < last; ++i) search.search(i);
   });
   for_each_chunk(edges_->size(), [&](int c, int first, int last) {
     edges_->search(candidates, displacements, free_.free, x, first, last, edge_area_, found.edges[c]);
   });
   join(found, surface.rest, contacts);
+  contacts.point_count = points;
 }
 
 }  // namespace tack

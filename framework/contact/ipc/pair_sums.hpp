@@ -26,7 +26,6 @@
 #include <vector>
 
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/point_groups.hpp"
 #include "framework/contact/stencil_search.hpp"
 
 namespace tack {
@@ -60,13 +59,12 @@ class PairSums : public ContactPotential {
  private:
   class VertexSearch;
   double vertex_weight(int vertex_index, int opposite) const;
-  void group_candidates(const ChangedPrimitives* changed);
+  void choose_edges(const ChangedPrimitives* changed);
 
   PairWeights weights_;
   bool inclusion_exclusion_;
   FreeVertices free_;
-  PointGroups groups_;
-  bool grouped_ = false;  // candidates have been grouped once
+  bool begun_ = false;  // edges have been chosen once
   std::optional<EdgePairs> edges_;
   std::vector<double> rest_area_;  // per global vertex, at rest [m^2]
   std::vector<double> mean_area_;  // of the vertices of each object, at rest [m^2]

@@ -46,12 +46,14 @@ class OgcSearch {
     taken_vertices_.clear();
     using enum PointTriangleType;
     const double weight = 0.25 * r_.rings.vertex_area(p);
+    const std::array<size_t, 3> before{found_.point_point.size(), found_.point_edge.size(), found_.point_triangle.size()};
     for (const Hit& h : hits_)
       if (h.type == P_T) add_face(p, h, weight);
     for (const Hit& h : hits_)
       if (h.type == P_E0 || h.type == P_E1 || h.type == P_E2) add_edge(p, r_.rings.edges_of(h.triangle)[static_cast<int>(h.type) - static_cast<int>(P_E0)], h.law, weight);
     for (const Hit& h : hits_)
       if (h.type == P_T0 || h.type == P_T1 || h.type == P_T2) add_vertex(p, mesh_.triangles[h.triangle][static_cast<int>(h.type) - static_cast<int>(P_T0)], h.law, weight);
+    number_points(before);
   }
 
   void search_edges(int i) {
@@ -70,7 +72,7 @@ class OgcSearch {
     if (!(to_first.squaredNorm() < range * range)) return;
     if (!outside_edge(r_.rings, mesh_, x_, e, -to_first) || !outside_edge(r_.rings, mesh_, x_, f, to_first)) return;
     if (self && rest_neighbours(r_.surface, a, b, role.range)) return;
-    add(found_.edge_edge, {{a[0], a[1], b[0], b[1]}, law, 0.25 * std::sqrt(r_.rings.edge_area(e) * r_.rings.edge_area(f))});
+    add(found_.edge_edge, {{a[0], a[1], b[0], b[1]}, law, -1, 0.25 * std::sqrt(r_.rings.edge_area(e) * r_.rings.edge_area(f))});
   }
 
  private:
@@ -81,13 +83,29 @@ class OgcSearch {
     int law;
   };
 
+  // Numbers the contact points of a vertex by object and law. before: the numbers of stencils before.
+  void number_points(const std::array<size_t, 3>& before) {
+    keys_.clear();
+    const auto for_each_new = [&](const auto& act) {
+      std::for_each(found_.point_point.begin() + static_cast<std::ptrdiff_t>(before[0]), found_.point_point.end(), act);
+      std::for_each(found_.point_edge.begin() + static_cast<std::ptrdiff_t>(before[1]), found_.point_edge.end(), act);
+      std::for_each(found_.point_triangle.begin() + static_cast<std::ptrdiff_t>(before[2]), found_.point_triangle.end(), act);
+    };
+    const auto key_of = [&](const auto& s) { return std::pair(mesh_.vertex_object[s.vertices[1]], s.law); };
+    for_each_new([&](const auto& s) { keys_.push_back(key_of(s)); });
+    std::sort(keys_.begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+    for_each_new([&](auto& s) { s.point = found_.point_count + static_cast<int>(std::lower_bound(keys_.begin(), keys_.end(), key_of(s)) - keys_.begin()); });
+    found_.point_count += static_cast<int>(keys_.size());
+  }
+
   void add_face(int p, const Hit& h, double weight) {
     const Triangle& v = mesh_.triangles[h.triangle];
     const auto [a, b, c] = corners(x_, v);
     if (!r_.surface.two_sided[h.triangle] && (b - a).cross(c - a).dot(vertex(x_, p) - a) < 0) return;
     taken_edges_.insert(taken_edges_.end(), r_.rings.edges_of(h.triangle).begin(), r_.rings.edges_of(h.triangle).end());
     taken_vertices_.insert(taken_vertices_.end(), v.begin(), v.end());
-    add(found_.point_triangle, {{p, v[0], v[1], v[2]}, h.law, weight});
+    add(found_.point_triangle, {{p, v[0], v[1], v[2]}, h.law, -1, weight});
   }
 
   void add_edge(int p, int e, int law, double weight) {
@@ -96,13 +114,13 @@ class OgcSearch {
     const auto [a, b] = corners(x_, v);
     if (!in_edge_cone(r_.rings, mesh_, x_, e, project_onto_line(vertex(x_, p), a, b).residual)) return;
     taken_vertices_.insert(taken_vertices_.end(), v.begin(), v.end());
-    add(found_.point_edge, {{p, v[0], v[1]}, law, weight});
+    add(found_.point_edge, {{p, v[0], v[1]}, law, -1, weight});
   }
 
   void add_vertex(int p, int q, int law, double weight) {
     if (!take(taken_vertices_, q)) return;
     const Vec3 d = vertex(x_, p) - vertex(x_, q);
-    if (in_vertex_cone(r_.rings, x_, q, d) && in_vertex_cone(r_.rings, x_, p, -d)) add(found_.point_point, {{p, q}, law, weight});
+    if (in_vertex_cone(r_.rings, x_, q, d) && in_vertex_cone(r_.rings, x_, p, -d)) add(found_.point_point, {{p, q}, law, -1, weight});
   }
 
   static bool take(std::vector<int>& taken, int i) {
@@ -122,6 +140,7 @@ class OgcSearch {
   const VecX& x_;
   ContactSet& found_;
   std::vector<Hit> hits_;
+  std::vector<std::pair<int, int>> keys_;  // object and law of each contact point of a vertex
   std::vector<int> taken_edges_, taken_vertices_;  // of blocks that are found, or adjacent to them
 };
 

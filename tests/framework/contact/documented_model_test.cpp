@@ -131,8 +131,8 @@ class Incomplete : public ContactPotential {
   explicit Incomplete(bool thresholds) : thresholds_(thresholds) {}
   void find(const VecX&, ContactSet& contacts) override {
     contacts = {};
-    contacts.edge_edge.push_back({{0, 1, 2, 3}, 1, 1});
-    contacts.edge_edge.push_back({{0, 1, 2, 3}, 0, 1});
+    contacts.edge_edge.push_back({{0, 1, 2, 3}, 1, -1, 1});
+    contacts.edge_edge.push_back({{0, 1, 2, 3}, 0, -1, 1});
     if (thresholds_) contacts.mollifier_threshold.assign(2, 1.0);
   }
   std::unique_ptr<ContactPotential> isolated(int, int) const override { return std::make_unique<Incomplete>(thresholds_); }

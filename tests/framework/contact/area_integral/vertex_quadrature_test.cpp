@@ -29,21 +29,21 @@ struct Points {
       for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
         if (mesh.vertex_object[v] != mesh.vertex_object[mesh.triangles[t][0]]) candidates.point_triangle.push_back({v, t});
     candidates.distance_bounds.point_triangle.assign(candidates.point_triangle.size(), bound);
-    groups.make(candidates, mesh);
+    candidates.groups.make(candidates, mesh);
   }
   VertexQuadrature make(const VertexQuadrature* earlier = nullptr, const ChangedPrimitives* changed = nullptr) {
     const IntegrationSides sides(pairs, rules);
     const RodOverlaps rods(at.surface, pairs);
     PatchFinder finder(at.surface.mesh, at.lagged);
     patches.clear();
-    for (const PointGroup& g : groups.groups)
+    for (const PointGroup& g : candidates.groups.all)
       patches.push_back({g.point, g.object, finder.find(finder.at_vertex(g.point), g.triangle_end - g.triangle_begin,
                                                       [&](int i) { return candidates.point_triangle[g.triangle_begin + i][1]; })});
     std::vector<int> patches_of_group(patches.size());
     std::iota(patches_of_group.begin(), patches_of_group.end(), 0);
     const VertexQuadratureRequest request{at.surface, pairs, rules, at.lagged, sides, rods, candidates, patches, patches_of_group, {}};
     if (!earlier) return make_vertex_quadrature(request, nullptr);
-    const EarlierVertexQuadrature before{groups, *earlier, *changed};
+    const EarlierVertexQuadrature before{*earlier, *changed};
     return make_vertex_quadrature(request, &before);
   }
 
@@ -59,7 +59,6 @@ struct Points {
   PairTable pairs{2};
   IntegrationRules rules{pairs.classes()};
   Candidates candidates;
-  PointGroups groups;
   std::vector<GroupPatches> patches;
 };
 
@@ -157,7 +156,7 @@ TEST_CASE("pairs without a law have no quadrature points", "[contact][quadrature
   Points points(plates({3, 3}, {2, 2}));
   const VertexQuadrature quadrature = points.make();
   CHECK(quadrature.points.empty());
-  CHECK(quadrature.group_begin.size() == points.groups.groups.size() + 1);
+  CHECK(quadrature.group_begin.size() == points.candidates.groups.all.size() + 1);
 }
 
 TEST_CASE("quadrature points of groups follow each other in the order of the groups", "[contact][quadrature]") {
@@ -166,11 +165,11 @@ TEST_CASE("quadrature points of groups follow each other in the order of the gro
   points.press(0, 1);
   points.pairs.point(1, 0) = {barrier_law, 1, barrier_range};
   const VertexQuadrature quadrature = points.make();
-  REQUIRE(quadrature.group_begin.size() == points.groups.groups.size() + 1);
+  REQUIRE(quadrature.group_begin.size() == points.candidates.groups.all.size() + 1);
   CHECK(quadrature.group_begin.front() == 0);
   CHECK(quadrature.group_begin.back() == static_cast<int>(quadrature.points.size()));
-  for (size_t g = 0; g < points.groups.groups.size(); ++g) {
-    const PointGroup& group = points.groups.groups[g];
+  for (size_t g = 0; g < points.candidates.groups.all.size(); ++g) {
+    const PointGroup& group = points.candidates.groups.all[g];
     CHECK(quadrature.group_begin[g + 1] == quadrature.group_begin[g] + 1);
     for (int k = quadrature.group_begin[g]; k < quadrature.group_begin[g + 1]; ++k) {
       const VertexQuadraturePoint& p = quadrature.points[k];
@@ -239,6 +238,7 @@ TEST_CASE("quadrature points that are taken over from an earlier list are those 
   changed.vertices.assign(points.at.surface.mesh.vertex_object.size(), 0);
   changed.objects.assign(2, 0);
   changed.vertices[3] = 1;
+  points.candidates.groups.make(points.candidates, points.at.surface.mesh);  // the same again
   const VertexQuadrature second = points.make(&first, &changed);
   REQUIRE(second.points.size() == first.points.size());
   CHECK(second.group_begin == first.group_begin);

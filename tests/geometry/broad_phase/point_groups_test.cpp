@@ -1,10 +1,11 @@
 // Groups of candidates by point and object: every candidate is in one group, of its point and its
 // object, and groups ascend.
-#include "framework/contact/point_groups.hpp"
+#include "geometry/broad_phase/point_groups.hpp"
 
 #include <catch2/catch.hpp>
 #include <algorithm>
 
+#include "geometry/broad_phase/candidates.hpp"
 #include "tests/framework/contact/surface_builder.hpp"
 
 using namespace tack;
@@ -46,7 +47,7 @@ TEST_CASE("every candidate is in the one group of its point and its object", "[c
       PointGroups groups;
       groups.make(c.candidates, c.mesh);
       size_t triangles = 0, edges = 0, others = 0;
-      for (const PointGroup& g : groups.groups) {
+      for (const PointGroup& g : groups.all) {
         for (int i = g.triangle_begin; i < g.triangle_end; ++i, ++triangles) {
           const auto& [v, t] = c.candidates.point_triangle[i];
           CHECK(std::array{v, c.mesh.vertex_object[c.mesh.triangles[t][0]]} == g.key());
@@ -64,7 +65,7 @@ TEST_CASE("every candidate is in the one group of its point and its object", "[c
       CHECK(triangles == c.candidates.point_triangle.size());
       CHECK(edges == c.candidates.point_edge.size());
       CHECK(others == 2 * c.candidates.point_point.size());
-      for (size_t i = 1; i < groups.groups.size(); ++i) CHECK(groups.groups[i - 1].key() < groups.groups[i].key());
+      for (size_t i = 1; i < groups.all.size(); ++i) CHECK(groups.all[i - 1].key() < groups.all[i].key());
     }
 }
 
@@ -89,18 +90,45 @@ TEST_CASE("groups of many candidates are equal to those of one pass, whatever th
     for (int t = 0; t < 300; ++t) candidates.point_triangle.push_back({v, t});
   PointGroups groups;
   groups.make(candidates, mesh);
-  REQUIRE(groups.groups.size() == 270);
+  REQUIRE(groups.all.size() == 270);
   for (int i = 0; i < 270; ++i) {
-    const PointGroup& g = groups.groups[i];
+    const PointGroup& g = groups.all[i];
     CHECK(g.key() == std::array{i / 3, i % 3});
     CHECK(g.triangle_begin == 100 * i);
     CHECK(g.triangle_end == 100 * (i + 1));
   }
 }
 
+TEST_CASE("groups know where they were in the list before", "[contact][groups]") {
+  const Case c(0.5, 4);
+  RandomPoints random(5);
+  Candidates fewer;
+  fewer.point_edge = c.candidates.point_edge;
+  for (const auto& pair : c.candidates.point_triangle)
+    if (random.uniform(0, 1) < 0.2) fewer.point_triangle.push_back(pair);
+  // By vertex, then object, then triangle, as the lists of a search are.
+  for (const auto& [first, second] : {std::pair(&c.candidates, &fewer), std::pair(&fewer, &c.candidates)}) {
+    PointGroups groups;
+    groups.make(*first, c.mesh);
+    for (const PointGroup& g : groups.all) CHECK(g.before == -1);
+    const std::vector<PointGroup> before = groups.all;
+    groups.make(*second, c.mesh);
+    size_t known = 0;
+    for (const PointGroup& g : groups.all) {
+      const auto at = std::find_if(before.begin(), before.end(), [&](const PointGroup& b) { return b.key() == g.key(); });
+      REQUIRE((g.before >= 0) == (at != before.end()));
+      if (g.before < 0) continue;
+      ++known;
+      CHECK(&before[g.before] == &*at);
+      CHECK(g.triangle_begin == at->triangle_begin + g.triangle_shift);
+    }
+    CHECK(known > 10);
+  }
+}
+
 TEST_CASE("no candidates make no groups", "[contact][groups]") {
   PointGroups groups;
   groups.make({}, {});
-  CHECK(groups.groups.empty());
+  CHECK(groups.all.empty());
   CHECK(groups.particles.empty());
 }

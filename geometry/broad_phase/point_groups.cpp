@@ -1,7 +1,8 @@
-#include "framework/contact/point_groups.hpp"
+#include "geometry/broad_phase/point_groups.hpp"
 
 #include <algorithm>
 
+#include "geometry/broad_phase/candidates.hpp"
 #include "geometry/concatenate.hpp"
 #include "geometry/parallel.hpp"
 
@@ -60,18 +61,32 @@ std::vector<PointGroup> united(std::vector<PointGroup> groups) {
   return groups;
 }
 
+// Sets where the groups were in the list before.
+void link(const std::vector<PointGroup>& earlier, std::vector<PointGroup>& groups) {
+  auto e = earlier.begin();
+  for (PointGroup& g : groups) {
+    while (e != earlier.end() && e->key() < g.key()) ++e;
+    if (e == earlier.end() || e->key() != g.key()) continue;
+    g.before = static_cast<int>(e - earlier.begin());
+    g.triangle_shift = g.triangle_begin - e->triangle_begin;
+  }
+}
+
 }  // namespace
 
 void PointGroups::make(const Candidates& candidates, const CollisionMesh& mesh) {
+  const std::vector<PointGroup> earlier = std::move(all);
   particles = particle_pairs(candidates);
-  groups = runs_of(candidates.point_triangle, [&](int t) { return mesh.vertex_object[mesh.triangles[t][0]]; },
+  all = runs_of(candidates.point_triangle, [&](int t) { return mesh.vertex_object[mesh.triangles[t][0]]; },
                    &PointGroup::triangle_begin, &PointGroup::triangle_end);
-  if (candidates.point_edge.empty() && particles.empty()) return;
-  const auto add = [&](const std::vector<PointGroup>& runs) { groups.insert(groups.end(), runs.begin(), runs.end()); };
-  add(runs_of(candidates.point_edge, [&](int e) { return mesh.vertex_object[mesh.edges[e][0]]; }, &PointGroup::edge_begin,
-              &PointGroup::edge_end));
-  add(runs_of(particles, [&](int v) { return mesh.vertex_object[v]; }, &PointGroup::other_begin, &PointGroup::other_end));
-  groups = united(std::move(groups));
+  if (!candidates.point_edge.empty() || !particles.empty()) {
+    const auto add = [&](const std::vector<PointGroup>& runs) { all.insert(all.end(), runs.begin(), runs.end()); };
+    add(runs_of(candidates.point_edge, [&](int e) { return mesh.vertex_object[mesh.edges[e][0]]; }, &PointGroup::edge_begin,
+                &PointGroup::edge_end));
+    add(runs_of(particles, [&](int v) { return mesh.vertex_object[v]; }, &PointGroup::other_begin, &PointGroup::other_end));
+    all = united(std::move(all));
+  }
+  link(earlier, all);
 }
 
 }  // namespace tack
