@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "framework/contact/contact_system.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
@@ -14,6 +15,7 @@ constexpr double least_share = 0.02;
 
 // Returns the contact area of each vertex [m^2].
 VecX contact_areas(const World& world, const VecX& x) {
+  if (world.contact) world.contact->require_at(x);
   // Stored in the first of three entries, as forces are collected.
   VecX areas = VecX::Zero(x.size());
   for (const ForceRecord& force : world.records.forces())

@@ -17,8 +17,8 @@ namespace tack {
 void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool has_section,
                                bool has_radius);
 
-// Returns the message that the contact model of that name does not support a feature of a pair, with
-// the remedy; "" if it does. objects: names of the two objects, or of the one that has rods or
+// Returns the message that the contact model of that name does not support a feature of a pair,
+// with the remedy; "" if it does. objects: names of the two objects, or of the one that has rods or
 // particles; empty: the feature is of all pairs.
 std::string unsupported_text(const ContactPotential& potential, std::string_view model,
                              ContactFeature feature, const PairSetup& pair,

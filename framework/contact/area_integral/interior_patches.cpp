@@ -14,8 +14,8 @@ constexpr int chunk = 64;
 // Finder for consecutive interior points; points of one triangle share a search.
 class InteriorPatchFinder {
  public:
-  InteriorPatchFinder(const CollisionMesh& mesh, const LaggedSurface& lagged, const BroadPhase& broad_phase)
-      : mesh_(mesh), lagged_(lagged), broad_phase_(broad_phase), finder_(mesh, lagged) {}
+  InteriorPatchFinder(const SurfaceOverlap& overlap, const CollisionMesh& mesh, const LaggedSurface& lagged, const BroadPhase& broad_phase)
+      : overlap_(overlap), mesh_(mesh), lagged_(lagged), broad_phase_(broad_phase), finder_(mesh, lagged) {}
 
   // Appends the triangles of the patch, and returns their number.
   int find(const InteriorPoint& s, std::vector<int>& out) {
@@ -37,10 +37,11 @@ class InteriorPatchFinder {
     triangle_ = triangle;
     object_ = object;
     near_.clear();
-    broad_phase_.others_near(mesh_.triangles[triangle], near_);
+    overlap_.others_near(triangle, broad_phase_, near_);
     std::erase_if(near_, [&](int t) { return mesh_.vertex_object[mesh_.triangles[t][0]] != object; });
   }
 
+  const SurfaceOverlap& overlap_;
   const CollisionMesh& mesh_;
   const LaggedSurface& lagged_;
   const BroadPhase& broad_phase_;
@@ -55,25 +56,25 @@ struct FoundPatches {
   std::vector<int> count;
 };
 
-FoundPatches find_patches(const std::vector<int>& indices, const std::vector<InteriorPoint>& points, const CollisionMesh& mesh,
+FoundPatches find_patches(const std::vector<int>& indices, const SurfaceOverlap& overlap, const CollisionMesh& mesh,
                           const LaggedSurface& lagged, const BroadPhase& broad_phase) {
   const int n = static_cast<int>(indices.size());
   FoundPatches found{std::vector<std::vector<int>>(chunk_count(n, chunk)), std::vector<int>(n)};
   for_each_chunk(n, [&](int c, int first, int last) {
-    InteriorPatchFinder finder(mesh, lagged, broad_phase);
-    for (int i = first; i < last; ++i) found.count[i] = finder.find(points[indices[i]], found.triangles[c]);
+    InteriorPatchFinder finder(overlap, mesh, lagged, broad_phase);
+    for (int i = first; i < last; ++i) found.count[i] = finder.find(overlap.interior_points()[indices[i]], found.triangles[c]);
   }, chunk);
   return found;
 }
 
 }  // namespace
 
-void add_interior_patches(const std::vector<int>& indices, const std::vector<InteriorPoint>& points, const CollisionMesh& mesh,
+void add_interior_patches(const std::vector<int>& indices, const SurfaceOverlap& overlap, const CollisionMesh& mesh,
                           const LaggedSurface& lagged, const BroadPhase& broad_phase, InteriorPatches& patches) {
   const int n = static_cast<int>(indices.size());
-  const FoundPatches found = find_patches(indices, points, mesh, lagged, broad_phase);
+  const FoundPatches found = find_patches(indices, overlap, mesh, lagged, broad_phase);
   std::vector<InteriorPatches::Range> all;
-  all.reserve(points.size());
+  all.reserve(overlap.interior_points().size());
   auto known = patches.ranges.begin();
   int end = static_cast<int>(patches.triangles.size());
   for (int i = 0; i < n; ++i) {
@@ -89,12 +90,13 @@ void add_interior_patches(const std::vector<int>& indices, const std::vector<Int
   for (const auto& list : found.triangles) patches.triangles.insert(patches.triangles.end(), list.begin(), list.end());
 }
 
-void update_interior_patches(const ChangedPrimitives& changed, const std::vector<InteriorPoint>& points, const CollisionMesh& mesh,
+void update_interior_patches(const ChangedPrimitives& changed, const SurfaceOverlap& overlap, const CollisionMesh& mesh,
                              const LaggedSurface& lagged, const BroadPhase& broad_phase, InteriorPatches& patches) {
+  const std::vector<InteriorPoint>& points = overlap.interior_points();
   std::vector<int> indices;
   for (int i = 0; i < static_cast<int>(points.size()); ++i)
     if (changed.triangles[points[i].triangle] || changed.objects[points[i].object]) indices.push_back(i);
-  const FoundPatches found = find_patches(indices, points, mesh, lagged, broad_phase);
+  const FoundPatches found = find_patches(indices, overlap, mesh, lagged, broad_phase);
   std::vector<int> changed_triangles;
   concatenate(found.triangles, changed_triangles);
   InteriorPatches all;
@@ -117,12 +119,12 @@ void update_interior_patches(const ChangedPrimitives& changed, const std::vector
   patches = std::move(all);
 }
 
-InteriorPatches make_interior_patches(const std::vector<InteriorPoint>& points, const CollisionMesh& mesh,
+InteriorPatches make_interior_patches(const SurfaceOverlap& overlap, const CollisionMesh& mesh,
                                       const LaggedSurface& lagged, const BroadPhase& broad_phase) {
-  std::vector<int> all(points.size());
+  std::vector<int> all(overlap.interior_points().size());
   std::iota(all.begin(), all.end(), 0);
   InteriorPatches patches;
-  add_interior_patches(all, points, mesh, lagged, broad_phase, patches);
+  add_interior_patches(all, overlap, mesh, lagged, broad_phase, patches);
   return patches;
 }
 

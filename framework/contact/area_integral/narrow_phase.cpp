@@ -196,13 +196,13 @@ void NarrowPhase::make_lists(const Candidates& candidates, const EarlierVertexQu
   rods_.find(candidates, lagged_);
   const VertexQuadratureRequest request{surface_, pairs_, rules_, lagged_, sides_, rods_, candidates, patches_, patches_of_group_, weights_at_start_};
   quadrature_ = make_vertex_quadrature(request, earlier);
-  if (earlier) update_interior_patches(earlier->changed, overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_, interior_patches_);
-  else interior_patches_ = make_interior_patches(overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_);
+  if (earlier) update_interior_patches(earlier->changed, overlap_, surface_.mesh, lagged_, broad_phase_, interior_patches_);
+  else interior_patches_ = make_interior_patches(overlap_, surface_.mesh, lagged_, broad_phase_);
 }
 
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) {
   if (const std::vector<int> added = overlap_.subdivide_approached(x); !added.empty())
-    add_interior_patches(added, overlap_.interior_points(), surface_.mesh, lagged_, broad_phase_, interior_patches_);
+    add_interior_patches(added, overlap_, surface_.mesh, lagged_, broad_phase_, interior_patches_);
   const int points = static_cast<int>(quadrature_.points.size()), interior_points = static_cast<int>(overlap_.interior_points().size());
   const DisplacementBounds displacements(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
   FoundChunks found;

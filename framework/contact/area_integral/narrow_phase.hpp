@@ -20,7 +20,7 @@ namespace tack {
 
 // Items of a search where few vertices move.
 struct LocalItems {
-  std::vector<int> points, edges, interior;  // quadrature points, edge pairs, interior points
+  std::vector<int> points, edges, interior;      // quadrature points, edge pairs, interior points
   std::vector<RodOverlaps::Crossing> crossings;  // of rods
   std::vector<int> vertices;                     // of all of them, ascending
 };
@@ -85,7 +85,7 @@ class NarrowPhase {
   VertexQuadrature quadrature_;
   InteriorPatches interior_patches_;  // of the samples of the overlap
   EdgePairs edges_;
-  RodOverlaps rods_;                // of this step
+  RodOverlaps rods_;  // of this step
   // Items by vertex, made for touching(), with the number of interior points that it is for.
   struct ItemMaps {
     VertexItems points, edges, interior;

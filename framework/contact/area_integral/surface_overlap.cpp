@@ -178,14 +178,16 @@ bool SurfaceOverlap::has_uniform_gap(int triangle, const std::array<Corner, 3>& 
   return level && high - low <= gap_change_per_range_max * range;
 }
 
-void SurfaceOverlap::evaluate_chunk(const TriangleChunk& chunk, const BroadPhase& broad_phase, const PatchesByVertex& groups) const {
+// Returns the lists of the triangles that were subdivided or deferred.
+NearbyLists SurfaceOverlap::evaluate_chunk(const TriangleChunk& chunk, const BroadPhase& broad_phase, const PatchesByVertex& groups) const {
   const CollisionMesh& mesh = surface_.mesh;
   TriangleSubdivision subdivision(mesh, lagged_);
   std::vector<int> near;
+  NearbyLists lists;
   for (int t = chunk.first; t < chunk.last; ++t) {
     Aabb own;
     for (const int v : mesh.triangles[t]) own.include(Vec3(vertex(lagged_.x(), v)));
-    bool listed = false;
+    bool listed = false, kept = false;
     for (const OppositeObject& other : chunk.opposite) {
       if (!own.overlaps(other.reachable)) continue;
       const PairRole& role = pairs_.point(mesh.vertex_object[mesh.triangles[t][0]], other.object);
@@ -205,10 +207,18 @@ void SurfaceOverlap::evaluate_chunk(const TriangleChunk& chunk, const BroadPhase
       }
       const NearbyTriangles nearby = find_nearby(t, other.object, near);
       if (!nearby.faced) continue;
+      if (!kept) lists.add(t, near), kept = true;
       subdivide_or_defer(t, other.object, nearby, subdivision, found);
       found.known.push_back(t);
     }
   }
+  return lists;
+}
+
+void SurfaceOverlap::others_near(int triangle, const BroadPhase& broad_phase, std::vector<int>& out) const {
+  std::span<const int> near;
+  if (builds_of_lists_ == broad_phase.builds() && nearby_lists_.find(triangle, near)) out.insert(out.end(), near.begin(), near.end());
+  else broad_phase.others_near(surface_.mesh.triangles[triangle], out);
 }
 
 std::vector<int> SurfaceOverlap::facing(int triangle, std::span<const int> others) const {
@@ -324,6 +334,7 @@ void SurfaceOverlap::evaluate(const IntegrationSides& sides, const BroadPhase& b
   deferred_pairs_.clear();
   deferred_.clear();
   nearby_triangles_.clear();
+  nearby_lists_.clear();
   const std::vector<Aabb> boxes = object_boxes();
   const std::vector<std::array<int, 2>> near = near_objects(sides, boxes);
   std::vector<std::vector<Result>> all(near.size());
@@ -342,7 +353,10 @@ void SurfaceOverlap::evaluate(const IntegrationSides& sides, const BroadPhase& b
       chunks.push_back({opposite, c, begin + c * chunk_size, begin + std::min(n, (c + 1) * chunk_size)});
   }
   const PatchesByVertex by_vertex(groups, surface_.mesh.vertex_object.size());
-  for_each(static_cast<int>(chunks.size()), [&](int i) { evaluate_chunk(chunks[i], broad_phase, by_vertex); }, 1);
+  std::vector<NearbyLists> lists(chunks.size());
+  for_each(static_cast<int>(chunks.size()), [&](int i) { lists[i] = evaluate_chunk(chunks[i], broad_phase, by_vertex); }, 1);
+  for (const NearbyLists& of_chunk : lists) nearby_lists_.append(of_chunk);
+  builds_of_lists_ = broad_phase.builds();
   for (size_t pair = 0; pair < near.size(); ++pair) {
     OverlapFacets& facets = facets_.emplace_back(OverlapFacets{near[pair][0], near[pair][1], {}, {}, {}});
     KnownPair& known = known_.emplace_back(KnownPair{near[pair][0], near[pair][1], {}});

@@ -23,6 +23,7 @@
 #include <span>
 #include <vector>
 
+#include "framework/contact/area_integral/nearby_lists.hpp"
 #include "framework/contact/area_integral/overlap_facets.hpp"
 #include "framework/contact/surface_region.hpp"
 #include "framework/contact/area_integral/vertex_quadrature.hpp"
@@ -58,6 +59,11 @@ class SurfaceOverlap {
   // Subdivides the deferred triangles that may be within range at x. Returns the indices of their
   // interior points, ascending; other points keep their order.
   std::vector<int> subdivide_approached(const VecX& x);
+
+  // Appends, ascending, the triangles of other objects that may come within range of a triangle:
+  // for those that were subdivided or deferred, the list of evaluate() if it is still that of the
+  // broad phase.
+  void others_near(int triangle, const BroadPhase& broad_phase, std::vector<int>& out) const;
 
   // Sorted by object, opposite object, triangle, cell and region.
   const std::vector<InteriorPoint>& interior_points() const { return interior_points_; }
@@ -128,8 +134,8 @@ class SurfaceOverlap {
   std::vector<std::array<int, 2>> near_objects(const IntegrationSides& sides,
                                                const std::vector<Aabb>& boxes) const;
   std::vector<Aabb> object_boxes() const;
-  void evaluate_chunk(const TriangleChunk& chunk, const BroadPhase& broad_phase,
-                      const PatchesByVertex& groups) const;
+  NearbyLists evaluate_chunk(const TriangleChunk& chunk, const BroadPhase& broad_phase,
+                             const PatchesByVertex& groups) const;
   NearbyTriangles find_nearby(int triangle, int object, const std::vector<int>& near) const;
   void subdivide_or_defer(int triangle, int object, const NearbyTriangles& nearby,
                           TriangleSubdivision& subdivision, Result& found) const;
@@ -156,6 +162,8 @@ class SurfaceOverlap {
   std::vector<DeferredPair> deferred_pairs_;
   std::vector<DeferredCell> deferred_;
   std::vector<int> nearby_triangles_;  // of the deferred cells
+  NearbyLists nearby_lists_;           // of triangles that were subdivided or deferred
+  int builds_of_lists_ = -1;           // BroadPhase::builds() of the lists
 };
 
 }  // namespace tack

@@ -96,7 +96,7 @@ TEST_CASE("contact models: each has each kind of object, or refuses it with line
       for (const Kind& upper : kinds) {
         INFO(model << ": " << lower.name << " below " << upper.name);
         const std::string scene = std::string("objects:\n  - {name: low, ") + lower.described + "}\n  - {name: high, " + upper.described +
-                                  ", place: {translate: [0.003, 0.0205, 0.002]}}\ntime: {step: 1 ms, end: 1 ms}\ncontact:\n  distance: 1 mm\n  model: " + model + "\n";
+                                  ", place: {translate: [0.003, 0.0205, 0.002]}}\ntime: {step: 1 ms, duration: 1 ms}\ncontact:\n  distance: 1 mm\n  model: " + model + "\n";
         try {
           TestRun run(scene);
           run.step();
@@ -108,7 +108,7 @@ TEST_CASE("contact models: each has each kind of object, or refuses it with line
           };
           INFO(text);
           CHECK((names(lower.rods, "rods", "low") || names(upper.rods, "rods", "high") || names(lower.particles, "particles", "low") || names(upper.particles, "particles", "high")));
-          CHECK_THAT(text, Contains("test.yaml:7:") && Contains("; make the object a surface or a solid, or choose model: area_integral"));
+          CHECK_THAT(text, Contains("test.yaml:8:") && Contains("; make the object a surface or a solid, or choose model: area_integral"));
         }
       }
   // The default has all of them, so that the remedy is one.

@@ -107,7 +107,9 @@ TEST_CASE("groups know where they were in the list before", "[contact][groups]")
   for (const auto& pair : c.candidates.point_triangle)
     if (random.uniform(0, 1) < 0.2) fewer.point_triangle.push_back(pair);
   // By vertex, then object, then triangle, as the lists of a search are.
-  for (const auto& [first, second] : {std::pair(&c.candidates, &fewer), std::pair(&fewer, &c.candidates)}) {
+  const std::array<const Candidates*, 2> lists{&c.candidates, &fewer};
+  for (const bool fewer_first : {false, true}) {
+    const Candidates *first = lists[fewer_first], *second = lists[!fewer_first];
     PointGroups groups;
     groups.make(*first, c.mesh);
     for (const PointGroup& g : groups.all) CHECK(g.before == -1);
