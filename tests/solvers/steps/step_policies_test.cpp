@@ -41,7 +41,7 @@ TEST_CASE("every list of step policies finds the same minimum", "[steps]") {
     INFO(name);
     StoredStep step(std::string(TACK_TEST_DATA "/problems/") + name + ".problem");
     REQUIRE(step.find_minimum());
-    for (const char* policies : {"[straight]", "[conjugation, straight]", "[straight, extrapolation]", "[retraction, straight]", "[planes, straight]",
+    for (const char* policies : {"[straight]", "[conjugation, straight]", "[straight, extrapolation]", "[retraction, straight]", "[planes, straight]", "[straight, elimination]", "[conjugation, retraction, straight, elimination, extrapolation]",
                                  "[conjugation, retraction, {type: planes, below: 1}, straight, extrapolation]"}) {
       INFO(policies);
       const StoredSolve result = solved(step, fmt::format("{{step: {}, tolerance: 0.01 mm/s}}", policies));
@@ -68,6 +68,23 @@ TEST_CASE("a policy of one's own leaves the others in force", "[steps]") {
   CHECK(result.converged);
   CHECK(Timid::taken == 1);
   CHECK(Timid::made_by_others >= result.iterations - 1);
+}
+
+TEST_CASE("elimination saves iterations where a step is cut, for any descent method", "[steps]") {
+  StoredStep step(TACK_TEST_DATA "/problems/twist.problem");
+  REQUIRE(step.find_minimum());
+  const int own = step.solve({}).iterations;
+  const StoredSolve eliminated = solved(step, "{step: [conjugation, retraction, straight, elimination, extrapolation]}");
+  CHECK(eliminated.converged);
+  CHECK(eliminated.iterations < own);
+  CHECK(eliminated.linear_solves > eliminated.iterations);  // local systems are counted
+  for (const char* type : {"newton_pcg", "lbfgs", "nonlinear_cg"}) {
+    INFO(type);
+    const StoredSolve other = solved(step, fmt::format("{{type: {}, step: [straight, elimination]}}", type));
+    CHECK(other.converged);
+    REQUIRE(other.distance);
+    CHECK(*other.distance < 0.05);
+  }
 }
 
 TEST_CASE("a list of policies of which none makes every step is refused", "[steps]") {
