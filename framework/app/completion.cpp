@@ -233,6 +233,7 @@ std::string fish_script(const CommandSet& set) {
 std::vector<std::string> endings_of(const std::string& value) {
   if (value == "YAML") return {"yaml", "yml"};
   if (value == "MESH") return {"obj", "ply", "stl", "off", "glb", "gltf", "msh", "vtk", "vtu", "yaml"};
+  if (value == "PROBLEM") return {"problem"};
   if (value == "CSV") return {"csv"};
   if (value == "LIBRARY") return {"so"};
   if (value == "PICTURE") return {"png", "mp4", "gif"};
