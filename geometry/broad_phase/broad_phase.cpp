@@ -195,7 +195,7 @@ void BroadPhase::inflate_query(int object, Aabb& box) const {
 void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, std::vector<int>& out) const {
   Aabb box = box_of(triangle, inside);
   inflate_query(mesh_.vertex_object[triangle[0]], box);
-  finder_.triangles_in(box, -1, out);
+  finder_.triangles_in(box, -1, -1, out);
 }
 
 void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among, std::vector<int>& out) const {
@@ -211,14 +211,17 @@ void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, st
 void BroadPhase::triangles_near(const Triangle& triangle, std::vector<int>& out) const {
   Aabb box = box_of(triangle);
   inflate_query(mesh_.vertex_object[triangle[0]], box);
-  finder_.triangles_in(box, -1, out);
+  int group = mesh_.vertex_group.empty() ? -1 : mesh_.vertex_group[triangle[0]];
+  for (const int v : triangle)
+    if (group >= 0 && mesh_.vertex_group[v] != group) group = -1;
+  finder_.triangles_in(box, -1, group, out);
 }
 
 void BroadPhase::others_near(const Triangle& triangle, std::vector<int>& out) const {
   const int object = mesh_.vertex_object[triangle[0]];
   Aabb box = box_of(triangle);
   inflate_query(object, box);
-  finder_.triangles_in(box, object, out);
+  finder_.triangles_in(box, object, -1, out);
 }
 
 void BroadPhase::check(const VecX& x, const VecX& p, const InflationRadii& radii, double skin) const {

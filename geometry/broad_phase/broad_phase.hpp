@@ -62,7 +62,8 @@ class BroadPhase {
   // Restricts that search to the triangles in `among`.
   void triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among,
                       std::vector<int>& out) const;
-  // Appends, ascending, the triangles that may come within range of any point of the triangle.
+  // Appends, ascending, the triangles that may come within range of any point of the triangle,
+  // without those of its rigid group, unless own pairs of that group are searched.
   void triangles_near(const Triangle& triangle, std::vector<int>& out) const;
   // Appends, ascending, those of them that are of other objects.
   void others_near(const Triangle& triangle, std::vector<int>& out) const;

@@ -148,13 +148,14 @@ void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, const Inflat
   });
 }
 
-void CandidateFinder::triangles_in(const Aabb& box, int without, std::vector<int>& out) const {
+void CandidateFinder::triangles_in(const Aabb& box, int without, int without_group, std::vector<int>& out) const {
   if (triangles_.tree.size() == 0) return;
+  if (without_group >= 0 && !self_pairs_.empty() && self_pairs_[without_group]) without_group = -1;
   const size_t before = out.size();
-  detail::visit_groups(triangles_.tree, box, false, -1, [&](int group) {
+  detail::visit_groups(triangles_.tree, box, false, without_group, [&](int group) {
     for (unsigned lanes = triangles_.tree.boxes(0, group).overlap_mask(box); lanes != 0; lanes &= lanes - 1) {
       const int i = triangles_.tree.primitives(group)[std::countr_zero(lanes)];
-      if (triangles_.objects[i] != without) out.push_back(triangles_.ids[i]);
+      if (triangles_.objects[i] != without && (without_group < 0 || triangles_.groups[i] != without_group)) out.push_back(triangles_.ids[i]);
     }
   });
   std::sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end());

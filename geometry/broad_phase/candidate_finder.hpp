@@ -41,8 +41,9 @@ class CandidateFinder {
   const CandidateIndices& new_candidates() const { return new_candidates_; }
 
   // Appends, ascending, the triangles whose boxes of the last search overlap this box, without
-  // those of the object `without` (-1: none).
-  void triangles_in(const Aabb& box, int without, std::vector<int>& out) const;
+  // those of the object `without` and of the rigid group `without_group` (-1: none), unless own
+  // pairs of that group are searched.
+  void triangles_in(const Aabb& box, int without, int without_group, std::vector<int>& out) const;
 
  private:
   void search(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii,

@@ -28,4 +28,13 @@ bool neighbours_at_rest(const ContactSurface& surface, int a, int b, double rang
   return false;
 }
 
+bool RestTriangles::neighbours(int a, int b, double range) {
+  auto& known = known_[b];
+  const auto at = std::lower_bound(known.begin(), known.end(), a, [](const auto& answer, int wanted) { return answer.first < wanted; });
+  if (at != known.end() && at->first == a) return at->second;
+  const bool found = neighbours_at_rest(surface_, a, b, range);
+  known.insert(at, {a, found});
+  return found;
+}
+
 }  // namespace tack

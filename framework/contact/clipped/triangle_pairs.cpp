@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include "framework/contact/clipped/rest_triangles.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "geometry/parallel.hpp"
 
@@ -16,7 +15,7 @@ constexpr double equal_area_ratio = 1e-9;
 
 TrianglePairFinder::TrianglePairFinder(const ContactSystem& system, const ClippedLaws& laws,
                                        const StripEdges& edges)
-    : system_(system), laws_(laws), edges_(edges) {
+    : system_(system), laws_(laws), edges_(edges), rest_(system.surface()) {
   const ContactSurface& surface = system_.surface();
   const int objects = system_.pairs().objects();
   surface_area_.assign(objects, 0);
@@ -64,14 +63,13 @@ unsigned char TrianglePairFinder::interfaces(int triangle, int law,
 }
 
 // Appends the pairs that stand for triangles a and b.
-void TrianglePairFinder::add(int a, int b, std::vector<TrianglePair>& out) const {
+void TrianglePairFinder::add(int a, int b, std::vector<TrianglePair>& out) {
   const CollisionMesh& mesh = system_.surface().mesh;
   const int of_a = mesh.vertex_object[mesh.triangles[a][0]];
   const int of_b = mesh.vertex_object[mesh.triangles[b][0]];
   const int law = law_of(a, b), of_objects = laws_.between(of_a, of_b, -1);
   if (law < 0 && of_objects < 0) return;
-  if (of_a == of_b && neighbours_at_rest(system_.surface(), a, b,
-                                         laws_.laws()[law < 0 ? of_objects : law].range))
+  if (of_a == of_b && rest_.neighbours(a, b, laws_.laws()[law < 0 ? of_objects : law].range))
     return;
   TrianglePair pair{a, b, law, law, 0, 0};
   if (law != of_objects) {
@@ -85,7 +83,7 @@ void TrianglePairFinder::add(int a, int b, std::vector<TrianglePair>& out) const
   if (pair.law >= 0) out.push_back(pair);
 }
 
-std::vector<TrianglePair> TrianglePairFinder::find() const {
+std::vector<TrianglePair> TrianglePairFinder::find() {
   const CollisionMesh& mesh = system_.surface().mesh;
   const int all = static_cast<int>(mesh.triangles.size());
   std::vector<std::vector<TrianglePair>> found(chunk_count(all));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "framework/contact/clipped/clipped_laws.hpp"
+#include "framework/contact/clipped/rest_triangles.hpp"
 #include "framework/contact/clipped/strip_edges.hpp"
 #include "framework/contact/contact_system.hpp"
 
@@ -36,18 +37,19 @@ class TrianglePairFinder {
   TrianglePairFinder(const ContactSystem& system, const ClippedLaws& laws, const StripEdges& edges);
 
   // Returns the candidates of the broad phase, by b, then by a.
-  std::vector<TrianglePair> find() const;
+  std::vector<TrianglePair> find();
 
  private:
   bool has_planes(int object, int other) const;
   int law_of(int a, int b) const;
-  void add(int a, int b, std::vector<TrianglePair>& out) const;
+  void add(int a, int b, std::vector<TrianglePair>& out);
   template <class LawBeyond>
   unsigned char interfaces(int triangle, int law, const LawBeyond& law_beyond) const;
 
   const ContactSystem& system_;
   const ClippedLaws& laws_;
   const StripEdges& edges_;
+  RestTriangles rest_;
   std::vector<double> surface_area_;  // per object, at rest [m^2]
   std::vector<char> has_planes_;      // per object: whether its planes are used towards any other
 };
