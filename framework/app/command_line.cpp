@@ -1,4 +1,5 @@
-// Commands, options and help texts: with help_formatter.hpp and number_options.hpp, all that includes CLI11.
+// Commands, options and help texts: with help_formatter.hpp, number_options.hpp and scene_file_options.hpp, all that includes
+// CLI11.
 #include "framework/app/command_line.hpp"
 
 #include <fmt/format.h>
@@ -11,36 +12,16 @@
 #include "framework/app/commands.hpp"
 #include "framework/app/help_formatter.hpp"
 #include "framework/app/number_options.hpp"
+#include "framework/app/scene_file_options.hpp"
+#include "framework/app/version_text.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/contact/adhesion_law.hpp"
 #include "framework/meshing/mesh_operation.hpp"
-#include "framework/output/provenance.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
-
-void add_scene_options(CLI::App& command, SceneOptions& options, const std::string& kind = "scene") {
-  command.add_option(file_word, options.file, kind + " file (YAML)")->type_name("YAML");
-  command.add_option("--set", options.overrides, "override keys: a.b=c (one or more; repeatable)")
-      ->take_all()->allow_extra_args(true);
-}
-
-// --set takes several values and also swallows a file that follows them: the value without '=' is the file.
-void settle(SceneOptions& options) {
-  if (!options.file.empty()) return;
-  std::vector<std::string>& values = options.overrides;
-  const auto file = std::find_if(values.begin(), values.end(), [](const std::string& value) { return value.find('=') == std::string::npos; });
-  if (file == values.end()) throw CLI::RequiredError("FILE");
-  options.file = *file;
-  values.erase(file);
-}
-
-std::string version_text() {
-  const Build build = this_build();
-  return fmt::format("tack {} ({})\n{}, {}; {}", build.version, build.sources(), build.compiler, build.flags, build.instruction_set);
-}
 
 // Each command adds itself and, if it is called, sets the exit code.
 class CommandLine {

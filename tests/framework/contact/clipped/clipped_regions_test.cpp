@@ -7,6 +7,7 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/contact/area_integral/area_integral.hpp"
 #include "framework/contact/clipped/clipped_adhesion_term.hpp"
 #include "framework/contact/contact_points.hpp"
 #include "tests/support/contact_terms.hpp"
@@ -176,7 +177,7 @@ TEST_CASE("clipped regions: pressure is separated by overlaps only where it diff
                     "  - {name: lower, shape: {type: grid, size: [0.2, 0.2], cells: [8, 8]}, shell: {thickness: 0.1 mm}, energies: [{type: neo_hookean_membrane, young: 1e6}]}\n"
                     "contact:\n  distance: 1e-3\n  model: clipped\n  friction: {mu: 0.2}\n  barrier: {stiffness: 2 kPa}\n  pairs:\n"
                     "    - {between: [{object: upper, select: {type: formula, where: x < 1e-6}}, lower], adhesion: " + adhesion(left_peak) + of_left + "}\n");
-    return scene.world->contact->pairs().any_overlap_only();
+    return dynamic_cast<const AreaIntegral&>(scene.world->contact->potential()).rules().any(&IntegrationRule::overlap_only);
   };
   CHECK(!separated(""));
   CHECK(!separated(", friction: {mu: 0.2}"));
