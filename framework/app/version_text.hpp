@@ -1,4 +1,4 @@
-// What `--version` prints.
+// Text that `--version` prints.
 #pragma once
 
 #include <fmt/format.h>

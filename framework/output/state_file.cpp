@@ -345,6 +345,8 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
 }
 
 bool begins_as_state_file(const std::filesystem::path& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return false;  // reading a pipe may wait for ever
   std::ifstream in(path, std::ios::binary);
   std::string head(format.size(), '\0');
   return in.read(head.data(), static_cast<std::streamsize>(head.size())) && head == format;

@@ -10,7 +10,7 @@ from .scene import overrides_of
 
 
 def solve(problem: str | os.PathLike, solvers: str | dict | Sequence[str | dict] | None = None, set: dict | None = None,
-          plugins: Sequence[str | os.PathLike] = (), threads: int = 0, minimum: bool = True):
+          plugins: Sequence[str | os.PathLike] = (), threads: int = 0, minimum: bool = True) -> dict | list[dict]:
     """Solves a stored step (`tack run --dump-problem`) as `tack solve` does.
 
     Args:
@@ -23,7 +23,7 @@ def solve(problem: str | os.PathLike, solvers: str | dict | Sequence[str | dict]
 
     Returns:
         A dictionary per solver: status, converged, iterations, evaluations (of line searches), linear_solves, cpu_seconds, wall_seconds, residual (in tolerances), distance (from
-        the minimum, relative to the motion of the step; None if it is not known), x (positions (n, 3), or None). A single dictionary for a single solver.
+            the minimum, relative to the motion of the step; None if it is not known), x (positions (n, 3), or None). A single dictionary for a single solver.
 
     Raises:
         InputError: The file is no stored step, or a solver does not fit.

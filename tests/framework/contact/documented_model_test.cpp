@@ -6,8 +6,8 @@
 
 #include "framework/config/field.hpp"
 #include "framework/contact/contact_model.hpp"
-#include "framework/contact/contact_potential.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/ipc/pair_sums.hpp"
 #include "framework/core/records.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
@@ -125,40 +125,48 @@ TEST_CASE("the documented contact model refuses what it does not have", "[docume
 
 namespace {
 
-// Forgets to complete what it found.
-class Incomplete : public ContactPotential {
+// Pair sums that may be left incomplete.
+enum class LeavesOut { nothing, thresholds, order };
+
+class Incomplete : public PairSums {
  public:
-  explicit Incomplete(bool thresholds) : thresholds_(thresholds) {}
-  void find(const VecX&, ContactSet& contacts) override {
-    contacts = {};
-    contacts.edge_edge.push_back({{0, 1, 2, 3}, 1, -1, 1});
-    contacts.edge_edge.push_back({{0, 1, 2, 3}, 0, -1, 1});
-    if (thresholds_) contacts.mollifier_threshold.assign(2, 1.0);
+  explicit Incomplete(LeavesOut leaves_out) : PairSums(PairWeights::present_area, false), leaves_out_(leaves_out) {}
+  void find(const VecX& x, ContactSet& contacts) override {
+    PairSums::find(x, contacts);
+    if (leaves_out_ == LeavesOut::thresholds) contacts.mollifier_threshold.clear();
+    if (leaves_out_ != LeavesOut::order) return;
+    auto first = contacts.point_triangle.front();
+    ++first.law;
+    contacts.point_triangle.insert(contacts.point_triangle.begin(), first);
   }
-  std::unique_ptr<ContactPotential> isolated(int, int) const override { return std::make_unique<Incomplete>(thresholds_); }
+  std::unique_ptr<ContactPotential> isolated(int, int) const override { return std::make_unique<Incomplete>(leaves_out_); }
 
  private:
-  bool thresholds_;
+  LeavesOut leaves_out_;
 };
 
 class IncompleteModel : public ContactModel {
  public:
-  void fields(Fields& f) override { f.flag("thresholds", thresholds_, "has thresholds, but in the wrong order"); }
-  std::unique_ptr<ContactPotential> make_potential() const override { return std::make_unique<Incomplete>(thresholds_); }
+  void fields(Fields& f) override {
+    f.choice("leaves_out", leaves_out_, {{"nothing", LeavesOut::nothing, ""}, {"thresholds", LeavesOut::thresholds, ""}, {"order", LeavesOut::order, ""}}, "what find() forgets");
+  }
+  std::unique_ptr<ContactPotential> make_potential() const override { return std::make_unique<Incomplete>(leaves_out_); }
 
  private:
-  bool thresholds_ = false;
+  LeavesOut leaves_out_ = LeavesOut::nothing;
 };
 TACK_REGISTER(ContactModel, IncompleteModel, "test_incomplete", "Leaves out what the terms need.", "");
 
 }  // namespace
 
 TEST_CASE("a contact model that leaves out what the terms rely on is told so", "[documented][contact_model]") {
-  const auto first_find = [](const std::string& model) {
-    TestScene scene(std::regex_replace(crate("0.055"), std::regex("model: .*\\}\\}"), "model: {type: test_incomplete" + model + "}}"));
+  const auto first_find = [](const std::string& leaves_out) {
+    const std::string scene_text = std::regex_replace(crate("0.052"), std::regex("type: documented_penalty, stiffness: 1 MPa/m"), "type: test_incomplete, leaves_out: " + leaves_out);
+    TestScene scene(scene_text);
     scene.world->contact->begin_step({scene.world->rest});
     scene.world->contact->move_to(scene.world->rest);
   };
-  CHECK_THROWS_WITH(first_find(""), "the contact model found 2 edge-edge stencils and 0 mollifier thresholds; call join() of framework/contact/stencil_search.hpp at the end of find()");
-  CHECK_THROWS_WITH(first_find(", thresholds: true"), Catch::Contains("stencils that are not sorted by law; call join()"));
+  CHECK_NOTHROW(first_find("nothing"));
+  CHECK_THROWS_WITH(first_find("thresholds"), Catch::Contains("edge-edge stencils and 0 mollifier thresholds; call join() of framework/contact/stencil_search.hpp at the end of find()"));
+  CHECK_THROWS_WITH(first_find("order"), Catch::Contains("stencils that are not sorted by law; call join()"));
 }
