@@ -176,9 +176,11 @@ class Ccd : public StepFilter {
           const auto& a = kind.first(kind.pairs[i]);
           const auto& b = kind.second(kind.pairs[i]);
           const double offset = offset_of(a, b);
-          const auto da = corners(p, a), db = corners(p, b);
+          const auto da = corners(p, a);
+          const auto db = corners(p, b);
           if (largest_norm(da) + largest_norm(db) < (1 - gap_fraction_min) * (kind.distance_bounds[i] - offset)) continue;
-          const auto ca = corners(x, a), cb = corners(x, b);
+          const auto ca = corners(x, a);
+          const auto cb = corners(x, b);
           if (kind_of_bound == BlockBound::together) bound_by_planes(ca, cb, da, db, units_of(units, a), units_of(units, b), offset, gap_fraction_min, chunks[c]);
           else bound_alone(da, db, units_of(units, a), units_of(units, b), [&](const auto& ea, const auto& eb) { return accd(ca, cb, ea, eb, gap_fraction_min, 1.0, offset); }, chunks[c]);
         }

@@ -86,10 +86,10 @@ class NarrowPhase {
   InteriorPatches interior_patches_;  // of the samples of the overlap
   EdgePairs edges_;
   RodOverlaps rods_;  // of this step
-  // Items by vertex, made for touching(), with the number of interior points that it is for.
+  // Items by vertex, made for touching().
   struct ItemMaps {
     VertexItems points, edges, interior;
-    size_t interior_points = 0;
+    size_t interior_points;  // that the maps are for
   };
   template <class Act>
   void for_each_vertex(const Candidates& candidates, int point, const Act& act) const;
