@@ -31,7 +31,8 @@ const std::vector<GcpSmoothing> smoothings = {{}, {.alpha_t = 1, .alpha_n = 0.9}
 }  // namespace
 
 TEST_CASE("gcp: smooth steps have their derivatives and ends", "[gcp]") {
-  for (const auto& [alpha, beta] : {std::pair{0.5, 0.0}, {0.1, 0.0}, {0.9, -0.3}, {1.0, 0.0}}) {
+  for (const auto& ends : {std::pair{0.5, 0.0}, {0.1, 0.0}, {0.9, -0.3}, {1.0, 0.0}}) {
+    const double alpha = ends.first, beta = ends.second;
     CHECK(smooth_heaviside(-alpha, alpha, beta).value == 0);
     CHECK(smooth_heaviside(beta, alpha, beta).value == 1);
     CHECK(smooth_heaviside(0.5 * (beta - alpha), alpha, beta).value == Approx(0.5));
