@@ -103,7 +103,8 @@ TEST_CASE("any step within the bounds of blocks is feasible", "[cuts]") {
       const VecX alone = s.steps.block_bounds(s.potential, s.q, p, BlockBound::alone);
       REQUIRE(together.size() == s.world->dofs.block_count());
       CHECK(together.minCoeff() > 0);
-      CHECK(together.maxCoeff() == 1);
+      CHECK(together.maxCoeff() <= 1);
+      CHECK(together.maxCoeff() > together.minCoeff());  // each block has its own; the drawn motion may cut all
       CHECK(together.minCoeff() < 1);
       // One fraction for all blocks is a step within bounds of which the tightest is that fraction.
       CHECK(together.minCoeff() <= s.steps.largest_requested(s.potential, s.q, p) * 1.03);  // additive CCD stops a little short
