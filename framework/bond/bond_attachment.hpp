@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "framework/bond/bond.hpp"
-#include "framework/contact/surface_topology.hpp"
+#include "framework/contact/surface/surface_topology.hpp"
 
 namespace tack {
 

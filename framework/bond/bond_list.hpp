@@ -8,7 +8,7 @@
 
 #include "framework/bond/bond.hpp"
 #include "framework/bond/bond_table.hpp"
-#include "framework/contact/contact_set.hpp"
+#include "framework/contact/stencils/contact_set.hpp"
 #include "framework/core/history.hpp"
 
 namespace tack {

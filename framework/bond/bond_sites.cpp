@@ -6,9 +6,9 @@
 #include <limits>
 #include <span>
 
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
 #include "geometry/distance/closest_feature.hpp"
 #include "geometry/distance/point_triangle.hpp"
 

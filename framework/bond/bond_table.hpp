@@ -9,7 +9,7 @@
 
 #include "framework/bond/bond.hpp"
 #include "framework/bond/bond_law.hpp"
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/laws/pair_table.hpp"
 #include "geometry/broad_phase/object_classes.hpp"
 #include "geometry/mesh/collision_mesh.hpp"
 

@@ -9,7 +9,7 @@
 #include "framework/bond/bond_fields.hpp"
 #include "framework/bond/bond_sites.hpp"
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {

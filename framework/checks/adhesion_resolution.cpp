@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/world/world.hpp"
 #include "geometry/mesh/quality.hpp"

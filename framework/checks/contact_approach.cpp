@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/world/world.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/world/local_lengths.hpp"
 #include "framework/world/step_potential.hpp"
 

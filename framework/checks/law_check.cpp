@@ -9,7 +9,7 @@
 #include "framework/checks/bond_law_check.hpp"
 #include "framework/checks/difference_study.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/law_peak.hpp"
+#include "framework/contact/laws/law_peak.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {

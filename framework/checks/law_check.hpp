@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/contact/pair_law.hpp"
+#include "framework/contact/laws/pair_law.hpp"
 #include "framework/core/warning.hpp"
 
 namespace tack {

@@ -10,10 +10,10 @@
 #include <map>
 #include <set>
 
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/surface_topology.hpp"
+#include "framework/contact/surface/surface_topology.hpp"
 #include "framework/core/term_gradient.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/scene/scene_config.hpp"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/stencil_distance.hpp"
+#include "framework/contact/terms/contact_term.hpp"
+#include "framework/contact/stencils/stencil_distance.hpp"
 
 namespace tack {
 

@@ -23,9 +23,9 @@
 #include <utility>
 #include <vector>
 
-#include "framework/contact/contact_points.hpp"
-#include "framework/contact/contact_set.hpp"
-#include "framework/contact/local_contact.hpp"
+#include "framework/contact/points/contact_points.hpp"
+#include "framework/contact/stencils/contact_set.hpp"
+#include "framework/contact/terms/local_contact.hpp"
 #include "framework/core/history.hpp"
 #include "framework/core/term.hpp"
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/pair_radii.hpp"
-#include "framework/contact/rest_gaps.hpp"
-#include "framework/contact/stencil_kinds.hpp"
+#include "framework/contact/surface/pair_radii.hpp"
+#include "framework/contact/surface/rest_gaps.hpp"
+#include "framework/contact/stencils/stencil_kinds.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 
 namespace tack {
@@ -35,7 +35,7 @@ double mean_edge_of(const ContactSurface& surface) {
 // Throws std::logic_error if a model has left out what the terms rely on. order: look at the order of
 // the stencils as well, which takes longer.
 void require_complete(const ContactSet& set, bool order) {
-  constexpr const char* remedy = "call join() of framework/contact/stencil_search.hpp at the end of find()";
+  constexpr const char* remedy = "call join() of framework/contact/stencils/stencil_search.hpp at the end of find()";
   if (set.mollifier_threshold.size() != set.edge_edge.size())
     throw std::logic_error(fmt::format("the contact model found {} edge-edge stencils and {} mollifier thresholds; {}", set.edge_edge.size(), set.mollifier_threshold.size(), remedy));
   if (!order) return;

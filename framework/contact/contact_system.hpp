@@ -8,8 +8,8 @@
 #include <memory>
 #include <span>
 
-#include "framework/contact/contact_set.hpp"
-#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/stencils/contact_set.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "framework/core/step_participant.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"

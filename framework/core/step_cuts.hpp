@@ -16,18 +16,18 @@ enum class CutKind { edge_edge, point_triangle, point_edge, point_point, tet, ot
 
 /// Returns "edge_edge", ...
 constexpr std::string_view to_string(CutKind kind) {
-  constexpr std::string_view names[] = {"edge_edge",   "point_triangle", "point_edge",
-                                        "point_point", "tet",            "other"};
+  constexpr std::string_view names[] = {"edge_edge", "point_triangle", "point_edge", "point_point",
+                                        "tet",       "other"};
   return names[static_cast<int>(kind)];
 }
 
 /// Two primitives, or an element, that allow less than the whole step.
 struct StepCut {
   CutKind kind = CutKind::other;
-  std::array<int, 8> vertices{};  // global: of the first primitive, then of the second
-  int first_count = 0;            // vertices of the first primitive; of an element, all
-  int count = 0;                  // vertices
-  double step = 0;                // largest feasible fraction of the step, for these alone
+  std::array<int, 8> vertices{};      // global: of the first primitive, then of the second
+  int first_count = 0;                // vertices of the first primitive; of an element, all
+  int count = 0;                      // vertices
+  double step = 0;                    // largest feasible fraction of the step, for these alone
   std::array<int, 2> bodies{-1, -1};  // of the first and the second primitive; -1: none
 
   std::span<const int> all_vertices() const {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/contact/law_peak.hpp"
+#include "framework/contact/laws/law_peak.hpp"
 #include "framework/law/scene_requirements.hpp"
 #include "framework/plot/axis_unit.hpp"
 

@@ -8,7 +8,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/law_peak.hpp"
+#include "framework/contact/laws/law_peak.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/file_kind.hpp"
 #include "framework/plugin/plugins.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/bond/bond_law.hpp"
-#include "framework/contact/pair_law.hpp"
+#include "framework/contact/laws/pair_law.hpp"
 
 namespace tack {
 

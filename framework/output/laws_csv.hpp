@@ -1,5 +1,5 @@
 // laws.csv: the law of each adhesive pair in closed form, as the run computes it
-// (framework/contact/pair_law.hpp). Columns: pair (text), gap [m], traction [Pa] (positive:
+// (framework/contact/laws/pair_law.hpp). Columns: pair (text), gap [m], traction [Pa] (positive:
 // attraction), and the terms barrier and adhesion of the traction. For bonds under slow opening:
 // opening in place of the gap, no barrier.
 #pragma once

@@ -58,8 +58,8 @@ struct StateFile {
   std::map<std::string, std::string> files;
   std::map<std::string, StateObject> objects;  // by name; empty in older files
   State state;
-  double step_size = 0;  // of a problem [s]
-  VecX minimum;          // of a problem (3n) [m]; empty: not known
+  double step_size = 0;          // of a problem [s]
+  VecX minimum;                  // of a problem (3n) [m]; empty: not known
   double minimum_tolerance = 0;  // of it [m/s]
   std::map<std::string, double> totals;
   std::string linear_solver;           // of a checkpoint's run so far: solver and reason

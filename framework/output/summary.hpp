@@ -37,7 +37,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/contact/adhesion_summary.hpp"
+#include "framework/contact/laws/adhesion_summary.hpp"
 #include "framework/core/warning.hpp"
 #include "framework/output/energy_losses.hpp"
 #include "framework/output/expectations.hpp"

@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "framework/bond/bond_term.hpp"
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/output/probe.hpp"

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "framework/contact/friction_term.hpp"
-#include "framework/contact/stencil_kinds.hpp"
+#include "framework/contact/terms/friction_term.hpp"
+#include "framework/contact/stencils/stencil_kinds.hpp"
 
 namespace tack {
 

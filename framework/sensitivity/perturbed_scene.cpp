@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "framework/config/bind.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/sensitivity/history_jumps.hpp"
 #include "framework/sensitivity/scene_parameter.hpp"
 #include "framework/stepping/lagged_impulses.hpp"

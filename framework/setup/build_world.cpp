@@ -7,7 +7,7 @@
 
 #include "framework/body/selected_elements.hpp"
 #include "framework/bond/bond_term.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
 #include "framework/rod/rod_frames.hpp"

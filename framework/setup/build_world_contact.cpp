@@ -6,7 +6,7 @@
 
 #include "framework/body/local_mesh.hpp"
 #include "framework/bond/bond_term.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/setup/pair_builder.hpp"
 #include "framework/setup/refined_surface.hpp"

@@ -10,7 +10,7 @@
 
 #include "framework/bond/bond_table.hpp"
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/laws/pair_table.hpp"
 #include "framework/scene/pair_configs.hpp"
 #include "framework/setup/loading.hpp"
 #include "framework/setup/surface_regions.hpp"

@@ -4,7 +4,7 @@
 // so that the arcs are the integral of the angular velocity over time.
 #pragma once
 
-#include "framework/contact/contact_spins.hpp"
+#include "framework/contact/points/contact_spins.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/world/world.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "framework/contact/overclosure.hpp"
+#include "framework/contact/surface/overclosure.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/world/containment.hpp"
 #include "framework/world/describe_primitive.hpp"

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/laws/pair_table.hpp"
 #include "framework/scene/pair_configs.hpp"
 #include "framework/world/world.hpp"
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/step_retraction.hpp"
 #include "framework/stepping/convergence.hpp"

@@ -26,7 +26,7 @@
 #include <optional>
 #include <vector>
 
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/core/state.hpp"
 #include "framework/stepping/friction_account.hpp"
 

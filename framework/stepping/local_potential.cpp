@@ -6,8 +6,8 @@
 #include "framework/assembly/listed_stencils.hpp"
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/core/linear_term.hpp"
 
 namespace tack {

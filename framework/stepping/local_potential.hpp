@@ -11,7 +11,7 @@
 #pragma once
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/local_contact.hpp"
+#include "framework/contact/terms/local_contact.hpp"
 #include "framework/core/local_stencils.hpp"
 #include "framework/world/step_potential.hpp"
 

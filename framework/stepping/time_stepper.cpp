@@ -9,7 +9,7 @@
 
 #include "framework/affine/orthogonality_term.hpp"
 #include "framework/config/bind.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
 #include "framework/scene/scene_config.hpp"

@@ -18,10 +18,11 @@ class StepPotential : public IncrementalPotential {
   // The given terms and unknowns, which must outlive it. mass: per vertex [kg].
   StepPotential(World& world, PhaseClock& clock, std::vector<const Term*> terms, const DofMap& dofs,
                 const VecX& mass)
-      : IncrementalPotential(std::move(terms), dofs, mass, clock, [&world, &clock](const VecX& x) {
-          clock.deadline().check();
-          world.participants.move_to(x);
-        }),
+      : IncrementalPotential(std::move(terms), dofs, mass, clock,
+                             [&world, &clock](const VecX& x) {
+                               clock.deadline().check();
+                               world.participants.move_to(x);
+                             }),
         world_(world), clock_(clock) {}
 
   // See framework/stepping/local_potential.hpp.

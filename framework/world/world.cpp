@@ -8,7 +8,7 @@
 #include "framework/bond/bond_term.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
 #include "framework/world/remeshed_energy.hpp"

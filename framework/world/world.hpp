@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "framework/body/body.hpp"
-#include "framework/contact/adhesion_summary.hpp"
+#include "framework/contact/laws/adhesion_summary.hpp"
 #include "framework/core/dof_map.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/state.hpp"

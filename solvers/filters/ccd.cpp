@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
 #include "framework/core/step_filter.hpp"
 #include "geometry/broad_phase/candidate_kinds.hpp"
 #include "geometry/broad_phase/displacement_bounds.hpp"

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "framework/contact/contact_points.hpp"
-#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/points/contact_points.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
 
 namespace tack {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <span>
 
-#include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
 #include "geometry/ccd/accd.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 #include "geometry/parallel.hpp"

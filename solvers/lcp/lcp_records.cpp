@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/friction_term.hpp"
-#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/terms/contact_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
 
 namespace tack {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "framework/bond/bond_term.hpp"
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/world/world.hpp"
 #include "solvers/lcp/bond_rows.hpp"
 

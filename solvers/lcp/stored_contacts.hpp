@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "framework/contact/contact_set.hpp"
+#include "framework/contact/stencils/contact_set.hpp"
 #include "framework/core/history.hpp"
 
 namespace tack {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/contact/surface_topology.hpp"
+#include "framework/contact/surface/surface_topology.hpp"
 #include "geometry/broad_phase/candidates.hpp"
 
 namespace tack {

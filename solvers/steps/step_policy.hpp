@@ -25,7 +25,7 @@ struct StepContext {
   // The direction may be replaced by a better one, and the step extrapolated: false for the last
   // steps of a minimisation, which end where Newton's method ends.
   bool accelerate;
-  bool within;  // the direction is below the tolerance of the stopping norm, and must stay so
+  bool within;        // the direction is below the tolerance of the stopping norm, and must stay so
   double length_max;  // of a step along the direction, in its units, so that it stays so
 };
 
@@ -55,8 +55,8 @@ class StepPolicy : public Component {
   /// Makes the step: moves q, and the objective to it, and sets `made`, unless what it did is no
   /// step along p. Returns `converged` for success, another status if no step is possible, and
   /// nothing, with q and the objective as they were, to leave the step to the next policy.
-  virtual std::optional<MinimizerStatus> advance(const StepContext&, const VecX& /*p*/,
-                                                 VecX& /*q*/, std::optional<MadeStep>& /*made*/) {
+  virtual std::optional<MinimizerStatus> advance(const StepContext&, const VecX& /*p*/, VecX& /*q*/,
+                                                 std::optional<MadeStep>& /*made*/) {
     return std::nullopt;
   }
   /// Called after a step, also if another policy made it; may move q on, and the objective with it.

@@ -1,6 +1,6 @@
 // The potential of bonds, of the two sheets: as many bonds, per stencil, as contacts that adhere by a law of the gap.
 #include "framework/bond/bond_term.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
 #include "tests/support/contact_terms.hpp"

@@ -1,6 +1,6 @@
 // The contact potential of the two sheets: stencils alone, and the Hessian assembled with its
 // gather maps. Cases: plain sums of pairs or area weights, barrier alone or with adhesion.
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
 #include "tests/support/contact_terms.hpp"

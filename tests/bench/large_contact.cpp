@@ -1,7 +1,7 @@
 // Every phase of contact on three plates with 127 000 active contacts, of solids and with friction: what the
 // two sheets do not have.
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/core/step_filter.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "geometry/exact/intersections.hpp"

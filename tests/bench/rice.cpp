@@ -1,6 +1,6 @@
 // Candidates among 500 grains of rice that only touch each other and stick to one ball (experiments/meatball/paper.yaml).
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/pair_radii.hpp"
+#include "framework/contact/surface/pair_radii.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 
 #include "tests/bench/registered.hpp"

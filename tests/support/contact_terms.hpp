@@ -5,7 +5,7 @@
 #include "framework/contact/clipped/clipped_adhesion_term.hpp"
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {

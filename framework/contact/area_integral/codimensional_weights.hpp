@@ -26,7 +26,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
 
 namespace tack {
 

@@ -25,7 +25,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/laws/pair_table.hpp"
 
 namespace tack {
 

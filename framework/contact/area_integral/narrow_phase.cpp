@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "framework/contact/area_integral/weighted_features.hpp"
-#include "framework/contact/rest_neighbours.hpp"
-#include "framework/contact/sorted_cursor.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
+#include "framework/contact/stencils/sorted_cursor.hpp"
 #include "geometry/concatenate.hpp"
 #include "geometry/parallel.hpp"
 

@@ -9,8 +9,8 @@
 // first appear within it, so that the potential of the step is one function.
 #pragma once
 
-#include "framework/contact/contact_set.hpp"
-#include "framework/contact/stencil_search.hpp"
+#include "framework/contact/stencils/contact_set.hpp"
+#include "framework/contact/stencils/stencil_search.hpp"
 #include "framework/contact/area_integral/vertex_quadrature.hpp"
 #include "framework/contact/area_integral/overlap_boundary_forces.hpp"
 #include "framework/contact/area_integral/interior_patches.hpp"

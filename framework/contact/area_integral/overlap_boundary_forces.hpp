@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "framework/contact/area_integral/overlap_facets.hpp"
-#include "framework/contact/lagged_surface.hpp"
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
+#include "framework/contact/laws/pair_table.hpp"
 
 namespace tack {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/contact/visible_patches.hpp"
+#include "framework/contact/surface/visible_patches.hpp"
 
 namespace tack {
 

@@ -7,8 +7,8 @@
 #include <array>
 #include <vector>
 
-#include "framework/contact/lagged_surface.hpp"
-#include "framework/contact/surface_region.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
+#include "framework/contact/surface/surface_region.hpp"
 
 namespace tack {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/parallel.hpp"

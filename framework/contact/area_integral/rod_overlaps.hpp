@@ -12,8 +12,8 @@
 #include <array>
 #include <vector>
 
-#include "framework/contact/lagged_surface.hpp"
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
+#include "framework/contact/laws/pair_table.hpp"
 
 namespace tack {
 

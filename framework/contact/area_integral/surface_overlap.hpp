@@ -25,7 +25,7 @@
 
 #include "framework/contact/area_integral/nearby_lists.hpp"
 #include "framework/contact/area_integral/overlap_facets.hpp"
-#include "framework/contact/surface_region.hpp"
+#include "framework/contact/surface/surface_region.hpp"
 #include "framework/contact/area_integral/vertex_quadrature.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "framework/contact/area_integral/surface_overlap.hpp"
-#include "framework/contact/visible_patches.hpp"
+#include "framework/contact/surface/visible_patches.hpp"
 #include "framework/contact/area_integral/polygon_clip.hpp"
 
 namespace tack {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "framework/contact/area_integral/weighted_features.hpp"
-#include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
 #include "geometry/distance/point_triangle.hpp"
 #include "geometry/parallel.hpp"
 

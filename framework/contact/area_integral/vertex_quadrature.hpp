@@ -9,7 +9,7 @@
 
 #include "framework/contact/area_integral/patches_by_vertex.hpp"
 #include "framework/contact/area_integral/integration_sides.hpp"
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/laws/pair_table.hpp"
 #include "framework/contact/area_integral/rod_overlaps.hpp"
 #include "framework/contact/area_integral/weight_relaxation.hpp"
 #include "framework/contact/area_integral/codimensional_weights.hpp"

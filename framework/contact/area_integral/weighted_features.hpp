@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "framework/contact/area_integral/codimensional_weights.hpp"
-#include "framework/contact/point_features.hpp"
+#include "framework/contact/stencils/point_features.hpp"
 
 namespace tack {
 

@@ -8,7 +8,7 @@
 #include "framework/assembly/stencil_blocks.hpp"
 #include "framework/contact/clipped/clip_pack.hpp"
 #include "framework/contact/clipped/close_triangles.hpp"
-#include "framework/contact/law_debonding.hpp"
+#include "framework/contact/laws/law_debonding.hpp"
 #include "framework/core/concurrent_maximum.hpp"
 #include "geometry/parallel.hpp"
 

@@ -24,9 +24,9 @@
 #include <vector>
 
 #include "framework/contact/clipped/triangle_pairs.hpp"
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/surface_topology.hpp"
+#include "framework/contact/surface/surface_topology.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "framework/contact/clipped/clipped_pair.hpp"
-#include "framework/contact/pair_law.hpp"
+#include "framework/contact/laws/pair_law.hpp"
 #include "geometry/broad_phase/object_classes.hpp"
 
 namespace tack {

@@ -8,7 +8,7 @@
 
 #include "framework/contact/clipped/boundary_weight.hpp"
 #include "framework/contact/clipped/gauss_rules.hpp"
-#include "framework/contact/law_peak.hpp"
+#include "framework/contact/laws/law_peak.hpp"
 
 namespace tack {
 namespace {

@@ -28,7 +28,7 @@
 
 #include "framework/contact/clipped/clip_plane.hpp"
 #include "framework/contact/clipped/plane_polygon.hpp"
-#include "framework/contact/pair_law.hpp"
+#include "framework/contact/laws/pair_law.hpp"
 
 namespace tack {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
 
 namespace tack {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "framework/contact/contact_set.hpp"
+#include "framework/contact/stencils/contact_set.hpp"
 
 namespace tack {
 

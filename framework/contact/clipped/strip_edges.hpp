@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "framework/contact/surface_topology.hpp"
+#include "framework/contact/surface/surface_topology.hpp"
 
 namespace tack {
 

@@ -2,7 +2,7 @@
 // -w Gamma phi' and the area w Gamma, on which friction acts. Directional factors add no friction.
 #pragma once
 
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/gcp/gcp_term.hpp"
 
 namespace tack {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/contact/chunked_search.hpp"
+#include "framework/contact/stencils/chunked_search.hpp"
 #include "framework/contact/gcp/gcp_energy.hpp"
 #include "framework/contact/gcp/smooth_steps.hpp"
-#include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 #include "geometry/distance/edge_edge.hpp"

@@ -18,7 +18,7 @@
 #pragma once
 
 #include "framework/contact/gcp/gcp_stencil.hpp"
-#include "framework/contact/surface_rings.hpp"
+#include "framework/contact/surface/surface_rings.hpp"
 
 namespace tack {
 

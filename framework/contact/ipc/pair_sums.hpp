@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/stencil_search.hpp"
+#include "framework/contact/stencils/stencil_search.hpp"
 
 namespace tack {
 

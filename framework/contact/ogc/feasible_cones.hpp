@@ -8,7 +8,7 @@
 // Source: Chen et al. 2025, Offset Geometric Contact, ACM TOG 44(4): feasible regions of blocks.
 #pragma once
 
-#include "framework/contact/surface_rings.hpp"
+#include "framework/contact/surface/surface_rings.hpp"
 
 namespace tack {
 

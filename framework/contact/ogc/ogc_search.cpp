@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "framework/contact/chunked_search.hpp"
+#include "framework/contact/stencils/chunked_search.hpp"
 #include "framework/contact/ogc/feasible_cones.hpp"
-#include "framework/contact/rest_neighbours.hpp"
-#include "framework/contact/stencil_search.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
+#include "framework/contact/stencils/stencil_search.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"

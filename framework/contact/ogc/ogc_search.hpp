@@ -14,8 +14,8 @@
 // of Li et al. 2020.
 #pragma once
 
-#include "framework/contact/contact_set.hpp"
-#include "framework/contact/surface_rings.hpp"
+#include "framework/contact/stencils/contact_set.hpp"
+#include "framework/contact/surface/surface_rings.hpp"
 
 namespace tack {
 

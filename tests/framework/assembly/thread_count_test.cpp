@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "tests/support/step_problem.hpp"
 #include "tests/support/tet_body.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "framework/world/world.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"

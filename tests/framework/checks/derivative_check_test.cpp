@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tiny_scene.hpp"

@@ -1,4 +1,4 @@
-#include "framework/contact/by_arity.hpp"
+#include "framework/contact/stencils/by_arity.hpp"
 
 #include <catch2/catch.hpp>
 

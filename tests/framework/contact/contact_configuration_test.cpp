@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "framework/contact/contact_model.hpp"
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/friction_term.hpp"
-#include "framework/contact/stencil_kinds.hpp"
+#include "framework/contact/terms/friction_term.hpp"
+#include "framework/contact/stencils/stencil_kinds.hpp"
 #include "framework/output/vertex_gaps.hpp"
 #include "framework/output/vertex_tractions.hpp"
 #include "tests/support/scene.hpp"

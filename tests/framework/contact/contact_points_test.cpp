@@ -1,6 +1,6 @@
 // Contact points: their objects, features and positions. Their magnitudes add up to the normal
 // force and to the area, whatever the meshes.
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/silence.hpp"

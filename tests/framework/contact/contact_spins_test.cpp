@@ -1,6 +1,6 @@
 // Rotations of rods and particles by friction: directions by which a rotation moves the contact
 // point, against cross products.
-#include "framework/contact/contact_spins.hpp"
+#include "framework/contact/points/contact_spins.hpp"
 
 #include <catch2/catch.hpp>
 #include <stdexcept>

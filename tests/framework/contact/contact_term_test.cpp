@@ -1,4 +1,4 @@
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -6,7 +6,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/contact/contact_model.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/contact/ipc/pair_sums.hpp"
 #include "framework/core/records.hpp"
 #include "geometry/distance/edge_edge.hpp"
@@ -167,6 +167,6 @@ TEST_CASE("a contact model that leaves out what the terms rely on is told so", "
     scene.world->contact->move_to(scene.world->rest);
   };
   CHECK_NOTHROW(first_find("nothing"));
-  CHECK_THROWS_WITH(first_find("thresholds"), Catch::Contains("edge-edge stencils and 0 mollifier thresholds; call join() of framework/contact/stencil_search.hpp at the end of find()"));
+  CHECK_THROWS_WITH(first_find("thresholds"), Catch::Contains("edge-edge stencils and 0 mollifier thresholds; call join() of framework/contact/stencils/stencil_search.hpp at the end of find()"));
   CHECK_THROWS_WITH(first_find("order"), Catch::Contains("stencils that are not sorted by law; call join()"));
 }

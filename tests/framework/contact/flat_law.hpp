@@ -1,7 +1,7 @@
 // A law without force, which has a range: for tests of geometry alone.
 #pragma once
 
-#include "framework/contact/pair_law.hpp"
+#include "framework/contact/laws/pair_law.hpp"
 
 namespace tack {
 

@@ -1,4 +1,4 @@
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // Lagged surface: normals, areas and projected tributary areas, by closed forms.
-#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/surface/lagged_surface.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

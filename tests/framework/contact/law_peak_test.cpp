@@ -1,5 +1,5 @@
 // Largest traction of traction-separation laws.
-#include "framework/contact/law_peak.hpp"
+#include "framework/contact/laws/law_peak.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The signed root of a law's energy: its product with its slope is the slope of the law, and it
 // rises through the gap of lowest energy.
-#include "framework/contact/law_root.hpp"
+#include "framework/contact/laws/law_root.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

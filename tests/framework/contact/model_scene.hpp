@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "framework/contact/pair_table.hpp"
+#include "framework/contact/laws/pair_table.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "tests/framework/contact/surface_builder.hpp"
 

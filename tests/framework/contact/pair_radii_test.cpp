@@ -1,4 +1,4 @@
-#include "framework/contact/pair_radii.hpp"
+#include "framework/contact/surface/pair_radii.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,4 +1,4 @@
-#include "framework/contact/point_features.hpp"
+#include "framework/contact/stencils/point_features.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

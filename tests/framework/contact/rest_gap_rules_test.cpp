@@ -1,6 +1,6 @@
 // Pairs of primitives of one object with a gap at rest: the angle and the path of rest_gaps.hpp, on
 // shapes on either side of both limits.
-#include "framework/contact/rest_gaps.hpp"
+#include "framework/contact/surface/rest_gaps.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Objects with small gaps to themselves at rest: no force there, and pressure when pressed shut.
-#include "framework/contact/rest_gaps.hpp"
+#include "framework/contact/surface/rest_gaps.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/world/world.hpp"
 #include "tests/support/scene.hpp"

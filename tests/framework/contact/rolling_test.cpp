@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"

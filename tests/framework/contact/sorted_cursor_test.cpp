@@ -1,5 +1,5 @@
 // Cursor over a sorted list: it finds the keys that the list has, and no others.
-#include "framework/contact/sorted_cursor.hpp"
+#include "framework/contact/stencils/sorted_cursor.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "framework/contact/distance_frame.hpp"
-#include "framework/contact/chain_to_triangle.hpp"
+#include "framework/contact/stencils/distance_frame.hpp"
+#include "framework/contact/stencils/chain_to_triangle.hpp"
 #include "geometry/distance/point_triangle.hpp"
 #include "tests/framework/contact/surface_builder.hpp"
 

@@ -1,6 +1,6 @@
 // The projection in five dimensions, of several stencils at a time, against that of the whole
 // Hessian.
-#include "framework/contact/stencil_projection.hpp"
+#include "framework/contact/stencils/stencil_projection.hpp"
 
 #include <catch2/catch.hpp>
 

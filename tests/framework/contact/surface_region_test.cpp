@@ -1,11 +1,11 @@
 // Regions of surfaces: a triangle is in the region whose roles hold for it, and a region surrounds
 // an edge or a vertex if it has all triangles there.
-#include "framework/contact/surface_region.hpp"
+#include "framework/contact/surface/surface_region.hpp"
 
 #include <catch2/catch.hpp>
 #include <algorithm>
 
-#include "framework/contact/rest_neighbours.hpp"
+#include "framework/contact/stencils/rest_neighbours.hpp"
 #include "tests/framework/contact/surface_builder.hpp"
 
 using namespace tack;

@@ -1,6 +1,6 @@
 // Topology of contact surfaces: incidence is its own inverse, and an edge is smooth if two triangles
 // meet there at a small angle.
-#include "framework/contact/surface_topology.hpp"
+#include "framework/contact/surface/surface_topology.hpp"
 
 #include <catch2/catch.hpp>
 #include <algorithm>

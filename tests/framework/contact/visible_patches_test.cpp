@@ -1,6 +1,6 @@
 // Visible patches of a point: the triangles that it faces, their distances, and how far it lies past
 // their boundary, by closed forms and against brute force.
-#include "framework/contact/visible_patches.hpp"
+#include "framework/contact/surface/visible_patches.hpp"
 
 #include <catch2/catch.hpp>
 #include <algorithm>

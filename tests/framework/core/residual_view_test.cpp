@@ -1,6 +1,6 @@
 // Terms with a least-squares view: the squares are the energy, and the Jacobian is that of the
 // residuals.
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/core/residual_view.hpp"
 
 #include <catch2/catch.hpp>

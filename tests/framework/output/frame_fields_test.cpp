@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/output/element_fields.hpp"
 #include "framework/output/output_config.hpp"
 #include "framework/world/world.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/output/probe.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/component_variants.hpp"

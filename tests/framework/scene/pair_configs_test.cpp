@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "tests/support/scene.hpp"
 
 using namespace tack;

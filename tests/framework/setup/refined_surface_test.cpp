@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "framework/checks/derivative_check.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/profile/isolated_pair.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/scene.hpp"

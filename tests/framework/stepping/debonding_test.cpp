@@ -5,7 +5,7 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/config/bind.hpp"
-#include "framework/contact/pair_law.hpp"
+#include "framework/contact/laws/pair_law.hpp"
 #include "framework/stepping/predicted_motion.hpp"
 #include "tests/support/bond_laws.hpp"
 #include "tests/support/gap_law.hpp"

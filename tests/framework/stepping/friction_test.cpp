@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/test_run.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "framework/contact/area_integral/rod_overlaps.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"

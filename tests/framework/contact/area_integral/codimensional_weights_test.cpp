@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tet_body.hpp"
 #include "tests/support/contact_terms.hpp"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "framework/contact/area_integral/surface_overlap.hpp"
 #include "tests/framework/contact/barrier_and_fang.hpp"
 #include "tests/support/dense_term.hpp"

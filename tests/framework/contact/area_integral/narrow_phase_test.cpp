@@ -5,7 +5,7 @@
 
 #include "framework/contact/area_integral/area_integral.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/stencil_kinds.hpp"
+#include "framework/contact/stencils/stencil_kinds.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tet_body.hpp"

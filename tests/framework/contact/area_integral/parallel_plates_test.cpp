@@ -6,7 +6,7 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/terms/contact_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/contact_terms.hpp"
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "framework/bond/bond_term.hpp"
-#include "framework/contact/friction_term.hpp"
+#include "framework/contact/terms/friction_term.hpp"
 #include "framework/contact/area_integral/overlap_boundary_forces.hpp"
 #include "framework/contact/area_integral/overlap_boundary_term.hpp"
 #include "tests/support/published.hpp"

@@ -7,7 +7,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/contact/clipped/clipped_adhesion_term.hpp"
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/contact_terms.hpp"
 #include "tests/support/dense_term.hpp"

@@ -9,7 +9,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/contact/area_integral/area_integral.hpp"
 #include "framework/contact/clipped/clipped_adhesion_term.hpp"
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "tests/support/contact_terms.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"

@@ -1,7 +1,7 @@
 // The contact models gcp and ogc in a world.
 #include <catch2/catch.hpp>
 
-#include "framework/contact/contact_points.hpp"
+#include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/gcp/gcp_points.hpp"
 #include "tests/support/contact_terms.hpp"
 #include "tests/support/dense_term.hpp"

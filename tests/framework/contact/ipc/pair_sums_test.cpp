@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "framework/contact/stencil_kinds.hpp"
+#include "framework/contact/stencils/stencil_kinds.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/contact_terms.hpp"
 #include "tests/support/scene.hpp"

@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "framework/contact/ogc/feasible_cones.hpp"
-#include "framework/contact/rest_gaps.hpp"
-#include "framework/contact/stencil_energy.hpp"
+#include "framework/contact/surface/rest_gaps.hpp"
+#include "framework/contact/stencils/stencil_energy.hpp"
 #include "geometry/distance/squared_distance.hpp"
 #include "tests/framework/contact/model_scene.hpp"
 #include "tests/framework/contact/ogc/displacement_bounds.hpp"
