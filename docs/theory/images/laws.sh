@@ -39,4 +39,5 @@ law bonded traction -- --type bonded peak_traction=10kPa tangential_strength=20k
 law damage traction unloading -- "$scratch/damage.yaml"
 law rcc traction unloading rate healing -- --type rcc normal_stiffness=1e7 tangential_stiffness=5e6 work_of_adhesion=10J/m^2 viscosity=0.1 healing=1e-4 saturation=10kPa
 law rcc_explicit traction -- --type rcc_explicit normal_stiffness=1e7 tangential_stiffness=5e6 work_of_adhesion=10J/m^2 viscosity=0.1
+law viscoelastic traction unloading rate work_over_speed -- --type viscoelastic "${both[@]}" onset=1mm branch_stiffness=3e7 relaxation_time=0.1s
 ./thin_svg.py law_*.svg

@@ -25,6 +25,7 @@ const std::map<std::string, Arguments> least = {
     {"rcc", {"normal_stiffness=1e8", "work_of_adhesion=1"}},
     {"rcc_explicit", {"normal_stiffness=1e8", "work_of_adhesion=1", "viscosity=0.01"}},
     {"table", {"file=" TACK_TEST_DATA "/laws/six_rows.csv"}},
+    {"viscoelastic", {"peak_traction=1e4", "work_of_adhesion=1", "relaxation_time=50 ms"}},
     {"xu_needleman", {"peak_traction=1e4"}},
     {"xu_needleman_coupled", {"peak_traction=1e4", "work_of_adhesion=1"}}};
 
@@ -60,6 +61,7 @@ TEST_CASE("tack law writes tables and pictures with named axes and units", "[law
   std::set<std::string> paths;
   for (const auto& row : curves.rows) paths.insert(row[0]);
   CHECK(paths == std::set<std::string>{"slow", "unloading", "rate"});
+  CHECK(read_csv(folder.path() / "out/rates.csv").columns == std::vector<std::string>{"speed", "peak", "work"});
   CHECK(read_csv(folder.path() / "out/healing.csv").columns == std::vector<std::string>{"pressure", "time", "strength"});
   const CsvTexts figures = read_csv_texts(folder.path() / "out/figures.csv");
   CHECK(figures.columns == std::vector<std::string>{"figure", "value", "unit", "remark"});
@@ -72,6 +74,7 @@ TEST_CASE("tack law writes tables and pictures with named axes and units", "[law
   };
   for (const auto& [name, along, up] : {Picture{"traction", "opening or slip [µm]", "traction along the displacement [kPa]"}, Picture{"energy", "opening [µm]", "energy per area [J/m²]"},
                                         Picture{"unloading", "opening [µm]", "traction along the displacement [kPa]"}, Picture{"rate", "opening [", "traction [kPa]"},
+                                        Picture{"peak_over_speed", "speed [", "peak traction ["}, Picture{"work_over_speed", "speed [", "work ["},
                                         Picture{"healing", "time of pressing [s]", "strength [kPa]"}, Picture{"intensity", "opening or slip [µm]", "intensity"}}) {
     INFO(name);
     const std::string svg = file_text(folder.path() / "out" / (name + ".svg"));
@@ -114,7 +117,7 @@ contact:
   int tables = 0;
   for (const auto& entry : fs::directory_iterator(folder.path() / "out"))
     if (entry.path().extension() == ".csv") ++tables;
-  CHECK(tables == 4);
+  CHECK(tables == 5);  // curves and figures of both, rates of the bonds
 }
 
 TEST_CASE("tack law reports errors and suggests names", "[law]") {
