@@ -170,6 +170,7 @@ int law_command(const LawOptions& o) {
       right = print_check(check, !study.slow.empty() && is_whole(*law.bond)) && right;
       print_curve(study, law.bond->work_of_adhesion());
       if (written) write(study, law.name, prefix, *written);
+      if (written && !study.scan.points.empty()) written->table(prefix + "rates", rates_table(study));
       if (written && !study.healing.empty()) written->table(prefix + "healing", healing_table(study));
     }
   }

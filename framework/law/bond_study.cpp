@@ -17,8 +17,6 @@ constexpr std::array<double, 3> directions = {0, std::numbers::pi / 4, std::numb
 constexpr int coarse = 400, fine = 2000;
 constexpr double hidden_bond_traction = 0.02;  // of the peak: plots may omit smaller tractions
 constexpr std::array<double, 2> unloading_work = {0.6, 0.85};  // of the whole work: where the bond is unloaded
-constexpr double rate_effect_ratio = 1.1;  // work at a speed over the quasi-static work
-constexpr double speed_span = 1e15;  // largest over smallest speed of the search
 
 // Metrics of quasi-static opening in one direction.
 struct OpeningMetrics {
@@ -99,24 +97,29 @@ BondPath unloading_path(const BondLaw& law, const BondPath& slow) {
   return {"unloading", slow.angle, 0, slow.shown, pull_bond(law, turns, slow.angle, fine)};
 }
 
-// Returns the smallest speed [m/s] at which the work exceeds the quasi-static work by a tenth; 0:
-// there is none. opening_end [m]: opening at which the bond has failed.
-double rate_effect_speed(const BondLaw& law, double opening_end) {
-  const double quasi_static = work_along(pull_bond(law, {opening_end}, 0, coarse), 0);
-  const auto has_rate_effect = [&](double speed) { return work_along(pull_bond(law, {opening_end}, 0, coarse, speed), 0) > rate_effect_ratio * quasi_static; };
-  double low = opening_end * 1e-7, high = low * speed_span;
-  if (!has_rate_effect(high)) return 0;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = std::sqrt(low * high);
-    (has_rate_effect(middle) ? high : low) = middle;
-  }
-  return high;
-}
-
 // Rounds to one digit.
 double rounded(double value) {
+  if (!(value > 0)) return 0;
   const double digit = std::pow(10.0, std::floor(std::log10(value)));
   return std::round(value / digit) * digit;
+}
+
+// Returns the softening range of opening along the normal at a speed [m/s]. opening_end: of slow
+// failure [m].
+SofteningRange softening_at(const BondLaw& law, double opening_end, double speed) {
+  std::vector<std::pair<double, double>> traction;
+  for (const BondPoint& p : pull_bond(law, {4 * opening_end}, 0, 4 * fine, speed)) traction.emplace_back(p.opening, p.traction);
+  return softening_range(traction);
+}
+
+// Returns the three speeds of curves [m/s]: around the chosen one; else from that of the first rate
+// effect to beyond the largest one; none for a law that does not depend on the rate.
+std::vector<double> drawn_speeds(const RateScan& scan, const std::optional<double>& chosen) {
+  if (chosen) return {*chosen / 10, *chosen, *chosen * 10};
+  if (!scan.rate_dependent()) return {};
+  const double first = rounded(scan.effect_speed), largest = rounded(scan.largest_speed);
+  if (largest > 2 * first) return {first, largest, rounded(largest * largest / first)};
+  return {first, 10 * first, 100 * first};
 }
 
 // Equilibrium of the barrier with a new bond that is unstressed at zero gap.
@@ -152,7 +155,7 @@ BondStudy study_bond_law(const StudiedLaw& studied, const StudySettings& setting
   const BondSample new_bond = law.at(0, 0, history.data(), 0);
   f.push_back({"peak traction", law.peak_traction(), "Pa", "stated by the law, along the normal"});
   f.push_back({"work of adhesion", law.work_of_adhesion(), "J/m^2", "stated by the law, along the normal"});
-  SofteningRange softening;
+  SofteningRange softening, fast_softening;
   double normal_peak_opening = 0;  // m
   for (const double angle : directions) {
     BondPath slow{"slow", angle, 0, 0, separate_slowly(law, angle, fine)};
@@ -173,6 +176,7 @@ BondStudy study_bond_law(const StudiedLaw& studied, const StudySettings& setting
       std::vector<std::pair<double, double>> traction;
       for (const BondPoint& p : slow.points) traction.emplace_back(p.opening, p.traction);
       softening = softening_range(traction);
+      if (settings.speed) fast_softening = softening_at(law, displacement_of(slow.points.back()), *settings.speed);
       normal_peak_opening = metrics.peak_opening;
     }
     study.slow.push_back(std::move(slow));
@@ -187,21 +191,20 @@ BondStudy study_bond_law(const StudiedLaw& studied, const StudySettings& setting
                  at ? fmt::format("with `unstressed: touching`: the barrier balances new bonds at {}", with_axis_unit(at->traction, "Pa"))
                     : "with `unstressed: touching`: the barrier breaks the bonds; lower contact.distance, or the barrier's stiffness"});
   }
-  add_scene_requirements(studied, settings, softening, f);
+  add_scene_requirements(studied, settings, softening, fast_softening, f);
   if (study.slow.empty()) return study;
   if (law.width() > 0)
     for (const BondPath& slow : study.slow) study.unloading.push_back(unloading_path(law, slow));
-  if (study.slow.front().angle == 0) {
-    const double opening_end = displacement_of(study.slow.front().points.back()), rate_effect = rate_effect_speed(law, opening_end);
-    if (rate_effect > 0) {
-      f.push_back({"speed that tells", rate_effect, "m/s", "at which the work is 10% above the quasi-static work"});
-      const double first = settings.speed ? *settings.speed / 10 : rounded(rate_effect);
-      for (const double speed : {first, 10 * first, 100 * first}) study.rates.push_back({"rate", 0, speed, 0, pull_bond(law, {4 * opening_end}, 0, 4 * fine, speed)});
-      const double shown = std::max(study.slow.front().shown, 1.15 * last_shown_displacement(study.rates[1], law.peak_traction()));
-      for (BondPath& rate : study.rates) rate.shown = shown;
-    }
-    study_healing(law, settings.pressure.value_or(law.peak_traction()), opening_end, study.healing, f);
+  const BondPath& slow = study.slow.front();
+  const double opening_end = displacement_of(slow.points.back());
+  study.scan = scan_rates(law, slow.angle, opening_end, f);
+  for (const double speed : drawn_speeds(study.scan, settings.speed))
+    study.rates.push_back({"rate", slow.angle, speed, 0, pull_bond(law, {4 * opening_end}, slow.angle, 4 * fine, speed)});
+  if (!study.rates.empty()) {
+    const double shown = std::max(slow.shown, 1.15 * last_shown_displacement(study.rates[1], law.peak_traction()));
+    for (BondPath& rate : study.rates) rate.shown = shown;
   }
+  if (slow.angle == 0) study_healing(law, settings.pressure.value_or(law.peak_traction()), opening_end, study.healing, f);
   return study;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "framework/bond/bond_curve.hpp"
+#include "framework/law/rate_scan.hpp"
 #include "framework/law/studied_law.hpp"
 
 namespace tack {
@@ -22,8 +23,10 @@ struct HealingCurve {
 };
 
 struct BondStudy {
-  std::vector<BondPath> slow, unloading, rates;  // of directions with traction
-  std::vector<HealingCurve> healing;             // empty: the law does not heal
+  std::vector<BondPath> slow, unloading;  // of directions with traction
+  std::vector<BondPath> rates;            // three speeds, in the first of these directions
+  RateScan scan;                          // in the first direction
+  std::vector<HealingCurve> healing;      // empty: the law does not heal
   std::vector<KeyQuantity> quantities;
 };
 

@@ -65,7 +65,7 @@ GapStudy study_gap_law(const StudiedLaw& studied, const StudySettings& settings)
   f.push_back({"depth of the well", well.depth, "J/m^2",
                fmt::format("with the barrier, which takes {:.2g}% of the work", 100 * (1 - well.depth / law.work_of_adhesion()))});
   f.push_back({"rest gap", well.gap, "m", "equilibrium without load"});
-  add_scene_requirements(studied, settings, softening, f);
+  add_scene_requirements(studied, settings, softening, {}, f);
   return study;
 }
 

@@ -97,10 +97,24 @@ std::map<std::string, Plot> law_plots(const std::string& title, const BondStudy&
     plot.curves = {curve_of("loaded once", study.slow[i].points, p.shown, pull), unloading_curve(p, pull)};
   }
   if (!study.rates.empty()) {
-    Plot& rate = plots["rate"] = plot_of(fmt::format("{}, along the normal", title), "opening", "traction", "Pa");
-    rate.curves.push_back(curve_of("slowly", first.points, study.rates.front().shown, [](const BondPoint& p) { return p.traction; }));
-    for (const BondPath& p : study.rates)
-      rate.curves.push_back(curve_of(with_axis_unit(p.speed, "m/s"), p.points, p.shown, [](const BondPoint& at) { return at.traction; }));
+    const auto pull = [&](const BondPoint& at) { return traction_along(at, first.angle); };
+    Plot& rate = plots["rate"] = plot_of(fmt::format("{}, {}", title, direction_name(first.angle)), along, "traction", "Pa");
+    rate.curves.push_back(curve_of("slowly", first.points, study.rates.front().shown, pull));
+    for (const BondPath& p : study.rates) rate.curves.push_back(curve_of(with_axis_unit(p.speed, "m/s"), p.points, p.shown, pull));
+  }
+  if (study.scan.rate_dependent()) {
+    const auto plot_over_speed = [&](const char* name, const char* quantity, const char* unit, double RatePoint::*metric) {
+      Plot& plot = plots[name] = plot_of(fmt::format("{}, {}", title, direction_name(first.angle)), "speed", quantity, unit);
+      plot.x_unit = "m/s";
+      plot.log_x = true;
+      plot.curves = {{"at constant speed", {}, {}}, {"slowly", {}, {}}};
+      for (const RatePoint& p : study.scan.points) {
+        plot.curves[0].points.emplace_back(p.speed, p.*metric);
+        plot.curves[1].points.emplace_back(p.speed, study.scan.slow.*metric);
+      }
+    };
+    plot_over_speed("peak_over_speed", "peak traction", "Pa", &RatePoint::peak);
+    plot_over_speed("work_over_speed", "work", "J/m^2", &RatePoint::work);
   }
   if (!study.healing.empty()) {
     Plot& healing = plots["healing"] = plot_of(title, "time of pressing", "strength", "Pa");

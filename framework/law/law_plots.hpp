@@ -4,6 +4,7 @@
 //   intensity             over the opening, for bonds with history variables
 //   unloading, unloading_45, unloading_across   loading, unloading and reloading
 //   rate                  quasi-static and at three speeds
+//   peak_over_speed, work_over_speed   for laws that depend on the rate
 //   healing               strength by the time of pressing
 #pragma once
 

@@ -24,6 +24,14 @@ std::string curves_table(const BondStudy& study) {
   return text;
 }
 
+std::string rates_table(const BondStudy& study) {
+  std::string text = "speed,peak,work\n";
+  const auto add = [&](const RatePoint& p) { text += fmt::format("{},{},{}\n", p.speed, p.peak, p.work); };
+  add(study.scan.slow);
+  for (const RatePoint& p : study.scan.points) add(p);
+  return text;
+}
+
 std::string healing_table(const BondStudy& study) {
   std::string text = "pressure,time,strength\n";
   for (const HealingCurve& h : study.healing)

@@ -13,6 +13,8 @@ std::string curves_table(const GapStudy& study);
 // Columns: path (slow, unloading, rate), angle [deg], speed (0: quasi-static), time, opening, slip,
 // traction, shear, intensity, stored, dissipated.
 std::string curves_table(const BondStudy& study);
+// Columns: speed, peak, work; the first row is quasi-static, with the speed 0.
+std::string rates_table(const BondStudy& study);
 // Columns: pressure, time, strength.
 std::string healing_table(const BondStudy& study);
 // Columns: figure (name of the quantity), value, unit, remark.

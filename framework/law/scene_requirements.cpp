@@ -33,7 +33,7 @@ SofteningRange softening_range(const std::vector<std::pair<double, double>>& tra
   return softening.to > softening.from ? softening : SofteningRange{};
 }
 
-void add_scene_requirements(const StudiedLaw& studied, const StudySettings& settings, const SofteningRange& softening, std::vector<KeyQuantity>& quantities) {
+void add_scene_requirements(const StudiedLaw& studied, const StudySettings& settings, const SofteningRange& softening, const SofteningRange& at_speed, std::vector<KeyQuantity>& quantities) {
   const double peak = studied.law().peak_traction(), work = studied.law().work_of_adhesion();
   if (peak > 0 && work > 0 && std::isfinite(work)) {
     const double per_young = work / (peak * peak);
@@ -54,8 +54,10 @@ void add_scene_requirements(const StudiedLaw& studied, const StudySettings& sett
                        brittle ? "at most: a tenth of the critical opening; the failure is brittle, and no step resolves it"
                                : "at most: a tenth of the displacement over which the traction falls from 0.9 to 0.1 of its peak"});
     if (settings.speed) {
-      const double step = quantities.back().value / *settings.speed;
-      quantities.push_back({"time step", step, "s", fmt::format("at most, at {}", with_axis_unit(*settings.speed, "m/s"))});
+      const bool sooner = at_speed.width() > 0 && at_speed.width() < softening.width();
+      const double way = sooner && !brittle ? step_per_softening * at_speed.width() : quantities.back().value;
+      quantities.push_back({"time step", way / *settings.speed, "s",
+                         fmt::format("at most, at {}{}", with_axis_unit(*settings.speed, "m/s"), sooner && !brittle ? ", where the traction falls sooner than under slow loading" : "")});
     }
   }
   if (studied.bond && std::isfinite(studied.bond->longest_step()))

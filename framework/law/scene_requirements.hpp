@@ -16,8 +16,10 @@ struct SofteningRange {
 SofteningRange softening_range(const std::vector<std::pair<double, double>>& traction);
 
 // Appends the process zone (Hillerborg et al. 1976), which sets the mesh size, and the displacement
-// of surfaces per step, which sets the step size.
+// of surfaces per step, which sets the step size. softening: under slow loading. at_speed: at the
+// speed of the settings; empty if unknown.
 void add_scene_requirements(const StudiedLaw& studied, const StudySettings& settings,
-                            const SofteningRange& softening, std::vector<KeyQuantity>& quantities);
+                            const SofteningRange& softening, const SofteningRange& at_speed,
+                            std::vector<KeyQuantity>& quantities);
 
 }  // namespace tack

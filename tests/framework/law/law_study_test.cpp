@@ -69,7 +69,8 @@ TEST_CASE("key quantities of RCC agree with its closed form in each direction", 
   }
   CHECK(quantity_of(f, "stiffness along the normal") == Approx(stiffness));
   CHECK(quantity_of(f, "stiffness across") == Approx(across));
-  CHECK_FALSE(has(f, "speed that tells"));
+  CHECK_FALSE(std::isfinite(quantity_of(f, "speed that tells")));
+  CHECK_FALSE(study.scan.rate_dependent());
   CHECK(study.rates.empty());
   CHECK(study.healing.empty());
   REQUIRE(study.slow.size() == 3);
@@ -123,6 +124,56 @@ TEST_CASE("a study finds rate effects, healing times and the steps of explicit l
   CHECK_FALSE(has(study.quantities, "longest time step"));
 }
 
+TEST_CASE("a study tells laws with a band of rates from viscous and rate-independent ones", "[law]") {
+  // Standard linear solid, K = 1e8 Pa/m, d_f = 0.2 mm, tau = 50 ms, K_1 = 3 K: the peak doubles, the work has a largest value near d_f / tau.
+  const std::vector<std::string> solid = {"peak_traction=1e4", "work_of_adhesion=1", "stiffness=1e8", "branch_stiffness=3e8", "relaxation_time=50 ms"};
+  const BondStudy study = study_bond_law(law("viscoelastic", solid), {});
+  const auto& f = study.quantities;
+  const double speed = 2e-4 / 0.05;
+  CHECK(study.scan.rate_dependent());
+  CHECK(study.scan.slow.peak == Approx(1e4).epsilon(0.01));
+  CHECK(study.scan.points.front().work == Approx(1).epsilon(0.01));
+  CHECK(study.scan.points.back().work == Approx(1).epsilon(0.01));
+  CHECK(study.scan.points.back().peak == Approx(2e4).epsilon(0.01));
+  CHECK(quantity_of(f, "largest peak at speed") == Approx(2e4).epsilon(0.01));
+  const double largest = quantity_of(f, "largest work at speed");
+  CHECK(largest > 1.3);
+  for (const RatePoint& p : study.scan.points) CHECK(p.work <= largest * (1 + 1e-3));
+  CHECK(study.scan.largest_speed > 0.1 * speed);
+  CHECK(study.scan.largest_speed < 10 * speed);
+  CHECK(quantity_of(f, "speed that changes the work") < study.scan.largest_speed);
+  CHECK(quantity_of(f, "speed that tells") == std::min(quantity_of(f, "speed that changes the work"), quantity_of(f, "speed that changes the peak")));
+  const auto remark = [](const std::vector<KeyQuantity>& all, const std::string& name) {
+    for (const KeyQuantity& q : all)
+      if (q.name == name) return q.remark;
+    return std::string();
+  };
+  CHECK_THAT(remark(f, "speed that changes the work"), Catch::Contains("back within 10% from"));
+  CHECK_THAT(remark(f, "largest peak at speed"), Catch::Contains("no extremum within the scan"));
+  CHECK(study.rates.size() == 3);
+  // A tenth of the relaxation time is a tenth of the speed.
+  const BondStudy slower = study_bond_law(law("viscoelastic", {"peak_traction=1e4", "work_of_adhesion=1", "stiffness=1e8", "branch_stiffness=3e8", "relaxation_time=500 ms"}), {});
+  CHECK(quantity_of(slower.quantities, "speed that tells") == Approx(quantity_of(f, "speed that tells") / 10).epsilon(1e-3));
+
+  const auto viscous = study_bond_law(law("rcc", {"normal_stiffness=1e8", "work_of_adhesion=1", "viscosity=0.01"}), {});
+  CHECK(viscous.scan.rate_dependent());
+  CHECK(viscous.scan.largest_speed == 0);
+  CHECK_THAT(remark(viscous.quantities, "speed that changes the work"), !Catch::Contains("back within"));
+  CHECK_THAT(remark(viscous.quantities, "largest work at speed"), Catch::Contains("no extremum within the scan"));
+
+  const std::vector<std::string> bilinear = {"peak_traction=1e4", "work_of_adhesion=1"};
+  const auto independent = study_bond_law(law("bilinear", bilinear), {});
+  CHECK_FALSE(independent.scan.rate_dependent());
+  CHECK_THAT(remark(independent.quantities, "speed that tells"), Catch::Contains("independent of the rate"));
+  CHECK(independent.rates.empty());
+  // Curves at a chosen speed are drawn of every law; the fast one needs shorter steps.
+  CHECK(study_bond_law(law("bilinear", bilinear), {.speed = 1e-3, .pressure = {}}).rates.size() == 3);
+  const BondStudy chosen = study_bond_law(law("viscoelastic", solid), {.speed = 100 * speed, .pressure = {}});
+  REQUIRE(chosen.rates.size() == 3);
+  CHECK(chosen.rates[1].speed == 100 * speed);
+  CHECK(quantity_of(chosen.quantities, "time step") == Approx(0.1 * 0.8 * 0.5e-4 / (100 * speed)).epsilon(0.05));  // d_0, d_f halved
+}
+
 TEST_CASE("the study of an explicitly integrated law takes short enough steps", "[law]") {
   const BondStudy study = study_bond_law(law("rcc_explicit", {"normal_stiffness=1e8", "tangential_stiffness=1e8", "work_of_adhesion=1", "viscosity=0.3"}), {});
   CHECK(quantity_of(study.quantities, "peak along the normal") == Approx(1e4).epsilon(0.01));
@@ -168,8 +219,8 @@ TEST_CASE("plots of laws have axes with units and all curves", "[law]") {
   CHECK(gap.at("traction").curves.size() == 2);
   CHECK(gap.at("energy").y_unit == "J/m^2");
   const auto bonds = law_plots("rcc", study_bond_law(law("rcc", {"normal_stiffness=1e8", "work_of_adhesion=1", "viscosity=0.01", "healing=1e-4"}), {}));
-  CHECK(bonds.size() == 7);  // traction at 45 degrees, none across
-  for (const char* name : {"traction", "energy", "intensity", "unloading", "rate", "healing"}) {
+  CHECK(bonds.size() == 9);  // traction at 45 degrees, none across
+  for (const char* name : {"traction", "energy", "intensity", "unloading", "rate", "peak_over_speed", "work_over_speed", "healing"}) {
     INFO(name);
     REQUIRE(bonds.contains(name));
     for (const Curve& c : bonds.at(name).curves) CHECK(c.points.size() > 10);
