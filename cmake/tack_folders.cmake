@@ -12,8 +12,8 @@ set(TACK_COLD_FOLDERS
 
 # Studies: cold folders, and commands of framework/app, that start from runs or laws. The program tack_studies has them, so that a first run does not
 # wait for them.
-set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report framework/view)
-set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot render report view)
+set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report framework/suite framework/view)
+set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot render report suite view)
 list(APPEND TACK_COLD_FOLDERS ${TACK_STUDY_FOLDERS})
 
 # Further: components that most first scenes do without. The program loads the library tack_further when a scene names one

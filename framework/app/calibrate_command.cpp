@@ -9,12 +9,10 @@
 #include "framework/app/interrupt_signals.hpp"
 #include "framework/batch/batch_estimate.hpp"
 #include "framework/batch/batch_progress.hpp"
-#include "framework/calibrate/calibration_files.hpp"
-#include "framework/calibrate/case_evaluator.hpp"
+#include "framework/batch/resolved_case.hpp"
+#include "framework/calibrate/calibrate_run.hpp"
 #include "framework/config/words.hpp"
 #include "framework/output/progress.hpp"
-#include "framework/output/run_folder.hpp"
-#include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
 
 namespace tack {
@@ -74,24 +72,6 @@ class CalibrationProgress {
   Clock::time_point shown_ = Clock::now();
 };
 
-BatchDescription description_of(const CalibrateConfig& config, const CalibrateOptions& options, FittedScenes& scenes) {
-  BatchDescription d;
-  d.plan.name = config.name + " - evaluations";
-  d.plan.about = config.about;
-  if (scenes.runs() > 1) d.plan.columns.push_back("base");
-  for (const FittedParameter& n : scenes.parameters()) {
-    d.plan.columns.push_back(n.name);
-    if (n.unit != "1") d.plan.units[n.name] = n.unit;
-  }
-  d.file = fs::absolute(options.file.file).lexically_normal().string();
-  d.limits.threads = options.threads > 0 ? options.threads : config.threads;
-  d.limits.jobs = jobs_that_fit(options.jobs > 0 ? options.jobs : config.jobs, d.limits.threads, config.memory);
-  d.limits.memory = config.memory;
-  d.limits.time_limit = config.time_limit;
-  d.provenance = provenance_text(provenance_of(options.command_line, d.limits.threads));
-  return d;
-}
-
 void show_plan(const CalibrateConfig& config, FittedScenes& scenes, BatchDescription d) {
   for (const FittedParameter& n : scenes.parameters())
     fmt::print("  {} from {:.6g} to {:.6g}{}, first {:.6g}, {}\n", n.name, n.from, n.to, n.unit == "1" ? "" : " " + n.unit, n.start, n.log ? "logarithmic" : "linear");
@@ -119,44 +99,40 @@ void show_plan(const CalibrateConfig& config, FittedScenes& scenes, BatchDescrip
 }  // namespace
 
 int calibrate_command(const CalibrateOptions& options) {
-  const auto begun = Clock::now();
   let_signals_interrupt();
   const CalibrateConfig config = load_calibration(options.file.file, options.file.overrides);
   FittedScenes scenes(config, program_digest());
   if (!options.quiet)
     for (const std::string& line : scenes.warnings()) fmt::print("warning: {}\n", line);
-  BatchDescription d = description_of(config, options, scenes);
+  CalibrationSettings settings;
+  settings.file = fs::absolute(options.file.file).lexically_normal().string();
+  settings.output = options.output;
+  settings.program = fs::read_symlink("/proc/self/exe").string();
+  settings.provenance = provenance_of(options.command_line, options.threads > 0 ? options.threads : config.threads);
+  settings.cases = calibration_description(config, scenes, settings.file, settings.provenance, options.jobs, options.threads);
+  settings.slurm = options.slurm;
+  settings.rerun_failed = options.failed;
   if (options.dry_run) {
-    show_plan(config, scenes, std::move(d));
+    show_plan(config, scenes, std::move(settings.cases));
     return exit_done;
   }
-  CalibrationRecord record{config, d.file, provenance_of(options.command_line, d.limits.threads), 0, 0};
-  const CalibrationFolder folder = CalibrationFolder::opened(RunFolder::chosen_root(options.output, config.name), config.name);
-  if (folder.moved_aside && !options.quiet) fmt::print("what was there is moved to {}\n", folder.moved_aside->string());
   CalibrationProgress progress(scenes.parameters(), terminal_width(STDOUT_FILENO), options.quiet);
-  CaseEvaluator evaluator(scenes, {fs::read_symlink("/proc/self/exe").string(), folder.evaluations, d, options.slurm ? std::optional(config.slurm) : std::nullopt,
-                                   options.failed, [&](const PointEvaluation& e) { progress.evaluated(e); }, [&] { progress.tick(); }});
-  evaluator.write_tables();
-  Calibration calibration;
+  CalibrationObserver observer;
+  observer.print = [&](const std::string& line) {
+    if (!options.quiet || line.starts_with("interrupted")) fmt::print("{}\n", line);
+  };
+  observer.phase = [&](const std::string& phase, int points, const PointEvaluation* best) { progress.begin(phase, points, best); };
+  observer.evaluated = [&](const PointEvaluation& e) { progress.evaluated(e); };
+  observer.tick = [&] { progress.tick(); };
   try {
-    calibration = calibrate(scenes, config.search, evaluator, [&](const std::string& phase, int points, const PointEvaluation* best) { progress.begin(phase, points, best); });
+    const CalibrationRun run = run_calibration(config, scenes, settings, observer);
+    if (options.quiet) return exit_done;
+    fmt::print("{}: {} of {}, {} now\n{}results in {}\n", config.name, counted(static_cast<long>(run.calibration.search.rows.size()), "evaluation"),
+               counted(static_cast<long>(scenes.parameters().size()), "parameter"), counted(run.started, "run"), summary_text(run.calibration, scenes),
+               run.folder.root.string());
   } catch (const Interrupted&) {
-    evaluator.write_tables();
-    fmt::print("interrupted: call it again to continue; finished runs are kept in {}\n", folder.evaluations.root.string());
     return exit_interrupted;
-  } catch (const SimulationError&) {
-    evaluator.write_tables();
-    throw;
   }
-  evaluator.write_tables();
-  record.wall_seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-  record.started = evaluator.started();
-  write_calibration(folder, record, calibration, scenes, evaluator.run_folders(calibration.search.best));
-  const std::vector<std::string> failures = draw_calibration(folder, calibration, scenes);
-  if (options.quiet) return exit_done;
-  for (const std::string& failure : failures) fmt::print("{}\n", failure);
-  fmt::print("{}: {} of {}, {} now\n{}results in {}\n", config.name, counted(static_cast<long>(calibration.search.rows.size()), "evaluation"),
-             counted(static_cast<long>(scenes.parameters().size()), "parameter"), counted(record.started, "run"), summary_text(calibration, scenes), folder.root.string());
   return exit_done;
 }
 

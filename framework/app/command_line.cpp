@@ -37,6 +37,7 @@ class CommandLine {
     add_view();
     add_profile();
     add_solve();
+    add_suite();
     add_compare();
     add_batch();
     add_calibrate();
@@ -51,7 +52,7 @@ class CommandLine {
   }
 
   int execute(int argc, char** argv) {
-    run_.command_line = view_.command_line = profile_.command_line = compare_.command_line = batch_.command_line = calibrate_.command_line =
+    run_.command_line = view_.command_line = profile_.command_line = suite_.command_line = compare_.command_line = batch_.command_line = calibrate_.command_line =
         shell_line({argv, argv + argc});
     if (argc < 2) {
       fmt::print(stderr, "{}", app_.help());
@@ -154,6 +155,10 @@ class CommandLine {
     solve->add_option("--solver", solve_.solvers, "minimizer by name, or a YAML map that is laid over the scene's `solver` (repeatable; default: the scene's)")
         ->type_name("SOLVER")->take_all()->allow_extra_args(false);
     solve->add_option("--plugin", solve_.plugins, "plugin library with solvers (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    solve->add_option("--cpu-limit", solve_.cpu_limit, "processor seconds of each solve, instead of the scene's iteration limit (default: none)")->check(number_above_zero);
+    solve->add_option("--tolerance-scale", solve_.tolerance_scale, "factor of the scene's tolerances (default: 1)")->check(number_above_zero);
+    solve->add_flag("--check", solve_.check, "follow each result to its own minimum by projected Newton: which one, error, and stopping norm of the result");
+    solve->add_option("--json", solve_.json, "write the results to a file")->type_name("FILE");
     solve->add_option("--threads", solve_.threads, "threads (default: all cores)")->check(whole_number_above_zero);
     CLI::Option* none = solve->add_flag("--no-minimum", solve_.no_minimum, "do not search for the minimum if the file has none, and measure no distance from it");
     solve->add_flag("--store-minimum", solve_.store_minimum, "write the minimum that was found into the file")->excludes(none);
@@ -161,6 +166,22 @@ class CommandLine {
       settle(solve_.step);
       exit_code_ = solve_command(solve_);
     });
+  }
+
+  void add_suite() {
+    CLI::App* suite = app_.add_subcommand("suite", "Solve a folder of stored steps with all solvers side by side: a leaderboard");
+    suite->add_option("problem", suite_.paths, "stored steps (*.problem), or folders of them (default: experiments/suite)")->type_name("PROBLEM");
+    suite->add_option("--solver", suite_.solvers, "minimizer by name, or a YAML map that is laid over the scene's `solver` (repeatable; default: all minimizers)")
+        ->type_name("SOLVER")->take_all()->allow_extra_args(false);
+    suite->add_option("--plugin", suite_.plugins, "plugin library with solvers (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    suite->add_option("--cpu-limit", suite_.cpu_limit, "processor seconds of each solve (default: 20)")->check(number_above_zero);
+    suite->add_option("--tolerance-scale", suite_.tolerance_scales, "factor of the scenes' tolerances; several give curves of work against precision (repeatable; default: 1)")
+        ->take_all()->allow_extra_args(false)->check(number_above_zero);
+    suite->add_option("--threads", suite_.threads, "threads of each solve (default: 1)")->check(whole_number_above_zero);
+    suite->add_option("--jobs", suite_.jobs, "concurrent solves (default: 1); more disturb each other's times")->check(whole_number_above_zero);
+    suite->add_option("-o,--output", suite_.output, "results folder (default: results/suite)")->type_name("FOLDER");
+    suite->add_flag("-q,--quiet", suite_.quiet, "print the final table only");
+    suite->callback([this] { exit_code_ = suite_command(suite_); });
   }
 
   void add_compare() {
@@ -229,8 +250,8 @@ class CommandLine {
   }
 
   void add_report() {
-    CLI::App* report = app_.add_subcommand("report", "Write one HTML report of runs, a comparison or a batch: charts, tables, 3D view");
-    report->add_option("folder", report_.folders, "results folders of runs, or one folder of a comparison or batch")->required()->type_name("FOLDER");
+    CLI::App* report = app_.add_subcommand("report", "Write one HTML report of runs, a comparison, a suite or a batch: charts, tables, 3D view");
+    report->add_option("folder", report_.folders, "results folders of runs, or one folder of a comparison, suite or batch")->required()->type_name("FOLDER");
     report->add_option("-o,--output", report_.output, "file to write (default: report.html in the results folder; for several folders, here)")->type_name("FILE");
     report->add_option("--frames", report_.frames, "number of frames to keep (default: 200, fewer for large meshes)")->check(whole_number_above_zero);
     report->add_option("--case", report_.cases, "for a batch: also show the run of this case (repeatable)")
@@ -379,6 +400,7 @@ class CommandLine {
   RunOptions run_, profile_;
   ViewOptions view_;
   SolveOptions solve_;
+  SuiteOptions suite_;
   CompareOptions compare_;
   BatchOptions batch_;
   CalibrateOptions calibrate_;

@@ -51,12 +51,30 @@ struct SolveOptions {
   SceneOptions step;                 // a stored step, and overrides of its scene
   std::vector<std::string> solvers;  // names or YAML maps; empty: the solver of the scene
   std::vector<std::string> plugins;
+  std::string json;                 // file to write the results to; empty: none
+  std::optional<double> cpu_limit;  // of each solve [s]
+  double tolerance_scale = 1;
   int threads = 0;             // 0: all cores
   bool no_minimum = false;     // measures no distance from the minimum
   bool store_minimum = false;  // keeps a minimum that was found in the file
+  bool check = false;          // follows each result to its own minimum
 };
 // Solves a stored step with each solver and prints a table.
 int solve_command(const SolveOptions& options);
+
+struct SuiteOptions {
+  std::vector<std::string> paths;    // problems and folders of them; empty: the shipped suite
+  std::vector<std::string> solvers;  // names or YAML maps; empty: all registered minimisers
+  std::vector<std::string> plugins;
+  std::vector<double> tolerance_scales;  // empty: 1
+  double cpu_limit = 20;                 // of each solve [s]
+  int threads = 1, jobs = 1;             // of each solve; concurrent solves
+  std::string output;                    // empty: results/suite
+  std::string command_line;              // as it would be typed in a shell
+  bool quiet = false;
+};
+// Solves all problems of folders with all solvers and writes a leaderboard.
+int suite_command(const SuiteOptions& options);
 
 struct BatchOptions {
   SceneOptions file;

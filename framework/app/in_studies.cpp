@@ -11,6 +11,7 @@ int law_command(const LawOptions&) { throw InStudies{}; }
 int plot_command(const PlotOptions&) { throw InStudies{}; }
 int render_command(const RenderOptions&) { throw InStudies{}; }
 int report_command(const ReportOptions&) { throw InStudies{}; }
+int suite_command(const SuiteOptions&) { throw InStudies{}; }
 int view_command(const ViewOptions&) { throw InStudies{}; }
 
 }  // namespace tack

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "framework/app/commands.hpp"
 #include "framework/app/interrupt_signals.hpp"
@@ -11,6 +13,7 @@
 #include "framework/plugin/plugins.hpp"
 #include "framework/run/stored_step.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
@@ -22,6 +25,20 @@ std::string minimum_text(const StoredStep& step, const SolveOptions& options, bo
   if (!found) return "its minimum is stored " + tolerance;
   if (options.store_minimum) return "its minimum was found " + tolerance + " and stored";
   return "its minimum was found " + tolerance + " (--store-minimum keeps it)";
+}
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(std::optional<double> number) { return number && std::isfinite(*number) ? Json(*number) : Json(); }
+
+// Returns one solve for --json; units as in StoredSolve. check: null without --check.
+Json to_json(const std::string& solver, const StoredSolve& s, const StoredCheck* check) {
+  Json json = {{"solver", solver}, {"status", s.status}, {"converged", s.converged}, {"iterations", s.iterations}, {"evaluations", s.evaluations},
+               {"linear_solves", s.linear_solves}, {"cpu_seconds", s.cpu_seconds}, {"wall_seconds", s.wall_seconds}, {"residual", to_json(s.residual)},
+               {"judged_residual", to_json(s.judged_residual)}, {"distance", to_json(s.distance)}, {"energy_gap", to_json(s.energy_gap)},
+               {"intersections", s.x.size() > 0 ? Json(s.intersections) : Json()}};
+  if (check) json["check"] = {{"minimum", to_string(check->minimum)}, {"error", to_json(check->error)}};
+  return json;
 }
 
 }  // namespace
@@ -44,13 +61,27 @@ int solve_command(const SolveOptions& options) {
   for (const std::string& text : options.solvers) width = std::max(width, text.size());
   fmt::print("{:{}}  iterations  evaluations     CPU s  distance  residual  status\n", "solver", width);
   bool all = true;
+  Json solves = Json::array();
   for (size_t i = 0; i < solvers.size(); ++i) {
-    const StoredSolve solved = step.solve(solvers[i]);
+    const StoredSolve solved = step.solve(solvers[i], {options.cpu_limit, options.tolerance_scale, options.check, {}});
     const std::string distance = solved.distance ? fmt::format("{:.1e}", *solved.distance) : "-";
-    fmt::print("{:{}}  {:10}  {:11}  {:8.4f}  {:>8}  {:8.2g}  {}\n", options.solvers.empty() ? "scene" : options.solvers[i], width, solved.iterations,
-               solved.evaluations, solved.cpu_seconds, distance, solved.residual, solved.status);
-    all &= solved.converged;
+    const std::string name = options.solvers.empty() ? "scene" : options.solvers[i];
+    const std::string crossing = solved.intersections > 0 ? ", and intersects" : "";
+    fmt::print("{:{}}  {:10}  {:11}  {:8.4f}  {:>8}  {:8.2g}  {}{}\n", name, width, solved.iterations, solved.evaluations, solved.cpu_seconds, distance,
+               solved.residual, solved.status, crossing);
+    all &= solved.converged && solved.intersections == 0;
+    StoredCheck check;
+    if (options.check) {
+      check = step.check(solved, options.cpu_limit);
+      fmt::print("{:{}}  minimum: {}; error {}, residual of the Newton direction {}\n", "", width, check.minimum == Minimum::unknown ? "not found" : to_string(check.minimum),
+                 check.error ? fmt::format("{:.1e}", *check.error) : "-", solved.judged_residual ? fmt::format("{:.2g}", *solved.judged_residual) : "-");
+    }
+    solves.push_back(to_json(name, solved, options.check ? &check : nullptr));
   }
+  const Json result = {{"problem", options.step.file}, {"program", step.program()}, {"unknowns", step.unknowns()}, {"step_size", step.step_size()},
+                       {"quasi_static", step.quasi_static()}, {"minimum_tolerance", step.has_minimum() ? Json(step.minimum_tolerance()) : Json()},
+                       {"solves", solves}};
+  if (!options.json.empty()) replace_file(options.json, result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return all ? exit_done : exit_simulation_failed;
 }
 

@@ -54,6 +54,8 @@ const std::string& CaseResolver::digest_of_file(const std::string& name) {
 
 std::string program_digest() {
   std::string digest = file_digest("/proc/self/exe");
+  // In another program, such as Python, the code is in libtack.so.
+  if (std::error_code none; !fs::equivalent(own_file(), "/proc/self/exe", none)) digest += "+" + file_digest(own_file());
   // Existing libraries only: building a missing library later makes the cases run once more.
   for (const char* library : {"libtack_further.so", "libtack_meshing.so", "libtack_msh.so"})
     if (const std::string one = file_digest(own_library_path(library)); !one.empty()) digest += "+" + one;

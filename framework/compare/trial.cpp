@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 
 #include "framework/config/bind.hpp"
@@ -12,11 +11,11 @@
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/experiment/stored_experiment.hpp"
+#include "framework/run/cpu_limit.hpp"
+#include "framework/run/exact_check.hpp"
 #include "framework/setup/remesh_checks.hpp"
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
-#include "geometry/exact/intersections.hpp"
-#include "geometry/exact/orientation.hpp"
 
 namespace tack {
 namespace {
@@ -34,11 +33,6 @@ class Stopwatch {
   Stopwatch& operator=(const Stopwatch&) = delete;
 
  private:
-  static double cpu_now() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  }
   TrialResult& result_;
   std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
   double cpu_ = cpu_now();
@@ -190,12 +184,9 @@ void Trial::record_maxima(const std::vector<StepMetric>& metrics) {
 void Trial::evaluate_end() {
   result_.x = simulation_.state().x;
   const World& world = simulation_.world();
-  result_.intersections = first_inverted_tet(world.tets, result_.x) >= 0 ? 1 : 0;
+  result_.intersections = intersections_at(world, result_.x);
   if (world.contact) {
-    ContactSystem& contact = *world.contact;
-    result_.intersections +=
-        static_cast<int>(find_intersections(contact.surface().mesh, result_.x, contact.colliding(), 100).size());
-    contact.at(result_.x, [&] { result_.probes = probes_.sample(world, simulation_.state()); });
+    world.contact->at(result_.x, [&] { result_.probes = probes_.sample(world, simulation_.state()); });
   } else {
     result_.probes = probes_.sample(world, simulation_.state());
   }

@@ -16,10 +16,10 @@ class PageData {
   explicit PageData(Blocks where = Blocks::beside) : placement_(where) {}
 
   // The document's keys:
-  //    kind          run, runs, comparison, batch, calibration or preview
+  //    kind          run, runs, comparison, suite, batch, calibration or preview
   //    title, made
   //    runs          run_data.hpp
-  //    comparison, batch, calibration   table_data.hpp
+  //    comparison, suite, batch, calibration   table_data.hpp
   //    preview       view/preview.hpp
   //    live          view/run_view.hpp
   nlohmann::ordered_json document;

@@ -57,11 +57,12 @@ FolderKind kind_of(const fs::path& folder) {
   if (!fs::exists(folder)) throw InputError(fmt::format("{}: there is no such folder", folder.string()));
   if (fs::exists(folder / "calibration.json")) return FolderKind::calibration;
   if (fs::exists(folder / "batch.json")) return FolderKind::batch;
+  if (fs::exists(folder / "leaderboard.json")) return FolderKind::suite;
   if (fs::exists(folder / "compare.csv")) return FolderKind::comparison;
   for (const char* file : {"scene.yaml", "summary.json", "steps.csv", "run.pvd"})
     if (fs::exists(folder / file)) return FolderKind::run;
   throw InputError(fmt::format("{}: is not a results folder; give one of "
-                               "`tack run`, `tack compare`, `tack batch` or `tack calibrate`", folder.string()));
+                               "`tack run`, `tack suite`, `tack compare`, `tack batch` or `tack calibrate`", folder.string()));
 }
 
 PageData report_data(const ReportSettings& s) {
@@ -69,7 +70,7 @@ PageData report_data(const ReportSettings& s) {
   for (const fs::path& folder : s.folders) kinds.push_back(kind_of(folder));
   const bool runs = std::all_of(kinds.begin(), kinds.end(), [](FolderKind kind) { return kind == FolderKind::run; });
   if (kinds.empty() || (!runs && kinds.size() > 1))
-    throw InputError("a report is of one or more runs, or of one comparison, batch or calibration");
+    throw InputError("a report is of one or more runs, or of one comparison, suite, batch or calibration");
   if (!s.cases.empty() && kinds[0] != FolderKind::batch) throw InputError("--case is for a batch");
 
   PageData page;
@@ -83,6 +84,9 @@ PageData report_data(const ReportSettings& s) {
   } else if (kinds[0] == FolderKind::comparison) {
     document["kind"] = "comparison";
     document["comparison"] = comparison_data(s.folders[0]);
+  } else if (kinds[0] == FolderKind::suite) {
+    document["kind"] = "suite";
+    document["suite"] = suite_data(s.folders[0]);
   } else if (kinds[0] == FolderKind::calibration) {
     document["kind"] = "calibration";
     document["calibration"] = calibration_data(s.folders[0], page);

@@ -1,5 +1,5 @@
-// tack report: one HTML file for a run, several runs overlaid, a comparison, a batch or a
-// calibration.
+// tack report: one HTML file for a run, several runs overlaid, a comparison, a leaderboard of a
+// suite, a batch or a calibration.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 
 namespace tack {
 
-enum class FolderKind { run, comparison, batch, calibration };
+enum class FolderKind { run, comparison, suite, batch, calibration };
 // Returns the kind of a folder by its files. Throws InputError for a missing folder or an unknown
 // kind.
 FolderKind kind_of(const std::filesystem::path& folder);
 
 struct ReportSettings {
-  std::vector<std::filesystem::path> folders;  // runs; or one comparison, batch or calibration
+  std::vector<std::filesystem::path> folders;  // runs; or one of another kind
   // empty: report.html in the folder; for several folders, in the working directory
   std::filesystem::path output;
   int frames = 0;                  // limit; 0: 200, or fewer if a page would get too large

@@ -71,6 +71,12 @@ Json comparison_data(const fs::path& folder) {
   return {{"name", title_of(text)}, {"table", text_table(read_csv_texts(folder / "compare.csv"))}, {"text", text}};
 }
 
+Json suite_data(const fs::path& folder) {
+  Json suite = Json::parse(read_file(folder / "leaderboard.json", largest_text), nullptr, false);
+  if (!suite.is_object()) throw InputError(fmt::format("{}: is not a file of `tack suite`; run the suite again", (folder / "leaderboard.json").string()));
+  return {{"suite", std::move(suite)}, {"table", text_table(read_csv_texts(folder / "leaderboard.csv"))}};
+}
+
 Json calibration_data(const fs::path& folder, PageData& page) {
   Json calibration;
   try {

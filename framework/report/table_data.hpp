@@ -19,6 +19,9 @@ nlohmann::ordered_json text_table(const CsvTexts& table);
 // Returns {name, about, table, text (compare.md)} of a folder of `tack compare`.
 nlohmann::ordered_json comparison_data(const std::filesystem::path& folder);
 
+// Returns {suite (leaderboard.json), table (leaderboard.csv)} of a folder of `tack suite`.
+nlohmann::ordered_json suite_data(const std::filesystem::path& folder);
+
 // Returns {batch.json, table (results.csv), curves: per case number_table of its probes or null,
 // units {column: unit}}.
 nlohmann::ordered_json batch_data(const std::filesystem::path& folder, PageData& page);

@@ -2,22 +2,23 @@
 
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <stdexcept>
 
 #include "framework/config/merged_component.hpp"
 #include "framework/experiment/stored_experiment.hpp"
+#include "framework/run/cpu_limit.hpp"
+#include "framework/run/exact_check.hpp"
+#include "framework/run/judged_minimizer.hpp"
 #include "framework/run/reference_solver.hpp"
 #include "framework/run/simulation.hpp"
 
 namespace tack {
 namespace {
 
-double cpu_now() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
+// Distances of two solutions of a step that count as one, over the displacement in the step, and
+// relative differences of their potentials.
+constexpr double same_distance = 1e-4, same_potential = 1e-9;
+constexpr int unlimited_iterations = 1'000'000;
 
 // Returns the keys of a solver that is laid over the scene's. Another type of solver keeps the
 // convergence criteria of the scene unless it states its own.
@@ -40,6 +41,10 @@ StoredStep::StoredStep(std::string path, std::vector<std::string> overrides)
   const BuiltExperiment built(load({}));
   check_size(file_, built.world().rest.size() / 3, path_);
   unknowns_ = built.world().dofs.size();
+  const Experiment& experiment = built.experiment();
+  quasi_static_ = !experiment.time.integrator->predict(built.world().start, file_.step_size).inertia;
+  velocity_tolerance_ = experiment.solver->velocity_tolerance();
+  force_tolerance_ = experiment.solver->force_tolerance();
   if (!overrides_.empty()) file_.minimum.resize(0);
 }
 
@@ -50,29 +55,98 @@ LoadedExperiment StoredStep::load(const Value& solver) const {
   return loaded;
 }
 
-StoredSolve StoredStep::solve(const Value& solver, StepObservers observers) const {
-  Simulation simulation(load(solver));
-  simulation.observe(std::move(observers));
+std::string StoredStep::program() const { return file_.commit.empty() ? file_.program : file_.program + " (" + file_.commit + ")"; }
+
+double StoredStep::motion() const {
+  const double motion = largest_distance(file_.minimum, file_.state.x);
+  return motion > 0 ? motion : 1;
+}
+
+StoredSolve StoredStep::solve(const Value& solver, const StoredSolveSettings& settings) const {
+  Value keys = solver;
+  const auto set_key = [&](const char* key, Value value) {
+    if (!keys.is_map()) {
+      const Value type = keys;
+      keys = Value::map();
+      if (!type.is_null()) keys.set("type", type);
+    }
+    keys.set(key, std::move(value));
+  };
+  if (settings.cpu_limit && !solver.find("max_iterations")) set_key("max_iterations", Value::number(unlimited_iterations));
+  if (settings.tolerance_scale != 1) {
+    const std::unique_ptr<const Minimizer> own = bind_component<Minimizer>(with_criteria_of_scene(*load({}).experiment.solver, solver));
+    set_key("tolerance", Value::number(settings.tolerance_scale * (own->tolerance_given() ? own->velocity_tolerance() : velocity_tolerance_)));
+    set_key("force_tolerance", Value::number(settings.tolerance_scale * own->force_tolerance()));
+  }
+  Simulation simulation(load(keys));
+  Judgement judgement;
+  if (settings.judge) simulation.solve_with([&] { return judged(instance_of(*simulation.experiment().solver), judgement); });
+  simulation.observe(settings.observers);
   simulation.start_from(file_.state);
   StoredSolve result;
+  SolveResult solved;
   const auto wall = std::chrono::steady_clock::now();
   const double cpu = cpu_now();
-  SolveResult solved = simulation.stepper().solve(file_.step_size);
-  result.cpu_seconds = cpu_now() - cpu;
-  result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+  bool out_of_time = false;
+  {
+    const CpuLimit limit(settings.cpu_limit);
+    solved = simulation.stepper().solve(file_.step_size);
+    out_of_time = limit.passed();
+  }
+  result.cpu_seconds = cpu_now() - cpu - judgement.cpu_seconds;
+  result.judged_residual = judgement.residual;
+  result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count() - judgement.wall_seconds;
   const MinimizerResult& work = solved.minimizer;
-  result.status = solved.failure.empty() ? std::string(to_string(work.status)) : solved.failure;
-  result.converged = solved.failure.empty() && work.status == MinimizerStatus::converged;
+  const MinimizerStatus status = out_of_time && work.status == MinimizerStatus::interrupted ? MinimizerStatus::time_limit : work.status;
+  if (out_of_time && status != MinimizerStatus::converged) result.status = "out of processor time";
+  else result.status = solved.failure.empty() ? std::string(to_string(status)) : solved.failure;
+  result.converged = solved.failure.empty() && status == MinimizerStatus::converged;
   result.iterations = work.iterations;
   result.evaluations = work.line_search_evaluations;
   result.linear_solves = work.linear_solves;
   result.residual = work.residual;
   if (!solved.failure.empty() || !solved.x.allFinite()) return result;
   result.x = std::move(solved.x);
+  result.intersections = intersections_at(simulation.world(), result.x);
   if (!has_minimum()) return result;
-  const double motion = largest_distance(file_.minimum, file_.state.x);
-  result.distance = largest_distance(result.x, file_.minimum) / (motion > 0 ? motion : 1);
+  result.distance = largest_distance(result.x, file_.minimum) / motion();
+  TimeStepper& stepper = simulation.stepper();
+  result.energy_gap = stepper.potential_at(result.x) - stepper.potential_at(file_.minimum);
   return result;
+}
+
+StoredCheck StoredStep::check(const StoredSolve& solved, std::optional<double> cpu_limit) const {
+  StoredCheck check;
+  if (!has_minimum() || solved.x.size() == 0 || solved.intersections > 0) return check;
+  Value solver = reference_solver("clamp", "lagged_cholesky", minimum_tolerance());
+  solver.set("tolerance", Value::number(minimum_tolerance()));
+  Simulation simulation(load(solver));
+  simulation.start_from(file_.state);
+  SolveResult refined;
+  {
+    const CpuLimit limit(cpu_limit);
+    refined = simulation.stepper().solve(file_.step_size, &solved.x);
+  }
+  if (!refined.failure.empty() || refined.minimizer.status != MinimizerStatus::converged) return check;
+  check.error = largest_distance(solved.x, refined.x) / motion();
+  if (largest_distance(refined.x, file_.minimum) <= same_distance * motion()) {
+    check.minimum = Minimum::same;
+    return check;
+  }
+  TimeStepper& stepper = simulation.stepper();
+  const double own = stepper.potential_at(refined.x), stored = stepper.potential_at(file_.minimum);
+  check.minimum = std::abs(own - stored) <= same_potential * std::abs(stored) ? Minimum::equal : Minimum::another;
+  return check;
+}
+
+std::string_view to_string(Minimum minimum) {
+  switch (minimum) {
+    case Minimum::unknown: return "";
+    case Minimum::same: return "same";
+    case Minimum::equal: return "equal";
+    case Minimum::another: return "another";
+  }
+  return "";
 }
 
 bool StoredStep::find_minimum() {

@@ -8,6 +8,7 @@
 #include "python/bindings/recorded.hpp"
 #include "python/bindings/running.hpp"
 #include "python/bindings/stored.hpp"
+#include "python/bindings/studies.hpp"
 
 PYBIND11_MODULE(_tack, module) {
   namespace py = pybind11;
@@ -27,4 +28,5 @@ PYBIND11_MODULE(_tack, module) {
   python::bind_running(module);
   python::bind_recorded(module);
   python::bind_stored(module);
+  python::bind_studies(module);
 }

@@ -83,6 +83,7 @@ std::string kind(const std::string& folder) {
   switch (kind_of(folder)) {
     case FolderKind::run: return "run";
     case FolderKind::comparison: return "comparison";
+    case FolderKind::suite: return "suite";
     case FolderKind::batch: return "batch";
     case FolderKind::calibration: return "calibration";
   }

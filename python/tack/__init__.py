@@ -22,5 +22,6 @@ from .law import law  # noqa: E402
 from .results import Batch, Run, Tables, read  # noqa: E402
 from .simulation import Simulation, Warned, run  # noqa: E402
 from .solve import solve  # noqa: E402
+from .studies import calibrate, compare  # noqa: E402
 
-__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "law", "read", "run", "solve"]
+__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "calibrate", "compare", "law", "read", "run", "solve"]

@@ -1,4 +1,4 @@
-"""Results of `tack run`, `tack batch` and `tack compare`, as arrays."""
+"""Results of `tack run`, `tack batch`, `tack compare`, `tack calibrate` and `tack suite`, as arrays."""
 from __future__ import annotations
 
 import csv
@@ -140,12 +140,23 @@ class Batch(_Folder):
 
 
 class Tables(_Folder):
-    """Results of a comparison or a calibration: its tables by name, columns by name."""
+    """Results of a comparison, a calibration or a suite: its tables by name, columns by name."""
 
     @functools.cached_property
     def tables(self) -> dict:
         """{name: columns by name} of every CSV file."""
         return {path.stem: Table(path) for path in sorted(self.path.glob("*.csv"))}
+
+    @functools.cached_property
+    def summary(self) -> dict:
+        """compare.json, calibration.json or leaderboard.json, as a dictionary."""
+        name = {"comparison": "compare", "suite": "leaderboard"}.get(_tack.kind_of(str(self.path)), "calibration")
+        return json.loads((self.path / f"{name}.json").read_text(encoding="utf-8"))
+
+    @functools.cached_property
+    def fits(self) -> dict:
+        """{name: columns by name} of a calibration: measured and simulated curves of every experiment; NAME_run has all samples of its best run."""
+        return {path.stem: Table(path) for path in sorted((self.path / "fits").glob("*.csv"))}
 
     def __repr__(self):
         return f"<{_tack.kind_of(str(self.path))}: {', '.join(self.tables)}>"
@@ -155,7 +166,7 @@ def read(folder: str | os.PathLike) -> Run | Batch | Tables:
     """Reads the results in a folder.
 
     Returns:
-        A Run, a Batch, or Tables of a comparison or a calibration.
+        A Run, a Batch, or Tables of a comparison, a calibration or a suite.
 
     Raises:
         InputError: The folder has no results.

@@ -3,6 +3,7 @@ import { chart } from "./chart.js";
 import { h, labelled, section, select } from "./dom.js";
 import { format } from "./format.js";
 import { markdown } from "./markdown.js";
+import { profileChart } from "./profile.js";
 import { sortedTable } from "./table.js";
 
 const rowsWith = ({ columns, rows }) => rows.map((row) => Object.fromEntries(columns.map((name, c) => [name, row[c]])));
@@ -59,30 +60,10 @@ function precisionSection(rows) {
     labelled("Cost", select(costs.map(([key, name]) => [key, name]), cost[0], (value) => { cost = costs.find(([key]) => key === value); draw(); }))), holder);
 }
 
-// Draws performance profiles (Dolan and Moré 2002): the fraction of tasks that a solver solves within a multiple of the fastest time.
 function profileSection(rows) {
-  const solvers = unique(rows.map((row) => row.solver));
-  const tasks = new Map();
-  for (const row of rows) {
-    const key = JSON.stringify([row.problem, row.tolerance, row.time_step]);
-    if (!tasks.has(key)) tasks.set(key, new Map());
-    if (solved(row)) tasks.get(key).set(row.solver, row.wall_seconds);
-  }
-  const best = [...tasks.values()].map((times) => Math.min(...times.values()));
-  const ratios = solvers.map((solver) => [...tasks.values()].map((times, t) => (times.has(solver) ? times.get(solver) / best[t] : Infinity)).filter(Number.isFinite).sort((a, b) => a - b));
-  const most = Math.max(2, ...ratios.flat());
-  const series = solvers.map((solver, i) => {
-    const [x, y] = [[1], [0]];
-    ratios[i].forEach((ratio, k) => {
-      x.push(ratio, ratio);
-      y.push(k / tasks.size, (k + 1) / tasks.size);
-    });
-    x.push(1.05 * most);
-    y.push(ratios[i].length / tasks.size);
-    return { label: solver, x, y };
-  });
-  return section("profile", "Performance profile", h("div", { class: "charts wide" }, chart({
-    title: "Fraction of tasks solved", note: "The fraction of all tasks (problem, tolerance, time step) that a solver solves within a multiple of the fastest time.",
-    x: { name: "multiple of the fastest time", log: true }, y: { name: "fraction of tasks" }, height: 300, series,
+  return section("profile", "Performance profile", h("div", { class: "charts wide" }, profileChart({
+    rows, taskOf: (row) => JSON.stringify([row.problem, row.tolerance, row.time_step]), costOf: (row) => (solved(row) ? row.wall_seconds : null),
+    title: "Fraction of tasks solved", cost: "fastest time",
+    note: "The fraction of all tasks (problem, tolerance, time step) that a solver solves within a multiple of the fastest time.",
   })));
 }

@@ -1,4 +1,4 @@
-// Builds a page from its data: a run, several runs, a comparison, a batch, a calibration, or a scene that was not run yet. A served run is updated while it runs
+// Builds a page from its data: a run, several runs, a comparison, a suite, a batch, a calibration, or a scene that was not run yet. A served run is updated while it runs
 // (live.js).
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
@@ -10,6 +10,7 @@ import { contactSection, costSection, energySection, lawSection, probeSection } 
 import { h } from "./dom.js";
 import { Live } from "./live.js";
 import { previewSections } from "./preview.js";
+import { suiteSections } from "./suite.js";
 import { numberTable } from "./unpack.js";
 import { viewSection } from "./view.js";
 
@@ -31,6 +32,11 @@ async function contentOf(data, runs) {
     return { title: nameOf(run), about: run.scene?.about, badges: [h("span", { class: "badge open" }, "not run yet")], parts: previewSections(data.preview, run) };
   }
   if (data.kind === "comparison") return { title: data.comparison.name || data.title, parts: comparisonSections(data.comparison) };
+  if (data.kind === "suite") {
+    const { suite } = data.suite;
+    return { title: "Leaderboard of solvers", about: `${suite.problems.length} stored steps, ${suite.solvers.length} solvers side by side`,
+      badges: suite.complete ? [] : [statusBadge("interrupted")], parts: suiteSections(data.suite) };
+  }
   if (data.kind === "batch") {
     const { batch, notes } = data.batch;
     const done = batch.cases.length;

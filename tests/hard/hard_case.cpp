@@ -77,10 +77,16 @@ const std::vector<HardSolver>& hard_solvers() {
   return solvers;
 }
 
-HardOutcome run_hard_case(const HardCase& c, const HardSolver& solver) {
+HardSolver hard_solver(const std::string& text) {
+  const std::string key = text.find('=') == std::string::npos ? "type=" + text : text;
+  return {text, {"solver." + key}};
+}
+
+HardOutcome run_hard_case(const HardCase& c, const HardSolver& solver, const std::vector<std::string>& plugins) {
   const TemporaryFolder folder;
   Arguments arguments = {"run", c.scene.string(), "-q", "-o", "out", "--threads", "1"};
   for (const std::string& text : solver.overrides) arguments.insert(arguments.end(), {"--set", text});
+  if (!plugins.empty()) arguments.insert(arguments.end(), {"--set", fmt::format("plugins=[\"{}\"]", fmt::join(plugins, "\", \""))});
   const ProgramResult result = run_tack(folder.path(), arguments);
   HardOutcome outcome;
   outcome.exit_code = result.exit_code;

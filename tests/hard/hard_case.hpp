@@ -35,11 +35,15 @@ std::vector<HardCase> hard_cases();
 // Reads a scene. Throws std::runtime_error if it has no `about`, or another name than its file.
 HardCase read_hard_case(const std::filesystem::path& scene);
 
-// Returns the solvers, the default first.
+// Returns the solvers of the page, the default first.
 const std::vector<HardSolver>& hard_solvers();
+// Returns a solver: the name of a minimizer, or a key of the solver with its value,
+// "projection=absolute".
+HardSolver hard_solver(const std::string& text);
 
-// Runs a case with a solver.
-HardOutcome run_hard_case(const HardCase& c, const HardSolver& solver);
+// Runs a case with a solver. plugins: absolute paths, loaded before the scene is read.
+HardOutcome run_hard_case(const HardCase& c, const HardSolver& solver,
+                          const std::vector<std::string>& plugins = {});
 
 // Returns the fault of an outcome; "" if the case ended as its scene expects.
 std::string fault(const HardCase& c, const HardOutcome& outcome);

@@ -39,9 +39,9 @@ std::string what_is_hard(const std::vector<HardRow>& rows) {
   return text + "\n";
 }
 
-std::string how_they_end(const std::vector<HardRow>& rows) {
+std::string how_they_end(const std::vector<HardRow>& rows, const std::vector<HardSolver>& solvers) {
   std::string text = "\n| case |", rule = "\n| --- |";
-  for (const HardSolver& solver : hard_solvers()) {
+  for (const HardSolver& solver : solvers) {
     text += fmt::format(" {} |", solver.name);
     rule += " --- |";
   }
@@ -53,28 +53,28 @@ std::string how_they_end(const std::vector<HardRow>& rows) {
   return text + "\n";
 }
 
-std::string counts(const std::vector<HardRow>& rows) {
+std::string counts(const std::vector<HardRow>& rows, const std::vector<HardSolver>& solvers) {
   std::string text = "\n| solver | done | missed an `expect` | refused | gave up | crashed or hung |\n"
                      "| --- | --- | --- | --- | --- | --- |\n";
-  for (size_t s = 0; s < hard_solvers().size(); ++s) {
+  for (size_t s = 0; s < solvers.size(); ++s) {
     int by_code[5] = {};
     for (const HardRow& row : rows) {
       const int code = row.outcomes[s].exit_code;
       ++by_code[code >= 0 && code <= 3 ? code : 4];
     }
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", hard_solvers()[s].name, by_code[0], by_code[1], by_code[2],
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", solvers[s].name, by_code[0], by_code[1], by_code[2],
                         by_code[3], by_code[4]);
   }
   return text;
 }
 
-std::string what_fails(const std::vector<HardRow>& rows) {
+std::string what_fails(const std::vector<HardRow>& rows, const std::vector<HardSolver>& solvers) {
   std::string text;
   for (const HardRow& row : rows)
     for (size_t s = 0; s < row.outcomes.size(); ++s)
       for (const std::string& missed : row.outcomes[s].missed_expectations)
         if (row.outcomes[s].exit_code == 1)
-          text += fmt::format("- `{}`, {}: {}\n", row.hard.name, hard_solvers()[s].name, missed);
+          text += fmt::format("- `{}`, {}: {}\n", row.hard.name, solvers[s].name, missed);
   return text.empty() ? "None.\n" : text;
 }
 
@@ -88,12 +88,12 @@ std::string reason(const std::string& error) {
   return text;
 }
 
-std::string who_gave_up(const std::vector<HardRow>& rows) {
+std::string who_gave_up(const std::vector<HardRow>& rows, const std::vector<HardSolver>& solvers) {
   std::string text;
   for (const HardRow& row : rows)
     for (size_t s = 0; s < row.outcomes.size(); ++s)
       if (row.outcomes[s].exit_code == 3)
-        text += fmt::format("- `{}`, {}: {}\n", row.hard.name, hard_solvers()[s].name, reason(row.outcomes[s].error));
+        text += fmt::format("- `{}`, {}: {}\n", row.hard.name, solvers[s].name, reason(row.outcomes[s].error));
   return text.empty() ? "None.\n" : text;
 }
 
@@ -106,6 +106,9 @@ What becomes of scenes that are hard, with several solvers: [experiments/hard](.
 ```
 cmake --build --preset release --target tack_hard && build/release/tests/tack_hard table docs/robustness.md
 ```
+
+Other solvers, also those of a plugin, on all of them or on those named: `tack_hard table PAGE --plugin libmine.so --solver mine --solver projection=absolute [NAME...]`
+(a minimizer, or a key of `solver`).
 
 A solve may take 10 s and a run 20 s, on one thread; what hits such a limit may end elsewhere on another machine.
 )";
@@ -123,10 +126,10 @@ blocks it.
 
 }  // namespace
 
-std::string robustness_page(const std::vector<HardRow>& rows) {
-  return std::string(introduction) + counts(rows) + legend + how_they_end(rows) + "\n## What was missed\n\n" +
-         what_fails(rows) +
-         "\n## What ended those that gave up\n\n" + who_gave_up(rows) +
+std::string robustness_page(const std::vector<HardRow>& rows, const std::vector<HardSolver>& solvers) {
+  return std::string(introduction) + counts(rows, solvers) + legend + how_they_end(rows, solvers) + "\n## What was missed\n\n" +
+         what_fails(rows, solvers) +
+         "\n## What ended those that gave up\n\n" + who_gave_up(rows, solvers) +
          "\n## What is hard in each\n\nEnergy lost: what contact areas and time integration took with the default "
          "solver, implicit Euler's damping\nand the impacts that it does not resolve, of the largest energy in the run. "
          "Gains: steps in which energy grew by\nmore than a hundredth of the reference energy so far, without a source. What was gained or lost "

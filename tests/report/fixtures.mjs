@@ -3,7 +3,7 @@ import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-const evil = "</script><b>bold</b>";
+export const evil = "</script><b>bold</b>";
 
 const scene = (name, { about = "a block falls on a floor", expect = "", young = "1 MPa", probes = "" } = {}) => `name: ${JSON.stringify(name)}
 about: ${JSON.stringify(about)}
@@ -79,6 +79,26 @@ export function makeFixtures(tack, folder) {
     name: "falls", about: evil, provenance: { host: "somewhere", compiler: { name: "g++", version: "12.2" } }, keys: ["young", "mu"], cases,
   }));
   writeFileSync(join(folder, "batch", "results.csv"), `${results.join("\n")}\n`);
+}
+
+// A suite of two problems at two tolerances, of which one solver solves all.
+export function makeSuite(folder) {
+  const root = join(folder, "suite");
+  mkdirSync(root, { recursive: true });
+  const [solvers, problems] = [["newton", "lbfgs", evil], ["fall", evil]];
+  const rows = ["problem,solver,tolerance_scale,outcome,status,iterations,evaluations,linear_solves,seconds,wall_seconds,residual,judged_residual,distance,error,minimum,energy_gap,intersections"];
+  problems.forEach((problem, p) => [1, 0.1].forEach((scale, t) => solvers.forEach((solver, s) => {
+    const outcome = s === 0 || (s === 1 && !(p === 1 && t === 0)) || (p === 0 && t === 0) ? "solved" : s === 2 && p === 1 && t === 0 ? "time limit" : "failed";
+    const seconds = 0.1 * (s + 1) * (t + 1) + 0.2 * (p === 1 && s === 0 && t === 0) + 0.1 * (p === 1 && s === 0 && t === 1);
+    rows.push(`${problem},${solver},${scale},${outcome},"stopped, somehow",${10 * (s + 1)},20,10,${seconds},${seconds},0.5,0.6,0.01,${1e-3 * scale * (s + 1)},${p === 1 && s === 0 && t === 0 ? "another" : "same"},0,0`);
+  })));
+  writeFileSync(join(root, "leaderboard.csv"), `${rows.join("\n")}\n`);
+  const score = (solver, counts, seconds, others = 0) => ({ solver, tasks: 4, solved: 0, inexact: 0, intersects: 0, failed: 0, "time limit": 0, refused: 0, crashed: 0, ...counts, other_minima: others, penalized_seconds: seconds });
+  writeFileSync(join(root, "leaderboard.json"), JSON.stringify({
+    provenance: { version: "1", commit: "0123", cpu: evil, cores: 2, threads: 1, host: "somewhere" }, complete: true, cpu_limit: 20, judged_residual_max: 10, tolerance_scales: [1, 0.1], threads: 1,
+    jobs: 1, wall_seconds: 5, solvers, problems: problems.map((name) => ({ name, file: name, program: "1", unknowns: 96, step_size: 0.01, quasi_static: false, minimum_tolerance: 1e-10 })),
+    scores: [score("newton", { solved: 4 }, 0.25, 1), score("lbfgs", { solved: 3, failed: 1 }, 10.2), score(evil, { solved: 1, failed: 2, "time limit": 1 }, 30.1)],
+  }));
 }
 
 // A calibration with a determined and an undetermined parameter.

@@ -1,11 +1,11 @@
-// The reports of a run, several runs, an unfinished run, a comparison, a calibration and a batch, in a browser from the file system.
+// The reports of a run, several runs, an unfinished run, a comparison, a suite, a calibration and a batch, in a browser from the file system.
 //   node report_test.mjs TACK MODULES PAGE     MODULES: where playwright-core is; ends with code 77 and a message if a requirement is missing
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { Page, needBrowser, runTests } from "./browser.mjs";
-import { makeCalibration, makeFixtures, makeReport } from "./fixtures.mjs";
+import { evil, makeCalibration, makeFixtures, makeReport, makeSuite } from "./fixtures.mjs";
 
 const [tack, modules, pageFile] = process.argv.slice(2);
 const start = needBrowser(modules, pageFile);
@@ -215,6 +215,26 @@ const tests = {
     const one = await Page.open(browser, makeReport(tack, folder, ["evil"], "evil.html"));
     await one.ready();
     assert.match((await one.text("h1"))[0], /^<\/script><b>bold<\/b> done/);
+    assert.equal(await one.page.locator("main b").count(), 0);
+    await one.close();
+  },
+
+  async "a suite: leaderboard, profiles, work against precision, problems"(browser) {
+    makeSuite(folder);
+    const one = await Page.open(browser, makeReport(tack, folder, ["suite"], "suite.html"));
+    await one.ready();
+    assert.match((await one.text("h1"))[0], /^Leaderboard of solvers/);
+    assert.deepEqual(await one.text("nav a"), ["Leaderboard", "Performance profiles", "Work against precision", "Problems", "All solves", "Provenance"]);
+    assert.deepEqual(await one.text("#scores thead th"), ["", "solver", "solved", "unsolved", "failed", "time limit", "another minimum", "PAR2 [s]"]);
+    assert.deepEqual(await one.text("#scores tbody tr:nth-child(1) > *"), ["1", "newton", "4 of 4", "0", "–", "–", "1", "0.25"]);
+    assert.deepEqual(await one.text("#scores tbody tr:nth-child(3) > *"), ["3", evil, "1 of 4", "3", "2", "1", "–", "30.1"]);
+    await one.checkCharts(3);
+    assert.match((await one.text("#profiles .note"))[0], /all 4 tasks/);
+    assert.deepEqual(await one.text("#precision .legend li span:nth-child(2)"), ["newton", "lbfgs"]);
+    assert.match((await one.text("#precision .note"))[0], /the 1 of 2 problems that all solvers shown solve.*less than half of the tasks: <\/script><b>bold<\/b> \(1 of 4\)/s);
+    assert.deepEqual(await one.text("#problems tbody tr:nth-child(1) > *"), ["fall", "96", "0.1", "0.2", "0.3"]);
+    assert.deepEqual(await one.text("#problems tbody tr:nth-child(2) > *"), [evil, "96", "0.3*", "failed", "limit"]);
+    assert.equal(await one.page.locator("#table tbody tr").count(), 12);
     assert.equal(await one.page.locator("main b").count(), 0);
     await one.close();
   },

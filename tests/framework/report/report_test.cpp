@@ -165,7 +165,7 @@ TEST_CASE("long tables keep every k-th row and the last") {
 
 TEST_CASE("incompatible folders, missing pages and missing files are refused") {
   const ReportFixture fixture;
-  CHECK_THROWS_WITH(fixture.report({fixture.batch(), fixture.run("run")}), Catch::Contains("or of one comparison, batch or calibration"));
+  CHECK_THROWS_WITH(fixture.report({fixture.batch(), fixture.run("run")}), Catch::Contains("or of one comparison, suite, batch or calibration"));
   CHECK_THROWS_WITH(fixture.report({fixture.run("run")}, {"a"}), Catch::Contains("--case is for a batch"));
   ReportSettings settings;
   settings.folders = {fixture.run("run")};

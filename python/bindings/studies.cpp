@@ -1,0 +1,80 @@
+#include "python/bindings/studies.hpp"
+
+#include <pybind11/stl.h>
+#include <tbb/task_arena.h>
+
+#include <filesystem>
+
+#include "framework/batch/resolved_case.hpp"
+#include "framework/calibrate/calibrate_run.hpp"
+#include "framework/compare/compare_run.hpp"
+#include "geometry/interrupt.hpp"
+#include "geometry/plain_numbers.hpp"
+#include "python/bindings/interrupts.hpp"
+
+namespace tack::python {
+namespace {
+
+namespace py = pybind11;
+
+// Prints a line to Python's sys.stdout, from any thread.
+void print_line(const std::string& line) {
+  const py::gil_scoped_acquire gil;
+  py::print(line);
+}
+
+std::string compared(const std::string& path, const std::vector<std::string>& set, const std::string& output, int threads, bool quiet) {
+  std::string folder;
+  {
+    const Interrupts interrupts;
+    const py::gil_scoped_release released;
+    const PlainNumbers plain;
+    tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+      folder = run_comparison({path, set, output, provenance_of("", arena.max_concurrency())}, [&](const std::string& line) {
+                 if (interrupt_requested) throw Interrupted{};
+                 if (!quiet) print_line(line);
+               }).string();
+    });
+  }
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  return folder;
+}
+
+// program: an executable that runs a case. The thread that calls this starts the processes.
+std::string calibrated(const std::string& path, const std::vector<std::string>& set, const std::string& output, const std::string& program, int jobs, int threads,
+                       bool failed, bool quiet) {
+  std::string folder;
+  {
+    const Interrupts interrupts;
+    const py::gil_scoped_release released;
+    const PlainNumbers plain;
+    const CalibrateConfig config = load_calibration(path, set);
+    FittedScenes scenes(config, program_digest());
+    const auto print = [&](const std::string& line) {
+      if (!quiet) print_line(line);
+    };
+    for (const std::string& line : scenes.warnings()) print("warning: " + line);
+    CalibrationSettings settings;
+    settings.file = std::filesystem::absolute(path).lexically_normal().string();
+    settings.output = output;
+    settings.program = program;
+    settings.provenance = provenance_of("", threads > 0 ? threads : config.threads);
+    settings.cases = calibration_description(config, scenes, settings.file, settings.provenance, jobs, threads);
+    settings.rerun_failed = failed;
+    const CalibrationObserver observer{print, [&](const std::string& phase, int, const PointEvaluation*) { print(phase); }, {}, {}};
+    folder = run_calibration(config, scenes, settings, observer).folder.root.string();
+  }
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  return folder;
+}
+
+}  // namespace
+
+void bind_studies(py::module_& module) {
+  module.def("compare", &compared, py::arg("path"), py::arg("set"), py::arg("output"), py::arg("threads"), py::arg("quiet"));
+  module.def("calibrate", &calibrated, py::arg("path"), py::arg("set"), py::arg("output"), py::arg("program"), py::arg("jobs"), py::arg("threads"), py::arg("failed"),
+             py::arg("quiet"));
+}
+
+}  // namespace tack::python
