@@ -2,7 +2,7 @@
 //   - Overlapping surfaces: the points of the overlap that the contact model finds
 //     (ContactPotential::overlap_sites).
 //   - Rods, particles, and a surface that meets itself: each vertex in contact
-//     (contact/contact_points.hpp).
+//     (contact/points/contact_points.hpp).
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
-// Rolling by friction as unknowns of a world (contact/contact_spins.hpp). Rods use the twists of
-// their edges (rod_twists.hpp). A particle gets three arcs at its radius of gyration, sqrt(2/5) of
-// its radius, with its mass, hence the moment of inertia 2/5 m r^2. Its orientation has no effect,
-// so that the arcs are the integral of the angular velocity over time.
+// Rolling by friction as unknowns of a world (contact/points/contact_spins.hpp). Rods use the
+// twists of their edges (rod_twists.hpp). A particle gets three arcs at its radius of gyration,
+// sqrt(2/5) of its radius, with its mass, hence the moment of inertia 2/5 m r^2. Its orientation
+// has no effect, so that the arcs are the integral of the angular velocity over time.
 #pragma once
 
 #include "framework/contact/points/contact_spins.hpp"

@@ -1,12 +1,14 @@
 // Terms of the contact model of a world, by their type.
 #pragma once
 
+#include "framework/contact/area_integral/overhang_term.hpp"
 #include "framework/contact/area_integral/overlap_boundary_term.hpp"
 #include "framework/contact/clipped/clipped_adhesion_term.hpp"
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/terms/contact_term.hpp"
 #include "framework/world/world.hpp"
+#include "tests/support/published.hpp"
 
 namespace tack {
 
@@ -22,8 +24,16 @@ T* find_contact_term(const World& world) {
 inline ContactTerm& contact_term(const World& world) {
   return *find_contact_term<ContactTerm>(world);
 }
-inline OverlapBoundaryTerm* overlap_boundary_term(const World& world) {
-  return find_contact_term<OverlapBoundaryTerm>(world);
+// Overlap-boundary forces at x (3n) [N]: the constant ones and those of overhangs.
+inline VecX overlap_boundary_forces(const World& world, const VecX& x) {
+  return Published(*find_contact_term<OverlapBoundaryTerm>(world)).forces(x) +
+         Published(*find_contact_term<OverhangTerm>(world)).forces(x);
+}
+// The same, of object b on object a [N].
+inline Vec3 overlap_boundary_force(const World& world, const VecX& x, std::string_view summand,
+                                   ObjectPair pair) {
+  return Published(*find_contact_term<OverlapBoundaryTerm>(world)).force_between(x, summand, pair) +
+         Published(*find_contact_term<OverhangTerm>(world)).force_between(x, summand, pair);
 }
 inline ClippedAdhesionTerm* clipped_adhesion(const World& world) {
   return find_contact_term<ClippedAdhesionTerm>(world);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "framework/contact/area_integral/overhang_term.hpp"
 #include "framework/contact/area_integral/overlap_boundary_term.hpp"
 #include "framework/contact/area_integral/surface_overlap.hpp"
 #include "framework/contact/contact_system.hpp"
@@ -76,6 +77,7 @@ PairRoles AreaIntegral::roles(const PairSetup& pair, const PairTable& table) {
   rule.carries_pressure = true;
   rule.overlap_only = pair.overlap_only;
   rule.boundary_forces = pair.overlap_only && (!pair.bonds || pair.gap_adhesion);
+  rule.overhangs = pair.overlap_only && pair.adheres;
   const bool within_object = pair.a == pair.b;
   rule.by_size = !within_object && pair.side == IntegrationSide::automatic && !rule.overlap_only;
   if (within_object || pair.side == IntegrationSide::both || rule.by_size) pressure.area_factor = 0.5;
@@ -107,7 +109,9 @@ void AreaIntegral::take_history(const AreaIntegral& other, int a, int b) {
 
 void AreaIntegral::make_terms() {
   ContactPotential::make_terms();
-  if (rules_->any(&IntegrationRule::boundary_forces)) add_term(std::make_unique<OverlapBoundaryTerm>(*this));
+  if (!rules_->any(&IntegrationRule::boundary_forces)) return;
+  add_term(std::make_unique<OverlapBoundaryTerm>(*this));
+  add_term(std::make_unique<OverhangTerm>(*this));
 }
 
 void AreaIntegral::load_history(const History& history) {

@@ -40,6 +40,7 @@ struct IntegrationRule {
   bool by_size = false;
   bool overlap_only = false;     // integrates over the overlap alone (surface_overlap.hpp)
   bool boundary_forces = false;  // adheres over its overlap, whose boundary has forces
+  bool overhangs = false;        // adheres: small overhangs have no force (overhang.hpp)
 };
 
 class IntegrationRules {

@@ -3,22 +3,22 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "framework/contact/area_integral/own_boundary.hpp"
+#include "geometry/distance/barycentric_slopes.hpp"
+
 namespace tack {
 namespace {
 
-// Returns the gradients of the barycentric coordinates of a triangle, in its plane [1/m].
-std::array<Vec3, 3> slopes(const std::array<Vec3, 3>& t) {
-  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-  const Vec3 over = normal / normal.squaredNorm();
-  return {over.cross(t[2] - t[1]), over.cross(t[0] - t[2]), over.cross(t[1] - t[0])};
-}
+// Overhangs within this of the own boundary depend on the positions, over the range of the law. In a step, a boundary moves
+// by less.
+constexpr double overhang_per_range_max = 1;
 
 // Collects the forces of one pair of objects.
 class PairForces {
  public:
   // sum: zero before construction and after hand_over(). touched: all false before and after.
-  PairForces(int a, int b, const PairTable& table, const CollisionMesh& mesh, const LaggedSurface& lagged, VecX& sum, std::vector<char>& touched)
-      : a_(a), b_(b), table_(table), mesh_(mesh), lagged_(lagged), sum_(sum), touched_(touched) {}
+  PairForces(int a, int b, const PairTable& table, const CollisionMesh& mesh, const LaggedSurface& lagged, VecX& sum, std::vector<char>& touched, std::vector<Overhang>& overhangs)
+      : a_(a), b_(b), table_(table), mesh_(mesh), lagged_(lagged), sum_(sum), touched_(touched), overhangs_(overhangs) {}
 
   void add(const OverlapBoundaryEdge& edge) {
     const std::array<Vec3, 3> other = corners(lagged_.x(), mesh_.triangles[edge.other]);
@@ -33,11 +33,20 @@ class PairForces {
     Vec3 foot = Vec3::Zero();
     foot[edge.side] = 1 - along_edge;
     foot[next] = along_edge;
-    const std::array<Vec3, 3> slope = slopes(other);
+    const std::array<Vec3, 3> slope = barycentric_slopes(other);
+    std::array<int, 6> vertices;
+    std::array<Vec3, 6> gradient;  // of s
     for (int i = 0; i < 3; ++i) {
-      act(mesh_.triangles[edge.triangle][i], strength * edge.inside[i] * outward);
-      act(mesh_.triangles[edge.other][i], strength * (height * outward.dot(slope[i]) * normal - foot[i] * outward));
+      vertices[i] = mesh_.triangles[edge.triangle][i];
+      vertices[3 + i] = mesh_.triangles[edge.other][i];
+      gradient[i] = edge.inside[i] * outward;
+      gradient[3 + i] = height * outward.dot(slope[i]) * normal - foot[i] * outward;
     }
+    const double range = table_.point(a_, b_).range_max();
+    const double width = way_to_boundary(mesh_, lagged_, {edge.triangle, edge.inside}, outward, normal, overhang_per_range_max * range);
+    if (a_ != b_ && width <= overhang_per_range_max * range) overhangs_.push_back({a_, b_, vertices, gradient, -strength, width, softening_per_range * range});
+    else
+      for (int i = 0; i < 6; ++i) act(vertices[i], strength * gradient[i]);
   }
 
   void add(const OverlapFacet& facet) {
@@ -50,7 +59,7 @@ class PairForces {
     const double half = -strength * facet.area / projected_area / 2;  // includes the sign
     if (facet.seed_triangle != seed_triangle_) {                      // facets of one triangle mostly have one seed triangle
       seed_triangle_ = facet.seed_triangle;
-      seed_slopes_ = slopes(corners(lagged_.x(), mesh_.triangles[seed_triangle_]));
+      seed_slopes_ = barycentric_slopes(corners(lagged_.x(), mesh_.triangles[seed_triangle_]));
     }
     for (int i = 0; i < 3; ++i) {
       act(mesh_.triangles[facet.triangle][i], half * (own[(i + 1) % 3] - own[(i + 2) % 3]).cross(normal));
@@ -84,6 +93,7 @@ class PairForces {
   const LaggedSurface& lagged_;
   VecX& sum_;
   std::vector<char>& touched_;
+  std::vector<Overhang>& overhangs_;
   std::vector<int> order_;  // touched vertices, once each
   int seed_triangle_ = -1;  // of the slopes
   std::array<Vec3, 3> seed_slopes_;
@@ -95,6 +105,7 @@ void OverlapBoundaryForces::update(const std::vector<OverlapFacets>& pairs, cons
                                    const LaggedSurface& lagged) {
   pairs_.clear();
   all_.resize(0);
+  overhangs_.clear();
   VecX sum;
   std::vector<char> touched;
   for (const OverlapFacets& pair : pairs) {
@@ -104,7 +115,7 @@ void OverlapBoundaryForces::update(const std::vector<OverlapFacets>& pairs, cons
       all_ = sum = VecX::Zero(lagged.x().size());
       touched.assign(mesh.vertex_object.size(), false);
     }
-    PairForces forces(pair.a, pair.b, table, mesh, lagged, sum, touched);
+    PairForces forces(pair.a, pair.b, table, mesh, lagged, sum, touched, overhangs_);
     for (const OverlapFacet& facet : pair.facets) forces.add(facet);
     for (const OverlapBoundaryEdge& edge : pair.boundary_edges) forces.add(edge);
     Pair& found = pairs_.emplace_back();

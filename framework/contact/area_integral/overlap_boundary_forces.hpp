@@ -15,11 +15,15 @@
 //                 s = sign(n . N).
 // s and w are invariant in rigid motions of both triangles together, so that neither contribution
 // has a net force or moment.
+//
+// Segments close to the boundary of a's own surface are overhangs instead, whose force depends on
+// the positions (overhang.hpp).
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "framework/contact/area_integral/overhang.hpp"
 #include "framework/contact/area_integral/overlap_facets.hpp"
 #include "framework/contact/surface/lagged_surface.hpp"
 #include "framework/contact/laws/pair_table.hpp"
@@ -31,11 +35,13 @@ class OverlapBoundaryForces {
   // Sets the forces of a step. lagged: the surface at its start.
   void update(const std::vector<OverlapFacets>& pairs, const PairTable& table,
               const CollisionMesh& mesh, const LaggedSurface& lagged);
-  // Returns the forces of all pairs (3n) [N]; empty: none.
+  // Returns the constant forces of all pairs (3n) [N]; empty: none.
   const VecX& all() const { return all_; }
-  // Returns the forces of a pair, in either order (3n) [N].
+  // Returns the overhangs of all pairs.
+  const std::vector<Overhang>& overhangs() const { return overhangs_; }
+  // Returns the constant forces of a pair, in either order (3n) [N].
   VecX between(int a, int b, Eigen::Index size) const;
-  // Returns the force of object b on object a [N].
+  // Returns the constant force of object b on object a [N].
   Vec3 on(int a, int b, const CollisionMesh& mesh) const;
 
  private:
@@ -46,6 +52,7 @@ class OverlapBoundaryForces {
   };
   std::vector<Pair> pairs_;
   VecX all_;
+  std::vector<Overhang> overhangs_;
 };
 
 }  // namespace tack

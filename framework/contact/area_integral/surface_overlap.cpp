@@ -14,8 +14,9 @@ namespace {
 
 // Largest overshoot of a corner, relative to the square root of the area of its triangle, where the
 // surface of the corner ends too: plates of one size that contract slightly differently would otherwise
-// be subdivided all along their boundaries, without effect on the overlap.
-constexpr double shared_boundary_overshoot_max = 1e-3;
+// be subdivided all along their boundaries, without effect on the overlap. Where surfaces adhere,
+// overhangs of this size have hardly any force (overhang.hpp), so that it is larger: docs/log/contact.md.
+constexpr double shared_boundary_overshoot_max = 1e-3, shared_boundary_overhang_max = 4e-3;
 // Triangles larger than twice the range give their area to their corners if the gap between corners
 // changes by no more than this fraction of the range, and the opposite triangles are parallel.
 constexpr double gap_change_per_range_max = 0.25, parallel_cosine_min = 0.999;
@@ -81,11 +82,16 @@ std::array<SurfaceOverlap::Corner, 3> SurfaceOverlap::corners(const PatchesByVer
 
 bool SurfaceOverlap::overlaps_fully(const PatchesByVertex& groups, int triangle, const std::array<Corner, 3>& corners) const {
   const double on_line = TriangleSubdivision::line_tolerance(lagged_.area(triangle));
-  const double shared = shared_boundary_overshoot_max * std::sqrt(lagged_.area(triangle));
+  const auto shared_of = [&](int object) {
+    const bool overhangs = rules_.of(surface_.mesh.vertex_object[surface_.mesh.triangles[triangle][0]], object).overhangs;
+    return (overhangs ? shared_boundary_overhang_max : shared_boundary_overshoot_max) * std::sqrt(lagged_.area(triangle));
+  };
   return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) {
     if (c.group < 0 || c.patch < 0) return false;
     const double overshoot = groups[c.group].visible.patches[c.patch].overshoot;
-    return overshoot <= on_line || (overshoot <= shared && ends_there(groups, c, shared));
+    if (overshoot <= on_line) return true;
+    const double shared = shared_of(groups[c.group].object);
+    return overshoot <= shared && ends_there(groups, c, shared);
   });
 }
 
