@@ -24,9 +24,9 @@ void Minimizer::fields(Fields& f) {
                     "of the bodies in contact. It must hold too if `stopping` is velocity or acceleration. Unless "
                     "given 0.01, and steps that stagnate may end above it (unbalanced_steps in summary.json)").positive();
   f.optional_number("force_floor", force_floor_, units::force,
-                    "force residual that is always accepted; unless given, the force that changes the velocity of "
-                    "the heaviest vertex of the bodies in contact by `tolerance` in a step, and the round-off of the "
-                    "elements around a vertex").nonnegative();
+                    "force residual that is always accepted, as is the round-off of the elements around a vertex; "
+                    "unless given, the force that changes the velocity of the heaviest vertex of the bodies in "
+                    "contact by `tolerance` in a step").nonnegative();
   f.number("acceleration_tolerance", acceleration_tolerance_, units::acceleration,
            "tolerance of the residual acceleration").positive();
   f.integer("max_iterations", max_iterations_, "iterations after which the solve fails").at_least(1);

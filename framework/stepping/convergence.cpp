@@ -28,9 +28,7 @@ VecX criterion_masses(VecX mass, const VecX& moved) {
 }  // namespace
 
 Convergence::Convergence(const World& world, const Minimizer& solver, double whole_step)
-    : world_(world), solver_(solver), whole_step_(whole_step) {
-  if (!solver.force_floor()) rounding_ = rounding_forces(world);
-}
+    : world_(world), solver_(solver), whole_step_(whole_step), rounding_(rounding_forces(world)) {}
 
 // Calls body(vertex) for each vertex that depends on several blocks.
 template <class Body>
@@ -88,10 +86,10 @@ double Convergence::norm(const VecX& p, const VecX& gradient) {
 
 double Convergence::force_limit(int block) const {
   const auto floor = solver_.force_floor();
-  if (stopping() == Stopping::force)
-    return solver_.force_tolerance() * groups_.stencil_force(block) + floor.value_or(groups_.rounding(block));
+  const double rounding = groups_.rounding(block);  // nothing reduces a residual below it, whatever floor the scene gives
+  if (stopping() == Stopping::force) return solver_.force_tolerance() * groups_.stencil_force(block) + std::max(rounding, floor.value_or(0));
   const double velocity_noise = inertia_ ? groups_.largest_mass(block) * solver_.velocity_tolerance() / whole_step_ : 0;
-  return solver_.balance_tolerance() * groups_.reference_force(block) + floor.value_or(std::max(groups_.rounding(block), velocity_noise));
+  return solver_.balance_tolerance() * groups_.reference_force(block) + std::max(rounding, floor.value_or(velocity_noise));
 }
 
 Convergence::ForceResidual Convergence::worst_residual(const VecX& gradient) {

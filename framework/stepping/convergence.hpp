@@ -75,7 +75,7 @@ class Convergence {
   bool inertia_ = true;
   VecX mass_;                 // per block [kg]
   double smallest_mass_ = 0;  // of all blocks and mixed vertices [kg]
-  VecX rounding_;             // rounding_forces(); empty if the scene gives a floor
+  VecX rounding_;             // rounding_forces()
   ForceGroups groups_;
   std::vector<ForceResidual> worst_of_chunk_;  // per chunk of blocks
   ForceResidual force_residual_;
