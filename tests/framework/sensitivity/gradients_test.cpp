@@ -63,13 +63,14 @@ probes:
   - {name: force, type: reaction, object: plate, direction: [0, 1, 0]}
 )";
 
-// Two adhesive plates are pulled apart until they detach suddenly. A looser tolerance changes the differences by a thousandth.
+// Two adhesive plates are pulled apart until they detach suddenly. The lower one is no square: where both plates have a mirror plane on the diagonal, rounding
+// decides between patches at equal distances, and a scene that is changed by a millionth decides otherwise than the run.
 const std::string parted = R"(
 time: {step: 10 ms, duration: 0.36 s}
 objects:
   - {name: upper, shape: {type: box, size: [20 mm, 4 mm, 20 mm], cells: [3, 1, 3]}, place: {translate: [0, 2.125 mm, 0]}, motion: [fixed]}
   - name: lower
-    shape: {type: box, size: [20 mm, 4 mm, 20 mm], cells: [4, 1, 4]}
+    shape: {type: box, size: [20 mm, 4 mm, 19 mm], cells: [4, 1, 4]}
     place: {translate: [0, -2.125 mm, 0]}
     energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}]
     loads: [{type: traction, value: [0, -1000, 0], ramp: [[0 s, 0], [0.35 s, 1.1]], select: {type: face, direction: [0, -1, 0]}}]
@@ -232,10 +233,11 @@ TEST_CASE("sensitivities of a pressed block without lateral support agree with d
   CHECK(worst(loose, "force", "objects.block.energies.0.young", 1e-4) < 1e-4);
 }
 
+// Increments of 1e-4: the end of a step is known to 1e-14 m (1e-12 m/s), a thousandth of what an increment of 1e-6 changes, and a hundred-thousandth here.
 TEST_CASE("sensitivities of suddenly detaching plates agree with differences of runs", "[sensitivity]") {
   for (const char* key : {"contact.pairs.0.adhesion.peak_traction", "objects.lower.energies.0.young", "objects.lower.loads.0.value.1"})
-    CHECK(worst(parted, "height", key, 1e-6) < 1e-4);
-  CHECK(worst(parted, "force", "contact.pairs.0.adhesion.peak_traction", 1e-6) < 1e-4);
+    CHECK(worst(parted, "height", key, 1e-4) < 1e-4);
+  CHECK(worst(parted, "force", "contact.pairs.0.adhesion.peak_traction", 1e-4) < 1e-4);
 }
 
 TEST_CASE("sensitivities of a peeled tape agree with differences of runs", "[sensitivity]") {
