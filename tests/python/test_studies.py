@@ -1,0 +1,64 @@
+"""Comparisons and calibrations, with the files of the commands."""
+import pathlib
+import tempfile
+import unittest
+
+import numpy as np
+
+import tack
+from tack_test_scenes import pull, source
+
+shipped = source / "experiments/calibration"
+
+
+class Studies(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def test_a_comparison_returns_its_tables(self):
+        file = self.folder / "two.yaml"
+        file.write_text(f"name: two\nproblems: [{source / 'tests/data/problems/sliding.problem'}]\nrepeat: 1\ntolerances: [1 mm/s]\nsolvers:\n"
+                        "  - {name: newton, solver: {type: projected_newton}}\n  - {name: lbfgs, solver: {type: lbfgs}}\n", encoding="utf-8")
+        compared = tack.compare(file, set={"tolerances": ["1 mm/s", "0.01 mm/s"]}, output=self.folder / "out", threads=1)
+        table = compared.tables["compare"]
+        self.assertEqual(list(table["solver"]), ["newton", "lbfgs", "newton", "lbfgs"])
+        self.assertEqual(list(table["tolerance"]), [1e-3, 1e-3, 1e-5, 1e-5])
+        self.assertTrue(np.all(table["cpu_seconds"] > 0))
+        self.assertEqual(list(table["intersections"]), [0, 0, 0, 0])
+        self.assertEqual(compared.summary["references"][0]["problem"], "sliding")
+        self.assertTrue((self.folder / "out/compare.md").exists())
+        with self.assertRaisesRegex(tack.InputError, "solvers"):
+            tack.compare(file, set={"solvers": []}, output=self.folder / "none")
+        self.assertFalse((self.folder / "none").exists())
+
+    def test_a_calibration_returns_parameters_and_curves_and_continues(self):
+        file = self.folder / "fit.yaml"
+        file.write_text(f"name: fit\nexperiments:\n  - {{base: {shipped / 'pull.yaml'}, set: [time.step=50 ms], data: {shipped / 'pull.csv'}, x: way, y: force, noise: 2%}}\n"
+                        "fit:\n  strength: {keys: contact.pairs.0.adhesion.peak_traction, from: 5 kPa, to: 20 kPa, start: 8 kPa}\n"
+                        "search: {design: 3, chains: 1, evaluations: 4, polish: false}\n", encoding="utf-8")
+        fitted = tack.calibrate(file, output=self.folder / "out", jobs=2, threads=1)
+        strength = fitted.summary["numbers"][0]
+        self.assertEqual(strength["name"], "strength")
+        self.assertLess(abs(strength["value"] / 1e4 - 1), 0.5)
+        evaluations = fitted.tables["evaluations"]
+        self.assertGreaterEqual(evaluations.rows, 3)
+        self.assertEqual(set(evaluations["status"]), {"done"})
+        self.assertEqual(fitted.tables["calibration"].rows, 1)
+        curve = fitted.fits["pull"]
+        self.assertEqual(len(curve["measured"]), len(curve["simulated"]))
+        self.assertGreater(fitted.summary["runs"]["started"], 0)
+        again = tack.calibrate(file, output=self.folder / "out", jobs=2, threads=1)
+        self.assertEqual(again.summary["runs"]["started"], 0)
+        self.assertEqual(again.summary["numbers"][0]["value"], strength["value"])
+
+    def test_wrong_files_are_refused(self):
+        with self.assertRaisesRegex(tack.InputError, "cannot read"):
+            tack.compare(self.folder / "missing.yaml")
+        with self.assertRaises(tack.InputError):
+            tack.calibrate(pull, output=self.folder / "out")
+
+
+if __name__ == "__main__":
+    unittest.main()
