@@ -20,11 +20,18 @@ export function suiteSections({ suite, table }) {
   const order = suite.scores.map((score) => score.solver);
   rows.sort((a, b) => order.indexOf(a.solver) - order.indexOf(b.solver));
   return [factsOf(suite), scoreSection(suite), profileSection(rows, suite), precisionSection(rows, order), problemSection(rows, suite, order),
-    section("table", "All solves", sortedTable(table, {
-      caption: "All solves",
-      mark: (row, c) => (table.columns[c] === "outcome" && row[c] !== "solved" ? h("span", { class: "mark bad" }, row[c]) : null),
-    })),
+    solvesSection(table),
     section("provenance", "Provenance", plainTable(null, provenanceOf({ provenance: suite.provenance }), "Provenance", { class: "pairs" }))];
+}
+
+// The texts of `status` may be long: they come last.
+function solvesSection(table) {
+  const order = table.columns.map((_, c) => c).sort((a, b) => (table.columns[a] === "status") - (table.columns[b] === "status"));
+  const ordered = { columns: order.map((c) => table.columns[c]), rows: table.rows.map((row) => order.map((c) => row[c])) };
+  return section("table", "All solves", sortedTable(ordered, {
+    caption: "All solves",
+    mark: (row, c) => (ordered.columns[c] === "outcome" && row[c] !== "solved" ? h("span", { class: "mark bad" }, row[c]) : null),
+  }));
 }
 
 function factsOf(suite) {
@@ -50,7 +57,7 @@ function scoreSection(suite) {
       + "Solved: converged by the criterion of the problem, nothing intersects by exact predicates, and the Newton direction at the result is at most "
       + `${suite.judged_residual_max} tolerances (above that: inexact). A step may have several minima; each is a solution, and another one than the stored is counted beside.`),
     h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "Leaderboard" },
-      h("table", { class: "numbers" }, h("caption", { class: "hidden" }, "Leaderboard"), h("thead", {}, h("tr", {}, heads.map((name) => h("th", { scope: "col" }, name)))), h("tbody", {}, rows))));
+      h("table", { class: "numbers" }, h("caption", { class: "hidden" }, "Leaderboard"), h("thead", {}, h("tr", {}, heads.map((name) => h("th", { scope: "col", class: name === "solver" ? "text" : null }, name)))), h("tbody", {}, rows))));
 }
 
 function profileSection(rows, suite) {
