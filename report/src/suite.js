@@ -97,6 +97,9 @@ function precisionSection(rows, order) {
 
 const short = { "time limit": "limit", intersects: "cuts" };
 
+// Lets a name break after its underscores.
+const breakable = (name) => name.replaceAll("_", "_\u200b");
+
 // A table of problems by solvers: processor time, or why not.
 function problemSection(rows, suite, order) {
   const scale = rows.some((row) => row.tolerance_scale === 1) ? 1 : rows[0]?.tolerance_scale;
@@ -117,5 +120,5 @@ function problemSection(rows, suite, order) {
     h("p", { class: "note" }, `Processor time [s] of each solve${scale === 1 ? "" : ` at ${format(scale)} of the tolerances`}, the shortest in bold; *: another minimum than the stored one.`),
     h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "Problems by solvers" },
       h("table", { class: "numbers" }, h("caption", { class: "hidden" }, "Problems by solvers"),
-        h("thead", {}, h("tr", {}, ["problem", "unknowns", ...order].map((name) => h("th", { scope: "col", class: "wrap" }, name)))), h("tbody", {}, lines))));
+        h("thead", {}, h("tr", {}, ["problem", "unknowns", ...order.map(breakable)].map((name) => h("th", { scope: "col", class: "wrap" }, name)))), h("tbody", {}, lines))));
 }
