@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Stores the problems of this folder anew: of each scene below the step with most Newton iterations, with its minimum, and index.csv, which says which
-# step of what that is. Run from the root of the repository (TACK: the program, unless ./tack): store.sh [NAME...], all or those named. Ten minutes on
+# step of what that is. Run from the root of the repository (TACK: the program, unless ./tack): store.sh [NAME...], all or those named. Four minutes on
 # one thread. Iterations depend on round-off: another machine may find another step of a scene the hardest.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
