@@ -1,23 +1,28 @@
 // Cohesive zone of a standard linear solid with irreversible damage: a spring K beside a Maxwell branch, a spring K_1 in series with a
-// dashpot of relaxation time tau. Both fade with the damage D. With the effective opening l = sqrt(d^2 + (K_T / K) |u|^2) and its
-// flow v in the dashpot, a bond stores
-//     (1 - D) Y,   Y = K l^2 / 2 + K_1 <l - v>^2 / 2,
+// dashpot of relaxation time tau. Both fade with the damage D. With c = K_T / K, the jump x = (d, sqrt(c) u) of opening and slip and its flow v
+// in the dashpot, a bond stores
+//     (1 - D) Y,   Y = K |x|^2 / 2 + K_1 |x - v|^2 / 2   (d - v_d counts as 0 below 0),
 // and a step minimises over the flow v' and the damage b
-//     phi = min over v', D <= b <= 1 of  (1 - b) (K l^2/2 + K_1 <l - v'>^2/2 + K_1 tau (v' - v)^2 / (2 h)) + g(b) - g(D).
-// The flow is that of implicit Euler, v' = (h l + tau v) / (h + tau) for l > v. It leaves Y with K_1 / (1 + h / tau) in place of K_1.
+//     phi = min over v', D <= b <= 1 of  (1 - b) (K |x|^2/2 + K_1 |x - v'|^2/2 + K_1 tau |v' - v|^2 / (2 h)) + g(b) - g(D).
+// The flow is that of implicit Euler, v' = v + (x - v) h / (h + tau). It leaves Y with K_1 / (1 + h / tau) in place of K_1.
 // Then g'(b) = Y: the damage is that of the bilinear envelope at the opening sqrt(2 Y / K).
-//   slow  v = l: the bilinear law, peak sigma, work W
+//   slow  v = x: the bilinear law, peak sigma, work W
 //   fast  v = 0: the bilinear law of stiffness K + K_1 with the same work: peak sigma sqrt(1 + K_1 / K), work W
 //   between, the dashpot adds to the work, most where a bond fails within about tau
 //   held  the traction decays to K / (K + K_1) of that of a fast opening as exp(-t / tau)
-// Limits: the flow is along the opening. A bond that unloads below its flow is slack in its branch (<>); slip that turns round
-// finds the flow of the old direction.
+// The relaxation time at the temperature T is tau a_T (thermorheologically simple), with the shift
+//     arrhenius  ln a_T = E / R (1/T - 1/T_ref)
+//     wlf        log10 a_T = -C_1 (T - T_ref) / (C_2 + T - T_ref); below T_ref - C_2 the dashpot is rigid
+// The stored energy does not depend on the temperature. Limit: a bond whose opening falls below its flow is slack along the normal in
+// its branch, which does not flow back.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "energies/adhesion/bilinear_envelope.hpp"
 #include "framework/bond/bond_law.hpp"
 #include "framework/config/field.hpp"
+#include "framework/config/thermal_units.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -25,8 +30,8 @@ namespace tack {
 class ViscoelasticAdhesion : public BondLawOf<ViscoelasticAdhesion> {
  public:
   struct HistoryVariables {
-    double flow = 0;    // v [m]
-    double damage = 0;  // D
+    double flow = 0, flow_x = 0, flow_y = 0;  // v along the normal and both tangents, the latter times sqrt(c) [m]
+    double damage = 0;                        // D
   };
 
   void fields(Fields& f) override {
@@ -37,6 +42,19 @@ class ViscoelasticAdhesion : public BondLawOf<ViscoelasticAdhesion> {
     f.optional_number("tangential_strength", given_across_, units::pressure, "tau_t: strength along the surface under slow loading; sigma unless given").nonnegative();
     f.optional_number("branch_stiffness", given_branch_, units::traction_stiffness, "K_1 of the Maxwell branch, which fast loading adds to K; K unless given").nonnegative();
     f.number("relaxation_time", relaxation_time_, units::time, "tau: in which the traction of the branch decays to 1/e at a fixed opening").required().positive();
+    f.choice("shift", shift_,
+             {{"none", Shift::none, "the relaxation time does not depend on the temperature"},
+              {"arrhenius", Shift::arrhenius, "ln a_T = E / R (1/T - 1/T_ref)"},
+              {"wlf", Shift::wlf, "Williams, Landel and Ferry: log10 a_T = -C_1 (T - T_ref) / (C_2 + T - T_ref)"}},
+             "dependence of the relaxation time on environment.temperature: a_T times that at the reference temperature");
+    f.number("reference_temperature", reference_, units::temperature, "T_ref, at which relaxation_time holds").positive();
+    f.optional_number("activation_energy", activation_, units::molar_energy, "E of the shift `arrhenius`").nonnegative();
+    f.number("wlf_c1", c1_, units::none, "C_1 of the shift `wlf`; the default is that of many polymers from their glass transition").nonnegative();
+    f.number("wlf_c2", c2_, units::temperature_difference, "C_2 of the shift `wlf`").positive();
+    f.check("activation_energy", [this]() -> std::string {
+      if (shift_ == Shift::arrhenius) return activation_ ? "" : "is missing: `shift: arrhenius` needs it";
+      return activation_ ? "is of `shift: arrhenius`; choose that, or take it away" : "";
+    });
     f.check("stiffness", [this]() -> std::string { return given_stiffness_ && given_onset_ ? "follows from onset: drop one of the two" : ""; });
   }
   void prepare(const PairMaterials&) override {
@@ -48,54 +66,52 @@ class ViscoelasticAdhesion : public BondLawOf<ViscoelasticAdhesion> {
     branch_ = given_branch_.value_or(stiffness_);
     const double ratio = given_across_.value_or(strength_) / strength_;
     across_ = ratio * ratio;
+    root_ = ratio;
     envelope_ = {work_, onset, last};
   }
   double peak_traction() const override { return strength_; }
   double work_of_adhesion() const override { return work_; }
+  bool depends_on_temperature() const override { return shift_ != Shift::none; }
 
   template <class T>
-  T energy(const T& d, const T& s, const HistoryVariables& m, double h) const {
-    const T squared = d * d + T(across_) * s;
-    const double q = value_of(squared);
-    const Driving y = driving(q, m.flow, branch_of_step(h));
-    if (h == 0) return chained(squared, (1 - m.damage) * y.value, (1 - m.damage) * y.slope, (1 - m.damage) * y.curvature);
-    const StepDamage to = damage_of_step(y.value, m.damage);
-    return chained(squared, (1 - to.damage) * y.value + spent(m.damage, to.damage), (1 - to.damage) * y.slope, (1 - to.damage) * y.curvature - to.growth * y.slope * y.slope);
+  T energy(const T& d, const Slip<T>& u, const HistoryVariables& m, double h, const SiteState& site) const {
+    const double branch = h > 0 ? branch_ / (1 + h / relaxation_time(site)) : branch_;
+    const T x = T(root_) * u.x, y = T(root_) * u.y;
+    const T along = d > T(m.flow) ? d - T(m.flow) : T(0), across_x = x - T(m.flow_x), across_y = y - T(m.flow_y);
+    const T driving = T(stiffness_ / 2) * (d * d + x * x + y * y) + T(branch / 2) * (along * along + across_x * across_x + across_y * across_y);
+    if (h == 0) return T(1 - m.damage) * driving;
+    const double value = value_of(driving);
+    const StepDamage to = damage_of_step(value, m.damage);
+    return chained(driving, (1 - to.damage) * value + spent(m.damage, to.damage), 1 - to.damage, -to.growth);
   }
   HistoryVariables after(const HistoryVariables& m, const BondState& at) const {
-    const double q = at.d * at.d + across_ * at.s, l = std::sqrt(q);
-    const double damage = damage_of_step(driving(q, m.flow, branch_of_step(at.h)).value, m.damage).damage;
-    return {branch_ > 0 && l > m.flow ? std::min(l, (at.h * l + relaxation_time_ * m.flow) / (at.h + relaxation_time_)) : m.flow, damage};
+    const double relaxation = relaxation_time(at.site), flowing = branch_ > 0 ? at.h / (at.h + relaxation) : 0;
+    const double x = root_ * at.slip.x() - m.flow_x, y = root_ * at.slip.y() - m.flow_y, d = std::max(at.d - m.flow, 0.0);
+    const double driving = stiffness_ / 2 * (at.d * at.d + across_ * at.slip.squaredNorm()) + branch_ / (1 + at.h / relaxation) / 2 * (d * d + x * x + y * y);
+    return {m.flow + flowing * d, m.flow_x + flowing * x, m.flow_y + flowing * y, damage_of_step(driving, m.damage).damage};
   }
   double loss(const HistoryVariables& before, const HistoryVariables& after, const BondState& at) const {
-    const double flowed = after.flow - before.flow;
-    return spent(before.damage, after.damage) + (1 - after.damage) * branch_ * relaxation_time_ / at.h * flowed * flowed;
+    const double flowed = Vec3(after.flow - before.flow, after.flow_x - before.flow_x, after.flow_y - before.flow_y).squaredNorm();
+    return spent(before.damage, after.damage) + (1 - after.damage) * branch_ * relaxation_time(at.site) / at.h * flowed;
   }
   bool gone(const HistoryVariables& m, const BondState&) const { return m.damage >= 1; }
   double intensity(const HistoryVariables& m) const { return 1 - m.damage; }
 
  private:
-  // Y and its derivatives by l^2.
-  struct Driving {
-    double value, slope, curvature;
-  };
   struct StepDamage {
     double damage;
     double growth;  // by Y
   };
 
-  // Returns the stiffness of the branch over a step whose flow is condensed [Pa/m].
-  double branch_of_step(double h) const { return branch_ / (1 + h / relaxation_time_); }
+  enum class Shift { none, arrhenius, wlf };
 
-  // q: l^2.
-  Driving driving(double q, double flow, double branch) const {
-    Driving y{stiffness_ * q / 2, stiffness_ / 2, 0};
-    const double l = std::sqrt(q);
-    if (!(l > flow)) return y;
-    y.value += branch * (l - flow) * (l - flow) / 2;
-    y.slope += branch / 2 * (1 - flow / l);
-    y.curvature += branch * flow / (4 * l * q);
-    return y;
+  // Returns tau a_T [s].
+  double relaxation_time(const SiteState& site) const {
+    const double warmer = site.temperature - reference_;
+    double exponent = 0;  // ln a_T
+    if (shift_ == Shift::arrhenius) exponent = -*activation_ / gas_constant * warmer / (site.temperature * reference_);
+    if (shift_ == Shift::wlf) exponent = c2_ + warmer > 0 ? -std::numbers::ln10 * c1_ * warmer / (c2_ + warmer) : shift_max;
+    return relaxation_time_ * std::exp(std::clamp(exponent, -shift_max, shift_max));
   }
   StepDamage damage_of_step(double y, double before) const {
     const double x = std::sqrt(2 * y / stiffness_);
@@ -106,16 +122,23 @@ class ViscoelasticAdhesion : public BondLawOf<ViscoelasticAdhesion> {
   }
   double spent(double before, double after) const { return after > before ? envelope_.spent(after) - envelope_.spent(before) : 0; }
 
+  static constexpr double gas_constant = 8.31446261815324;  // J/(mol K)
+  static constexpr double shift_max = 300;                  // |ln a_T|
+
+  Shift shift_ = Shift::none;
+  double reference_ = room_temperature;   // K
+  std::optional<double> activation_;      // J/mol
+  double c1_ = 17.44, c2_ = 51.6;         // 1, K
   double strength_ = 1e4, work_ = 1, relaxation_time_ = 0.1;  // Pa, J/m^2, s
   std::optional<double> given_onset_, given_stiffness_, given_across_, given_branch_;
   double stiffness_ = 1e8, branch_ = 1e8;  // K, K_1 [Pa/m]
-  double across_ = 1;                      // K_T / K
+  double across_ = 1, root_ = 1;           // c = K_T / K and its root
   BilinearEnvelope envelope_{1, 1e-5, 1e-4};
 };
 
 TACK_REGISTER(AdhesionLaw, ViscoelasticAdhesion, "viscoelastic",
               "Viscoelastic cohesive law: a standard linear solid (a spring beside a Maxwell branch) with irreversible damage. Strength grows with the speed; the work is largest where a bond fails within about "
               "the relaxation time.",
-              "Musto and Alfano 2013");
+              "Musto and Alfano 2013; Williams, Landel and Ferry 1955");
 
 }  // namespace tack

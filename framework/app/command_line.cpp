@@ -313,6 +313,7 @@ class CommandLine {
     law->add_option("--young", law_.young, "Young's modulus of the softer side, '10 MPa', for the process zone and the barrier");
     law->add_option("--speed", law_.speed, "separation speed, '1 mm/s', for the time step and the rate");
     law->add_option("--pressure", law_.pressure, "pressure under which bonds heal (default: the peak traction)");
+    law->add_option("--temperature", law_.temperature, "temperature of bonds, '5 degC', of laws that depend on it (default: that of the scene, or 20 degC)");
     law->add_option("--contact-distance", law_.contact_distance, "contact distance of the barrier (default: 1 mm, or less if the law peaks below)");
     law->add_option("--barrier-stiffness", law_.barrier_stiffness, "stiffness of the barrier (default: as in scenes)");
     law->add_option("--plugin", law_.plugins, "plugin library with custom laws (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);

@@ -192,7 +192,7 @@ struct LawOptions {
   std::string type;    // type of an adhesion, instead of a file
   std::string output;  // folder of pictures and tables; empty: no files
   // With units; empty: not given.
-  std::string young, contact_distance, barrier_stiffness, speed, pressure;
+  std::string young, contact_distance, barrier_stiffness, speed, pressure, temperature;
   std::vector<std::string> plugins;
 };
 // Studies adhesion laws without a scene: metrics, curves and derivative checks.

@@ -7,6 +7,7 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/checks/bond_law_check.hpp"
+#include "framework/config/thermal_units.hpp"
 #include "framework/law/law_plots.hpp"
 #include "framework/law/law_source.hpp"
 #include "framework/law/law_tables.hpp"
@@ -145,6 +146,7 @@ int law_command(const LawOptions& o) {
   source.contact_distance = quantity(o.contact_distance, units::length, "--contact-distance");
   source.barrier_stiffness = quantity(o.barrier_stiffness, units::pressure, "--barrier-stiffness");
   source.young = quantity(o.young, units::pressure, "--young");
+  source.temperature = quantity(o.temperature, units::temperature, "--temperature");
   const StudySettings settings{quantity(o.speed, units::velocity, "--speed"), quantity(o.pressure, units::pressure, "--pressure")};
   const std::vector<StudiedLaw> laws = laws_of(source);
   std::optional<Written> written;

@@ -35,15 +35,28 @@ std::vector<BondPoint> trace_bond(const BondLaw& law, const std::vector<BondStep
     if (gone) {
       p.intensity = 0;
     } else {
-      const BondSample sample = law.at(d, s, history.data(), h);
-      p.traction = sample.by_d;
-      p.shear = 2 * sample.by_s * slip;
-      const BondChange change = law.advance({d, s, h, step.pressure}, history.data());
+      if (law.directed()) {
+        DirectedSample sample;
+        const Vec3 jump(d, slip, 0);
+        law.add_directed_samples(1, &jump, history.data(), h, &sample);
+        p.traction = sample.gradient[0];
+        p.shear = sample.gradient[1];
+      } else {
+        const BondSample sample = law.at(d, s, history.data(), h);
+        p.traction = sample.by_d;
+        p.shear = 2 * sample.by_s * slip;
+      }
+      BondState at = law.assumed_state(d, s, h, step.pressure);
+      at.slip.x() = slip;
+      const BondChange change = law.advance(at, history.data());
       const double healed = (1 - change.kept) * std::max(d, 0.0);
       dissipated += change.dissipated;
       gone = change.gone;
       p.intensity = law.intensity_of(history.data());
-      p.stored = gone ? 0 : law.stored(d - healed, change.kept * change.kept * s, history.data());
+      at.d = d - healed;
+      at.s *= change.kept * change.kept;
+      at.slip *= change.kept;
+      p.stored = gone ? 0 : law.stored(at, history.data());
       unstressed_opening += healed;
       unstressed_slip += (1 - change.kept) * slip;
     }

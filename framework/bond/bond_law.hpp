@@ -39,16 +39,29 @@
 //     double kept(const HistoryVariables& before, const HistoryVariables& healed) const;
 //     // For records: 1 intact, 0 without strength.
 //     double intensity(const HistoryVariables& m) const;
+// A law that depends on time, temperature, position or objects takes the state of its site as well
+// (site_state.hpp); the other functions find it in `at.site`:
+//     template <class T>
+//     T energy(const T& d, const T& s, const HistoryVariables& m, double h,
+//              const SiteState& site) const;
+// A law that depends on the direction of the slip is directed: its formula takes the components
+// u.x, u.y of the slip along the tangents of the site instead of s. It has no heal().
+//     template <class T>
+//     T energy(const T& d, const Slip<T>& u, const HistoryVariables& m, double h,
+//              const SiteState& site) const;
 // TACK_REGISTER registers the law in the same file, as an AdhesionLaw.
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstring>
 #include <limits>
 #include <memory>
 #include <type_traits>
 
 #include "framework/assembly/dual22.hpp"
+#include "framework/assembly/dual23.hpp"
+#include "framework/bond/site_state.hpp"
 #include "framework/contact/adhesion_law.hpp"
 
 namespace tack {
@@ -58,6 +71,23 @@ struct BondState {
   double d = 0, s = 0;  // opening [m], squared slip [m^2]
   double h = 0;         // size of the step [s]
   double pressure = 0;  // of the barrier and of the bond [Pa]
+  SiteState site = {};
+  Vec2 slip = Vec2::Zero();  // u along the tangents of the site, |u|^2 = s [m]
+};
+
+/// Components of the slip along the tangents of a site [m].
+template <class T>
+struct Slip {
+  T x, y;
+};
+
+/// Step of several bonds.
+struct BondStepStates {
+  double h = 0;                      // s; 0: no step, phi is the stored energy
+  const SiteState* sites = nullptr;  // per bond; null: BondLaw::assumed_site
+
+  BondStepStates(double step, const SiteState* of_bonds = nullptr)  // NOLINT: a step size is enough
+      : h(step), sites(of_bonds) {}
 };
 
 /// Value and derivatives of a law.
@@ -65,6 +95,13 @@ struct BondSample {
   double value = 0;           // phi [J/m^2]
   double by_d = 0, by_s = 0;  // normal traction [Pa]; tangential traction / (2 |u|) [Pa/m]
   double by_dd = 0, by_ds = 0, by_ss = 0;
+};
+
+/// Value and derivatives of a directed law by the opening and both components of the slip.
+struct DirectedSample {
+  double value = 0;              // phi [J/m^2]
+  Vec3 gradient = Vec3::Zero();  // Pa
+  Mat3 hessian = Mat3::Zero();   // Pa/m
 };
 
 /// Effect of a step on a bond, per area [J/m^2].
@@ -88,16 +125,37 @@ class BondLaw : public AdhesionLaw {
   /// Longest step size for laws that are integrated rather than minimised over the step [s].
   virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
 
+  /// Returns whether the law depends on the state of its site.
+  virtual bool sees_site() const = 0;
+  /// Returns whether the prepared law depends on the temperature of its site.
+  virtual bool depends_on_temperature() const { return sees_site(); }
+  /// Sets the site of evaluations that name none: those without a scene.
+  void assume_site(const SiteState& site) { assumed_site_ = site; }
+  const SiteState& assumed_site() const { return assumed_site_; }
+  /// Returns the end of a step at that site.
+  BondState assumed_state(double d, double s, double h, double pressure = 0) const {
+    return {d, s, h, pressure, assumed_site_, Vec2(std::sqrt(s), 0)};
+  }
+  /// Returns whether the law depends on the direction of the slip.
+  virtual bool directed() const = 0;
+
   /// Number of history variables.
   virtual int width() const = 0;
   /// Writes the history variables of a new bond.
   virtual void initialize(bool on_contact, double* history) const = 0;
   /// Adds phi and its derivatives for n bonds. `history` holds their history variables one after
-  /// the other.
-  virtual void add_samples(int n, const double* d, const double* s, const double* history, double h,
-                           BondSample* out) const = 0;
-  virtual void add_values(int n, const double* d, const double* s, const double* history, double h,
-                          double* out) const = 0;
+  /// the other. Directed laws take the slip along the first tangent.
+  virtual void add_samples(int n, const double* d, const double* s, const double* history,
+                           const BondStepStates& step, BondSample* out) const = 0;
+  virtual void add_values(int n, const double* d, const double* s, const double* history,
+                          const BondStepStates& step, double* out) const = 0;
+  /// The same for directed laws alone. jumps: opening and both components of the slip [m].
+  virtual void add_directed_samples(int n, const Vec3* jumps, const double* history,
+                                    const BondStepStates& step, DirectedSample* out) const = 0;
+  virtual void add_directed_values(int n, const Vec3* jumps, const double* history,
+                                   const BondStepStates& step, double* out) const = 0;
+  /// Returns the stored energy [J/m^2]; step size and pressure do not count.
+  virtual double stored(const BondState& at, const double* history) const = 0;
   /// Returns 1 for an intact bond, 0 for one without strength.
   virtual double intensity_of(const double* history) const = 0;
   /// Advances the history variables by a step, then heals. A bond that fails dissipates its stored
@@ -105,17 +163,18 @@ class BondLaw : public AdhesionLaw {
   virtual BondChange advance(const BondState& at, double* history) const = 0;
 
   /// Returns phi and its derivatives for one bond.
-  BondSample at(double d, double s, const double* history, double h) const {
+  BondSample at(double d, double s, const double* history, const BondStepStates& step) const {
     BondSample sample;
-    add_samples(1, &d, &s, history, h, &sample);
+    add_samples(1, &d, &s, history, step, &sample);
     return sample;
   }
-  /// Returns the stored energy [J/m^2].
+  /// Returns the stored energy at the assumed site [J/m^2].
   double stored(double d, double s, const double* history) const {
-    double value = 0;
-    add_values(1, &d, &s, history, 0, &value);
-    return value;
+    return stored(assumed_state(d, s, 0), history);
   }
+
+ private:
+  SiteState assumed_site_;
 };
 
 /// Derives the interface from the formula of `Law`.
@@ -135,40 +194,84 @@ class BondLawOf : public BondLaw {
     if constexpr (requires { law().begin(on_contact); }) store(law().begin(on_contact), history);
     else store(typename Law::HistoryVariables{}, history);
   }
-  void add_samples(int n, const double* d, const double* s, const double* history, double h,
-                   BondSample* out) const override {
-    const bool resists = resists_pressing();
+  bool sees_site() const override { return form() != Form::plain; }
+  bool directed() const override { return form() == Form::directed; }
+  void add_samples(int n, const double* d, const double* s, const double* history,
+                   const BondStepStates& step, BondSample* out) const override {
     for (int i = 0; i < n; ++i) {
-      const auto m = load(history + i * width());
-      const auto energy = [&](double opening, double step) {
-        return law().energy(Dual22::first(opening), Dual22::second(s[i]), m, step);
-      };
-      const Dual22 e = energy(std::max(d[i], 0.0), h);
-      out[i].value += e.v;
-      out[i].by_s += e.b;
-      out[i].by_ss += e.bb;
-      if (d[i] >= 0) {
-        out[i].by_d += e.a;
-        out[i].by_dd += e.aa;
-        out[i].by_ds += e.ab;
-      } else if (resists) {
-        const Dual22 pressed = energy(-d[i], 0), none = energy(0, 0);
-        out[i].value += pressed.v - none.v;
-        out[i].by_d -= pressed.a;
-        out[i].by_s += pressed.b - none.b;
-        out[i].by_dd += pressed.aa;
-        out[i].by_ds -= pressed.ab;
-        out[i].by_ss += pressed.bb - none.bb;
+      if constexpr (form() == Form::directed) {
+        DirectedSample sample;
+        const Vec3 jump(d[i], std::sqrt(s[i]), 0);
+        const BondStepStates of_one{step.h, &site_of(step, i)};
+        add_directed_samples(1, &jump, history + i * width(), of_one, &sample);
+        add_along_first_tangent(sample, jump[1], out[i]);
+      } else {
+        add_sample(d[i], s[i], load(history + i * width()), step.h, site_of(step, i), out[i]);
       }
     }
   }
-  void add_values(int n, const double* d, const double* s, const double* history, double h,
-                  double* out) const override {
+  void add_values(int n, const double* d, const double* s, const double* history,
+                  const BondStepStates& step, double* out) const override {
     for (int i = 0; i < n; ++i) {
       const auto m = load(history + i * width());
-      out[i] += law().energy(std::max(d[i], 0.0), s[i], m, h) + pressed(d[i], s[i], m);
+      const SiteState& site = site_of(step, i);
+      const Jump jump{d[i], s[i], Vec2(form() == Form::directed ? std::sqrt(s[i]) : 0, 0)};
+      out[i] += value_at(jump.clipped(), m, step.h, site) + pressed(jump, m, site);
     }
   }
+  void add_directed_samples([[maybe_unused]] int n, [[maybe_unused]] const Vec3* jumps,
+                            [[maybe_unused]] const double* history,
+                            [[maybe_unused]] const BondStepStates& step,
+                            [[maybe_unused]] DirectedSample* out) const override {
+    if constexpr (form() == Form::directed) {
+      const bool resists = resists_pressing();
+      for (int i = 0; i < n; ++i) {
+        const auto m = load(history + i * width());
+        const auto energy = [&](double opening, double h) {
+          return law().energy(
+              Dual23::variable(0, opening),
+              Slip<Dual23>{Dual23::variable(1, jumps[i][1]), Dual23::variable(2, jumps[i][2])}, m,
+              h, site_of(step, i));
+        };
+        Dual23 e = energy(std::max(jumps[i][0], 0.0), step.h);
+        if (jumps[i][0] < 0) {
+          e.g[0] = 0;
+          e.h.row(0).setZero();
+          e.h.col(0).setZero();
+          if (resists) {
+            Dual23 pressed = energy(-jumps[i][0], 0), none = energy(0, 0);
+            const Vec3 mirror(-1, 1, 1);
+            none.g[0] = 0;
+            none.h.row(0).setZero();
+            none.h.col(0).setZero();
+            pressed.g = pressed.g.cwiseProduct(mirror).eval();
+            pressed.h = (mirror.asDiagonal() * pressed.h * mirror.asDiagonal()).eval();
+            e = e + pressed - none;
+          }
+        }
+        out[i].value += e.v;
+        out[i].gradient += e.g;
+        out[i].hessian += e.h;
+      }
+    }
+  }
+  void add_directed_values([[maybe_unused]] int n, [[maybe_unused]] const Vec3* jumps,
+                           [[maybe_unused]] const double* history,
+                           [[maybe_unused]] const BondStepStates& step,
+                           [[maybe_unused]] double* out) const override {
+    if constexpr (form() == Form::directed) {
+      for (int i = 0; i < n; ++i) {
+        const auto m = load(history + i * width());
+        const SiteState& site = site_of(step, i);
+        const Jump jump{jumps[i][0], 0, jumps[i].template tail<2>()};
+        out[i] += value_at(jump.clipped(), m, step.h, site) + pressed(jump, m, site);
+      }
+    }
+  }
+  double stored(const BondState& at, const double* history) const override {
+    return stored_at(at, load(history));
+  }
+  using BondLaw::stored;
   double intensity_of(const double* history) const override {
     if constexpr (requires { law().intensity(load(history)); })
       return law().intensity(load(history));
@@ -179,9 +282,6 @@ class BondLawOf : public BondLaw {
       p.d = std::max(p.d, 0.0);
       return p;
     };
-    const auto stored = [&](const BondState& p, const auto& m) {
-      return law().energy(clipped(p).d, p.s, m, 0.0) + pressed(p.d, p.s, m);
-    };
     const BondState at = clipped(state);
     const auto before = load(history);
     auto now = before;
@@ -191,17 +291,22 @@ class BondLawOf : public BondLaw {
       change.dissipated = law().loss(before, now, at);
       // Damage reduces the energy of pressing; it grows by round-off alone, where damage barely
       // does.
-      change.dissipated +=
-          std::max(0.0, pressed(state.d, at.s, before) - pressed(state.d, at.s, now));
+      change.dissipated += std::max(
+          0.0, pressed(Jump::of(state), before, at.site) - pressed(Jump::of(state), now, at.site));
     }
     BondState end = state;  // relative to the attachment point after healing
     if constexpr (requires { law().heal(now, at); }) {
+      static_assert(
+          form() != Form::directed,
+          "directed bond laws do not heal: attachment points of healed bonds move to other "
+          "triangles, whose tangents differ");
       const auto healed = law().heal(now, at);
       if (std::memcmp(&healed, &now, sizeof now) != 0) {
         if constexpr (requires { law().kept(now, healed); }) change.kept = law().kept(now, healed);
         if (end.d > 0) end.d *= change.kept;
         end.s *= change.kept * change.kept;
-        change.healed = stored(state, now) - stored(end, healed);
+        end.slip *= change.kept;
+        change.healed = stored_at(state, now) - stored_at(end, healed);
       }
       now = healed;
     }
@@ -209,17 +314,103 @@ class BondLawOf : public BondLaw {
     if constexpr (!std::is_empty_v<typename Law::HistoryVariables> ||
                   requires { law().gone(now, at); })
       change.gone = law().gone(now, clipped(end));
-    if (change.gone) change.dissipated += stored(end, now);
+    if (change.gone) change.dissipated += stored_at(end, now);
     return change;
   }
 
  private:
   const Law& law() const { return static_cast<const Law&>(*this); }
+  // Arguments of the formula.
+  enum class Form { plain, of_site, directed };
+  static constexpr Form form() {
+    using M = typename Law::HistoryVariables;
+    constexpr bool directed = requires(const Law& l, const Dual23& x, const Slip<Dual23>& u,
+                                       const M& m, const SiteState& at) {
+      { l.energy(x, u, m, 0.0, at) } -> std::convertible_to<Dual23>;
+    };
+    constexpr bool of_site =
+        requires(const Law& l, const Dual22& x, const M& m, const SiteState& at) {
+      { l.energy(x, x, m, 0.0, at) } -> std::convertible_to<Dual22>;
+    };
+    constexpr bool plain = requires(const Law& l, const Dual22& x, const M& m) {
+      { l.energy(x, x, m, 0.0) } -> std::convertible_to<Dual22>;
+    };
+    static_assert(directed || of_site || plain,
+                  "a bond law needs `template <class T> T energy(const T& d, const T& s, const "
+                  "HistoryVariables& m, double h) const`, with a last argument `const SiteState& "
+                  "site` if it depends on it, and then with `const Slip<T>& u` in place of s if it "
+                  "depends on the direction of the slip");
+    return directed ? Form::directed : of_site ? Form::of_site : Form::plain;
+  }
+  // Opening, squared slip and slip; directed laws use the last, all others the second.
+  struct Jump {
+    double d, s;
+    Vec2 slip;
+    static Jump of(const BondState& at) { return {at.d, at.s, at.slip}; }
+    Jump clipped() const { return {std::max(d, 0.0), s, slip}; }
+  };
+  template <class T, class M>
+  T energy_of(const T& d, const T& s, const M& m, double h, const SiteState& site) const {
+    if constexpr (form() == Form::of_site) return law().energy(d, s, m, h, site);
+    else return law().energy(d, s, m, h);
+  }
+  template <class M>
+  double value_at(const Jump& jump, const M& m, double h, const SiteState& site) const {
+    if constexpr (form() == Form::directed)
+      return law().energy(jump.d, Slip<double>{jump.slip.x(), jump.slip.y()}, m, h, site);
+    else return energy_of(jump.d, jump.s, m, h, site);
+  }
+  template <class M>
+  double stored_at(const BondState& at, const M& m) const {
+    const Jump jump = Jump::of(at);
+    return value_at(jump.clipped(), m, 0, at.site) + pressed(jump, m, at.site);
+  }
+  template <class M>
+  void add_sample(double d, double s, const M& m, double h, const SiteState& site,
+                  BondSample& out) const {
+    const auto energy = [&](double opening, double step) {
+      return energy_of(Dual22::first(opening), Dual22::second(s), m, step, site);
+    };
+    const Dual22 e = energy(std::max(d, 0.0), h);
+    out.value += e.v;
+    out.by_s += e.b;
+    out.by_ss += e.bb;
+    if (d >= 0) {
+      out.by_d += e.a;
+      out.by_dd += e.aa;
+      out.by_ds += e.ab;
+    } else if (resists_pressing()) {
+      const Dual22 pressed = energy(-d, 0), none = energy(0, 0);
+      out.value += pressed.v - none.v;
+      out.by_d -= pressed.a;
+      out.by_s += pressed.b - none.b;
+      out.by_dd += pressed.aa;
+      out.by_ds -= pressed.ab;
+      out.by_ss += pressed.bb - none.bb;
+    }
+  }
+  // Adds the derivatives by d and s = u^2 of a sample with the slip u along the first tangent.
+  static void add_along_first_tangent(const DirectedSample& sample, double u, BondSample& out) {
+    out.value += sample.value;
+    out.by_d += sample.gradient[0];
+    out.by_dd += sample.hessian(0, 0);
+    if (!(u > 0)) {
+      out.by_s += sample.hessian(1, 1) / 2;
+      return;
+    }
+    out.by_s += sample.gradient[1] / (2 * u);
+    out.by_ds += sample.hessian(0, 1) / (2 * u);
+    out.by_ss += (sample.hessian(1, 1) - sample.gradient[1] / u) / (4 * u * u);
+  }
+  const SiteState& site_of(const BondStepStates& step, int i) const {
+    return step.sites ? step.sites[i] : this->assumed_site();
+  }
   // Returns the energy per area stored at d < 0, less that at d = 0 [J/m^2].
   template <class M>
-  double pressed(double d, double s, const M& m) const {
-    if (!(d < 0 && resists_pressing())) return 0;
-    return law().energy(-d, s, m, 0.0) - law().energy(0.0, s, m, 0.0);
+  double pressed(const Jump& jump, const M& m, const SiteState& site) const {
+    if (!(jump.d < 0 && resists_pressing())) return 0;
+    return value_at({-jump.d, jump.s, jump.slip}, m, 0, site) -
+           value_at({0, jump.s, jump.slip}, m, 0, site);
   }
   static auto load(const double* history) {
     using M = typename Law::HistoryVariables;

@@ -1,5 +1,6 @@
 #include "framework/bond/bond_term.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,21 @@ Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projecti
   }
   return nn * n * n.transpose() + nt * (n * t.transpose() + t * n.transpose()) + (tt - across) * t * t.transpose() +
          across * (Mat3::Identity() - n * n.transpose());
+}
+
+// Components of the interface frame of a site as columns: normal and tangents.
+Mat3 frame_of(const Bond& bond, const SiteState& site) { return (Mat3() << bond.normal, site.tangents[0], site.tangents[1]).finished(); }
+
+// Gradient and Hessian by r of a directed law, per area.
+Vec3 traction(const DirectedSample& s, const Mat3& frame) { return frame * s.gradient; }
+
+Mat3 curvature(const DirectedSample& s, const Mat3& frame, Projection projection) {
+  if (projection == Projection::none) return frame * s.hessian * frame.transpose();
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(s.hessian);
+  Vec3 values;
+  for (int k = 0; k < 3; ++k) values[k] = projected(eigen.eigenvalues()[k], projection);
+  const Mat3 axes = frame * eigen.eigenvectors();
+  return axes * values.asDiagonal() * axes.transpose();
 }
 
 // Writes B_v^T H B_w with B_v = c_v I + (M g_v) n_S^T, and the work of the traction on levers that
@@ -74,7 +90,14 @@ void write_blocks(const Bond& bond, const Opening& o, const Mat3& h, const Vec3&
 }  // namespace
 
 BondTerm::BondTerm(ContactSystem& system, BondTable table)
-    : Term("bonds"), system_(system), table_(std::move(table)), list_(system.surface(), system.pairs(), table_), stored_(list_) {}
+    : Term("bonds"), system_(system), table_(std::move(table)), list_(system.surface(), system.pairs(), table_), stored_(list_),
+      sees_sites_(std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& rule) { return rule.law->sees_site(); })),
+      directs_(std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& rule) { return rule.law->directed(); })) {}
+
+void BondTerm::set_environment(const Environment* environment, std::vector<std::string> object_names) {
+  environment_ = environment;
+  object_names_ = std::move(object_names);
+}
 
 void BondTerm::publish(Records& records) const {
   Term::publish(records);
@@ -83,10 +106,13 @@ void BondTerm::publish(Records& records) const {
   force.between = [this](const VecX& x, std::string_view summand, ObjectPair pair) { return force_between(x, law_term(summand), pair); };
   force.add_compressions = [this](const VecX& x, std::string_view summand, VecX& sum) { sum += compressions(x, law_term(summand)); };
   records.add(std::move(force));
-  records.add(FlowRecord{"bonds", {{"dissipated_adhesion"}, {"work_healing", FlowKind::fed}}, [this](const VecX& x, double* amounts) {
+  std::vector<FlowColumn> columns{{"dissipated_adhesion"}, {"work_healing", FlowKind::fed}};
+  if (sees_sites_) columns.push_back({"work_environment", FlowKind::fed});
+  records.add(FlowRecord{"bonds", std::move(columns), [this](const VecX& x, double* amounts) {
     const Changes step = changes(x);
     amounts[0] = step.dissipated;
     amounts[1] = -step.healed;
+    if (sees_sites_) amounts[2] = step.environment;
   }, [this](const VecX& x, const EnergyVisitor& visit) { visit_changes(x, visit); }});
   records.add(FieldRecord{"bond_intensity", [this](const VecX& x) { return bond_intensities(*this, x.size() / 3); }});
   records.add(FieldRecord{"bond_traction", [this](const VecX& x) { return bond_tractions(*this, x); }});
@@ -99,6 +125,9 @@ void BondTerm::load_history(const History& history) {
   system_.potential().keep_sides(stored_.pairs());
   list_ = stored_;
   framed_ = false;
+  end_time_ = state_time_;
+  sites_.clear();
+  environment_work_.clear();
   make_blocks();
 }
 
@@ -106,6 +135,8 @@ void BondTerm::begin_step(const StepStart& start) {
   h_ = start.h;
   begins_ = true;
   pressures_.clear();
+  start_time_ = state_time_ = start.time;
+  end_time_ = start.time + start.h;
 }
 
 // A site that bonds does not bond again, even if the overlap has changed since: a triangle with
@@ -177,8 +208,14 @@ void BondTerm::lag(const VecX& x) {
     list_ = stored_;
     make_bonds(x);
     make_blocks();
+    lag_frames(x);
+    find_sites(x);
+    find_environment_work(x);
+    return;
   }
   lag_frames(x);
+  for (int i = 0; directs_ && i < list_.size(); ++i)
+    if (law_of(i).directed()) set_tangents(list_.bonds()[i], x, sites_[i]);
 }
 
 void BondTerm::lag_frames(const VecX& x) const {
@@ -188,7 +225,66 @@ void BondTerm::lag_frames(const VecX& x) const {
 
 // Between steps, callers evaluate at the state; the frames are taken there when first needed.
 void BondTerm::ensure_frames(const VecX& x) const {
-  if (!framed_) lag_frames(x);
+  if (framed_) return;
+  lag_frames(x);
+  find_sites(x);
+}
+
+SiteState BondTerm::site_at(const Bond& bond, double time, const VecX& x) const {
+  const VecX& rest = system_.surface().rest;
+  SiteState site{.time = time, .objects = {bond.a, bond.b}};
+  for (int side = 0; side < 2; ++side)
+    if (site.objects[side] < static_cast<int>(object_names_.size())) site.names[side] = object_names_[site.objects[side]];
+  for (int i = 0; i < bond.site_count; ++i) {
+    site.rest_position += bond.c[i] * vertex(rest, bond.vertices[i]);
+    site.position += bond.c[i] * vertex(x, bond.vertices[i]);
+  }
+  if (environment_) site.temperature = environment_->temperature(time, site.rest_position);
+  set_tangents(bond, x, site);
+  const Vec3 slip = opening_of(bond, x).u;
+  site.slip = {site.tangents[0].dot(slip), site.tangents[1].dot(slip)};
+  return site;
+}
+
+// Sets normal and tangents to those of the bond's frame, which is that of x.
+void BondTerm::set_tangents(const Bond& bond, const VecX& x, SiteState& site) const {
+  const Vec3 edge = vertex(x, bond.vertices[bond.site_count + 1]) - vertex(x, bond.vertices[bond.site_count]);
+  site.normal = bond.normal;
+  site.tangents[0] = (edge - bond.normal.dot(edge) * bond.normal).normalized();
+  site.tangents[1] = bond.normal.cross(site.tangents[0]);
+}
+
+Vec3 BondTerm::jump_of(int bond, const Opening& o) const { return {o.d, sites_[bond].tangents[0].dot(o.u), sites_[bond].tangents[1].dot(o.u)}; }
+
+DirectedSample BondTerm::directed_sample(int bond, const Opening& o) const {
+  DirectedSample sample;
+  const Vec3 jump = jump_of(bond, o);
+  law_of(bond).add_directed_samples(1, &jump, list_.variables(bond), step_of(bond), &sample);
+  return sample;
+}
+
+// Sets the sites at the end of the step that begins at x, or at the state x between steps. Frames are those of x.
+void BondTerm::find_sites(const VecX& x) const {
+  if (!sees_sites_) return;
+  sites_.assign(list_.size(), {});
+  for (int i = 0; i < list_.size(); ++i)
+    if (law_of(i).sees_site()) sites_[i] = site_at(list_.bonds()[i], end_time_, x);
+}
+
+// Sets what the change of time and temperature adds to the stored energy of each bond at the start x of a step.
+void BondTerm::find_environment_work(const VecX& x) {
+  if (!sees_sites_) return;
+  environment_work_.assign(list_.size(), 0);
+  for (int i = 0; i < list_.size(); ++i) {
+    if (!law_of(i).sees_site()) continue;
+    const Bond& bond = list_.bonds()[i];
+    const Opening o = opening_of(bond, x);
+    const SiteState before = site_at(bond, start_time_, x);
+    BondState at{o.d, o.s, 0, 0, sites_[i], jump_of(i, o).tail<2>()};
+    environment_work_[i] = bond.area * law_of(i).stored(at, list_.variables(i));
+    at.site = before;
+    environment_work_[i] -= bond.area * law_of(i).stored(at, list_.variables(i));
+  }
 }
 
 std::vector<Opening> BondTerm::openings(const VecX& x) const {
@@ -204,13 +300,22 @@ double BondTerm::value(const VecX& x) const {
     double sum = 0;
     for (int k = begin; k < end; ++k) {
       const auto [first, last] = blocks_[k];
+      if (directed(blocks_[k])) {
+        for (int i = first; i < last; ++i) {
+          const Vec3 jump = jump_of(i, opening_of(list_.bonds()[i], x));
+          double phi = 0;
+          law_of(i).add_directed_values(1, &jump, list_.variables(i), step_of(i), &phi);
+          sum += list_.bonds()[i].area * phi;
+        }
+        continue;
+      }
       std::array<double, most_in_block> d, s, phi{};
       for (int i = first; i < last; ++i) {
         const Opening o = opening_of(list_.bonds()[i], x);
         d[i - first] = o.d;
         s[i - first] = o.s;
       }
-      table_.rules()[list_.bonds()[first].rule].law->add_values(last - first, d.data(), s.data(), list_.variables(first), h_, phi.data());
+      table_.rules()[list_.bonds()[first].rule].law->add_values(last - first, d.data(), s.data(), list_.variables(first), step_of(first), phi.data());
       for (int i = first; i < last; ++i) sum += list_.bonds()[i].area * phi[i - first];
     }
     return sum;
@@ -228,6 +333,22 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
   const auto slot = [&](size_t i, size_t of_four, size_t of_six) { return i < fours ? of_four * i : of_four * fours + of_six * (i - fours); };
   for_each(static_cast<int>(blocks_.size()), [&](int k) {
     const auto [first, last] = blocks_[k];
+    const auto write = [&](int i, const Opening& o, const Vec3& slope, const auto& hessian_by_r) {
+      const Bond& bond = list_.bonds()[i];
+      double* g = gradient + slot(i, 3 * 4, 3 * 6);
+      for_each_vertex(bond, o, slope, [&](int v, const Vec3& of_vertex) { Eigen::Map<Vec3>{g + 3 * v} = of_vertex; });
+      if (!hessian) return;
+      write_blocks(bond, o, bond.area * hessian_by_r(), slope, projection, hessian + slot(i, 9 * hessian_blocks(4), 9 * hessian_blocks(6)));
+    };
+    if (directed(blocks_[k])) {
+      for (int i = first; i < last; ++i) {
+        const Opening o = opening_of(list_.bonds()[i], x);
+        const DirectedSample sample = directed_sample(i, o);
+        const Mat3 frame = frame_of(list_.bonds()[i], sites_[i]);
+        write(i, o, list_.bonds()[i].area * traction(sample, frame), [&] { return curvature(sample, frame, projection); });
+      }
+      return;
+    }
     std::array<double, most_in_block> d, s;
     std::array<Opening, most_in_block> openings;
     std::array<BondSample, most_in_block> samples{};
@@ -236,17 +357,12 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
       d[i - first] = openings[i - first].d;
       s[i - first] = openings[i - first].s;
     }
-    table_.rules()[list_.bonds()[first].rule].law->add_samples(last - first, d.data(), s.data(), list_.variables(first), h_, samples.data());
+    table_.rules()[list_.bonds()[first].rule].law->add_samples(last - first, d.data(), s.data(), list_.variables(first), step_of(first), samples.data());
     for (int i = first; i < last; ++i) {
       const Bond& bond = list_.bonds()[i];
       const Opening& o = openings[i - first];
       const BondSample& sample = samples[i - first];
-      const Vec3 slope = bond.area * traction(sample, bond, o);
-      double* g = gradient + slot(i, 3 * 4, 3 * 6);
-      for_each_vertex(bond, o, slope, [&](int v, const Vec3& of_vertex) { Eigen::Map<Vec3>{g + 3 * v} = of_vertex; });
-      if (!hessian) continue;
-      write_blocks(bond, o, bond.area * curvature(sample, bond, o, projection), slope, projection,
-                   hessian + slot(i, 9 * hessian_blocks(4), 9 * hessian_blocks(6)));
+      write(i, o, bond.area * traction(sample, bond, o), [&] { return curvature(sample, bond, o, projection); });
     }
   });
 }
@@ -256,17 +372,25 @@ BondState BondTerm::state_of(int i, const VecX& x) const {
   const Opening o = opening_of(bond, x);
   const BondRule& rule = table_.rules()[bond.rule];
   double pressure = pressures_.empty() ? std::max(0.0, -rule.barrier.at(o.d + bond.rest).slope) : pressures_[i];
-  if (o.d < 0) pressure -= rule.law->at(o.d, o.s, list_.variables(i), h_).by_d;
-  return {o.d, o.s, h_, pressure};
+  if (o.d < 0) pressure -= law_of(i).directed() ? directed_sample(i, o).gradient[0] : rule.law->at(o.d, o.s, list_.variables(i), step_of(i)).by_d;
+  BondState state{o.d, o.s, h_, pressure};
+  if (const SiteState* site = this->site(i)) {
+    state.site = *site;
+    state.slip = jump_of(i, o).tail<2>();
+  }
+  return state;
 }
 
 BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& variables) const {
   variables.assign(list_.variables(bond), list_.variables(bond) + law_of(bond).width());
-  const BondState at = state_of(bond, x);
+  BondState at = state_of(bond, x);
   BondChange change = law_of(bond).advance(at, variables.data());
   if (!change.gone && slid_off(list_.bonds()[bond], x)) {
     change.gone = true;
-    change.dissipated += law_of(bond).stored(at.d > 0 ? change.kept * at.d : at.d, change.kept * change.kept * at.s, variables.data());
+    if (at.d > 0) at.d *= change.kept;
+    at.s *= change.kept * change.kept;
+    at.slip *= change.kept;
+    change.dissipated += law_of(bond).stored(at, variables.data());
   }
   return change;
 }
@@ -286,6 +410,7 @@ BondTerm::Changes BondTerm::changes(const VecX& x) const {
     const BondChange change = advance(i, x, variables);
     sum.dissipated += area * change.dissipated;
     sum.healed += area * change.healed;
+    if (!environment_work_.empty()) sum.environment += environment_work_[i];
   }
   return sum;
 }
@@ -295,7 +420,7 @@ void BondTerm::visit_changes(const VecX& x, const EnergyVisitor& visit) const {
   for (int i = 0; i < list_.size(); ++i) {
     const Bond& bond = list_.bonds()[i];
     const BondChange change = advance(i, x, variables);
-    visit(std::span(bond.vertices).first(bond.count()), bond.area * (change.dissipated + change.healed));
+    visit(std::span(bond.vertices).first(bond.count()), bond.area * (change.dissipated + change.healed) - (environment_work_.empty() ? 0 : environment_work_[i]));
   }
 }
 
@@ -305,13 +430,15 @@ bool BondTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
     const Bond& bond = list_.bonds()[i];
     const Opening o = opening_of(bond, x);
     double energy = 0;
-    law_of(i).add_values(1, &o.d, &o.s, list_.variables(i), h_, &energy);
+    if (law_of(i).directed()) energy = directed_sample(i, o).value;
+    else law_of(i).add_values(1, &o.d, &o.s, list_.variables(i), step_of(i), &energy);
     visit(std::span(bond.vertices).first(bond.count()), bond.area * energy);
   }
   return true;
 }
 
 void BondTerm::commit(const VecX& x, History& history) const {
+  state_time_ = end_time_;
   BondList remaining = list_.none();
   std::vector<double> variables;
   for (int i = 0; i < list_.size(); ++i) {
@@ -333,8 +460,16 @@ std::vector<Vec3> BondTerm::site_forces(const VecX& x, LawTerm term) const {
   for_each(list_.size(), [&](int i) {
     const Bond& bond = list_.bonds()[i];
     const Opening o = opening_of(bond, x);
-    const BondSample sample = table_.rules()[bond.rule].law->at(o.d, o.s, list_.variables(i), h_);
-    const Vec3 all = traction(sample, bond, o), pressing = o.d < 0 ? Vec3(sample.by_d * bond.normal) : Vec3(Vec3::Zero());
+    Vec3 all;
+    double along;  // the normal
+    if (law_of(i).directed()) {
+      const DirectedSample sample = directed_sample(i, o);
+      all = traction(sample, frame_of(bond, sites_[i])), along = sample.gradient[0];
+    } else {
+      const BondSample sample = law_of(i).at(o.d, o.s, list_.variables(i), step_of(i));
+      all = traction(sample, bond, o), along = sample.by_d;
+    }
+    const Vec3 pressing = o.d < 0 ? Vec3(along * bond.normal) : Vec3(Vec3::Zero());
     pulls[i] = -bond.area * (term == LawTerm::all ? all : term == LawTerm::barrier ? pressing : Vec3(all - pressing));
   });
   return pulls;

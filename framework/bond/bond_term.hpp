@@ -12,6 +12,7 @@
 #pragma once
 
 #include "framework/bond/bond_list.hpp"
+#include "framework/bond/environment.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
@@ -23,6 +24,9 @@ class BondTerm : public Term {
  public:
   // The system must outlive the term, and begin steps before it.
   BondTerm(ContactSystem& system, BondTable table);
+  /// Sets what laws that depend on the state of their site read: the temperature, which must
+  /// outlive the term (null: room temperature), and the names of the objects.
+  void set_environment(const Environment* environment, std::vector<std::string> object_names);
 
   void load_history(const History& history) override;
   void begin_step(const StepStart& start) override;
@@ -43,9 +47,10 @@ class BondTerm : public Term {
   void set_pressures(std::vector<double> pressures) { pressures_ = std::move(pressures); }
 
   // Energies of the step to x [J]: dissipation by debonding; energy that healing takes from the
-  // bonds (below zero: puts in).
+  // bonds (below zero: puts in); energy that the environment puts in.
   struct Changes {
     double dissipated = 0, healed = 0;
+    double environment = 0;  // what time and temperature have added to the stored energy
   };
   Changes changes(const VecX& x) const;
   /// Calls `visit` for each bond with its dissipation and healing.
@@ -70,6 +75,11 @@ class BondTerm : public Term {
   const std::vector<int>& unbonded() const { return unbonded_; }
   const BondTable& table() const { return table_; }
   const BondLaw& law_of(int bond) const { return *table_.rules()[list_.bonds()[bond].rule].law; }
+  /// Returns the site of a bond of the list in the present step; null if its law does not depend on
+  /// it.
+  const SiteState* site(int bond) const {
+    return sites_.empty() || !law_of(bond).sees_site() ? nullptr : &sites_[bond];
+  }
   double intensity(int bond) const { return law_of(bond).intensity_of(list_.variables(bond)); }
 
  private:
@@ -87,15 +97,33 @@ class BondTerm : public Term {
   // the step into `variables`.
   BondChange advance(int bond, const VecX& x, std::vector<double>& variables) const;
   bool slid_off(const Bond& bond, const VecX& x) const;
+  void find_sites(const VecX& x) const;
+  void set_tangents(const Bond& bond, const VecX& x, SiteState& site) const;
+  bool directed(const Block& block) const { return directs_ && law_of(block.first).directed(); }
+  Vec3 jump_of(int bond, const Opening& o) const;  // opening and components of the slip
+  DirectedSample directed_sample(int bond, const Opening& o) const;
+  void mark_directed(const Block& block, const VecX& from, const VecX& to,
+                     std::vector<char>& vertices) const;
+  SiteState site_at(const Bond& bond, double time, const VecX& x) const;
+  void find_environment_work(const VecX& x);
+  BondStepStates step_of(int first) const { return {h_, site(first)}; }
 
   ContactSystem& system_;
   BondTable table_;
   mutable BondList list_;  // frames are taken when they are first needed
   mutable bool framed_ = false;
   BondList stored_;
-  bool begun_ = false;   // the run has: bonds of the start are made
-  bool begins_ = false;  // a step
-  double h_ = 0;         // 0 between steps
+  bool begun_ = false;       // the run has: bonds of the start are made
+  bool begins_ = false;      // a step
+  double h_ = 0;             // 0 between steps
+  bool sees_sites_ = false;  // some law does
+  bool directs_ = false;     // some law is directed
+  const Environment* environment_ = nullptr;
+  std::vector<std::string> object_names_;
+  double start_time_ = 0, end_time_ = 0;  // of the present step, or of the last one [s]
+  mutable double state_time_ = 0;         // s
+  mutable std::vector<SiteState> sites_;  // per bond; empty if no law sees them
+  std::vector<double> environment_work_;  // per bond, of the present step [J]
   std::vector<int> unbonded_;
   std::vector<double> pressures_;  // empty: those of the barrier
   std::vector<Block> blocks_;

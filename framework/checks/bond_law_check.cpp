@@ -43,7 +43,7 @@ std::vector<Pulled> pulled_places(const BondLaw& law) {
       std::vector<double> memory(law.width());
       law.initialize(false, memory.data());
       const double d = past * scale * std::cos(past_angle), u = past * scale * std::sin(past_angle);
-      if (past > 0 && law.advance({d, u * u, BondCheck::h, 0}, memory.data()).gone) continue;
+      if (past > 0 && law.advance(law.assumed_state(d, u * u, BondCheck::h), memory.data()).gone) continue;
       for (const double way : {0.031, 0.13, 0.52, 0.87, 1.7, 3.1, 9.7})
         for (const double angle : {0.2, 0.8, 1.4}) {
           const double slip = way * scale * std::sin(angle);
@@ -107,7 +107,7 @@ void check_energy(const BondLaw& law, const std::vector<Pulled>& all, LawCheck& 
   double worst = 0, taken_there = 0, booked_there = 0;
   for (const Pulled& p : all) {
     std::vector<double> memory = p.memory;
-    const BondChange change = law.advance({p.d, p.s, BondCheck::h, 0}, memory.data());
+    const BondChange change = law.advance(law.assumed_state(p.d, p.s, BondCheck::h), memory.data());
     const double value = p.value(law, 0, 0), taken = value - (change.gone ? 0 : law.stored(p.d, p.s, memory.data()));
     const double off = std::max(taken - change.dissipated, change.dissipated - 2 * taken) / (std::abs(value) + law.work_of_adhesion());
     if (off > worst) worst = off, taken_there = taken, booked_there = change.dissipated;

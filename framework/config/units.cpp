@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 
+#include "framework/config/thermal_units.hpp"
 #include "framework/config/words.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/plain_numbers.hpp"
@@ -52,7 +53,9 @@ constexpr std::array named_dimensions{units::length,
                                       units::area_density,
                                       units::line_density,
                                       units::stiffness,
-                                      units::traction_stiffness};
+                                      units::traction_stiffness,
+                                      units::temperature,
+                                      units::molar_energy};
 
 // Lock of the units library, whose parser has global state and reads numbers by the locale. Every
 // call below holds one.

@@ -155,6 +155,7 @@ BondStudy study_bond_law(const StudiedLaw& studied, const StudySettings& setting
   const BondSample new_bond = law.at(0, 0, history.data(), 0);
   f.push_back({"peak traction", law.peak_traction(), "Pa", "stated by the law, along the normal"});
   f.push_back({"work of adhesion", law.work_of_adhesion(), "J/m^2", "stated by the law, along the normal"});
+  if (law.depends_on_temperature()) f.push_back({"temperature", law.assumed_site().temperature, "K", "of the quantities below"});
   SofteningRange softening, fast_softening;
   double normal_peak_opening = 0;  // m
   for (const double angle : directions) {

@@ -25,6 +25,15 @@ double softer_young(const SceneConfig& scene, const std::array<int, 2>& pair) {
   return softer;
 }
 
+// Returns the law at a temperature [K].
+std::shared_ptr<const BondLaw> at_temperature(const BondLaw& law, double kelvin) {
+  std::shared_ptr<BondLaw> other = law.clone();
+  SiteState site = law.assumed_site();
+  site.temperature = kelvin;
+  other->assume_site(site);
+  return other;
+}
+
 std::vector<StudiedLaw> laws_of_scene(Value root, const LawSource& source) {
   if (source.contact_distance || source.barrier_stiffness)
     throw InputError(fmt::format("{}: a scene has its own barrier: give contact.distance=... or contact.barrier.stiffness=..., without --", source.file));
@@ -39,6 +48,8 @@ std::vector<StudiedLaw> laws_of_scene(Value root, const LawSource& source) {
     for (const auto& term : law.pair.laws())
       if (auto gap = std::dynamic_pointer_cast<const NormalAdhesion>(term)) law.gap = std::move(gap);
     if (const int rule = world.bonds ? world.bonds->table().between(a, b, adhesion.region_pair) : -1; rule >= 0) law.bond = world.bonds->table().rules()[rule].law;
+    if (law.bond && law.bond->depends_on_temperature() && built.experiment().environment)
+      law.bond = at_temperature(*law.bond, built.experiment().environment->temperature(0, world.rest.reshaped(3, world.rest.size() / 3).rowwise().mean()));
     law.name = fmt::format("{} of {}", law.law().type(), adhesion.names());
     law.contact_distance = built.experiment().contact->contact_distance;
     law.young = source.young.value_or(softer_young(built.experiment(), adhesion.kinds.front()));
@@ -101,7 +112,9 @@ StudiedLaw law_of(const Value& value, const LawSource& source) {
 
 }  // namespace
 
-std::vector<StudiedLaw> laws_of(const LawSource& source) {
+namespace {
+
+std::vector<StudiedLaw> laws_at_room_temperature(const LawSource& source) {
   if (source.file.empty() == source.type.empty())
     throw InputError(source.file.empty()
                          ? fmt::format("tack law: no law given; give a scene, the file of an adhesion, or --type NAME (one of {})",
@@ -122,6 +135,18 @@ std::vector<StudiedLaw> laws_of(const LawSource& source) {
   if (!root.find("objects"))
     throw InputError(fmt::format("{}: neither a scene, with `objects`, nor an adhesion, with a `type` as first key", source.file));
   return laws_of_scene(std::move(root), source);
+}
+
+}  // namespace
+
+std::vector<StudiedLaw> laws_of(const LawSource& source) {
+  std::vector<StudiedLaw> laws = laws_at_room_temperature(source);
+  if (!source.temperature) return laws;
+  const auto sees = [](const StudiedLaw& law) { return law.bond && law.bond->depends_on_temperature(); };
+  if (std::none_of(laws.begin(), laws.end(), sees)) throw InputError("--temperature: the law does not depend on the temperature; take it away, or choose one that does (`viscoelastic` with `shift`)");
+  for (StudiedLaw& law : laws)
+    if (sees(law)) law.bond = at_temperature(*law.bond, *source.temperature);
+  return laws;
 }
 
 }  // namespace tack

@@ -86,7 +86,8 @@ Extremum extremum_of(const Opened& opened, Metric metric, double sign, const Rat
   // A plateau at either end, to which the law tends, is no maximum within the range.
   const double level = points[k].*metric, tolerance = 1e-3 * level;
   const bool inner = k > 0 && k + 1 < points.size() && std::abs(points.front().*metric - level) > tolerance && std::abs(points.back().*metric - level) > tolerance;
-  return inner ? Extremum{refined(opened, metric, sign, points, k), true} : Extremum{points[k]};
+  if (inner) return {refined(opened, metric, sign, points, k), true};
+  return {std::abs(points.back().*metric - level) <= tolerance ? points.back() : points.front()};
 }
 
 // Appends the quantities of one metric. Returns its largest value.
@@ -107,7 +108,7 @@ Extremum describe(const Opened& opened, const char* name, const char* unit, Metr
   const auto say = [&](const char* which, const Extremum& found) {
     const double ratio = found.point.*metric / slow;
     quantities.push_back({fmt::format("{} {} at speed", which, name), found.point.*metric, unit,
-                          fmt::format("{:.3g} of the quasi-static one, at {}{}", ratio, with_axis_unit(found.point.speed, "m/s"), found.inner ? "" : "; no extremum within the scan")});
+                          fmt::format("{:.3g} of the quasi-static one, at {}{}", ratio, with_axis_unit(found.point.speed, "m/s"), found.inner ? "" : ", at the end of the scan")});
   };
   if (largest.point.*metric > (1 + change) * slow) say("largest", largest);
   if (const Extremum smallest = extremum_of(opened, metric, -1, scan); smallest.point.*metric < (1 - change) * slow) say("smallest", smallest);

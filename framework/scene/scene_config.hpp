@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "framework/body/rod_section.hpp"
+#include "framework/bond/environment.hpp"
 #include "framework/config/field.hpp"
 #include "framework/contact/contact_model.hpp"
 #include "framework/contact/normal_law.hpp"
@@ -123,6 +124,7 @@ struct SceneConfig {
   std::vector<NamedSelection> selections;
   std::vector<std::unique_ptr<Interaction>> interactions;
   std::optional<ContactConfig> contact;
+  std::optional<Environment> environment;
   std::optional<StartConfig> start;
   void fields(Fields& f);
 };

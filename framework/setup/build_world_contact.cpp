@@ -72,6 +72,14 @@ void check_range(const PairTable& table, const Value& root, const VecX& rest) {
                                "the range of the adhesion", contact ? contact->mark.text() + ": " : "", range, size));
 }
 
+// Throws InputError at a temperature that no law of the scene reads.
+void refuse_environment(const SceneConfig& scene, const Value& root) {
+  if (!scene.environment) return;
+  const Value* environment = root.find("environment");
+  throw InputError((environment ? environment->mark.text() + ": " : "") +
+                   "no adhesion law of the scene depends on the temperature, which acts on nothing else; take `environment` away, or choose such a law (`viscoelastic` with `shift`)");
+}
+
 // Returns the rigid group of each vertex: prescribed rigid motions and affine bodies; empty without
 // either.
 std::vector<int> rigid_groups(const World& world) {
@@ -97,7 +105,7 @@ std::vector<int> rigid_groups(const World& world) {
 }  // namespace
 
 void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock, World& world) {
-  if (!scene.contact) return;
+  if (!scene.contact) return refuse_environment(scene, root);
   ContactSurface surface;
   std::vector<ContactPrimitives> primitives;
   const std::vector<char> hulls = find_hulls(world);
@@ -122,7 +130,13 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
     const Value* contact = root.find("contact");
     throw InputError((contact ? contact->mark.text() + ": " : "") + error.what());
   }
-  if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, std::move(bonds));
+  if (!std::any_of(bonds.rules().begin(), bonds.rules().end(), [](const BondRule& rule) { return rule.law->depends_on_temperature(); })) refuse_environment(scene, root);
+  if (!bonds.empty()) {
+    world.bonds = std::make_unique<BondTerm>(*world.contact, std::move(bonds));
+    std::vector<std::string> names;
+    for (const Body& body : world.bodies) names.push_back(body.name);
+    world.bonds->set_environment(scene.environment ? &*scene.environment : nullptr, std::move(names));
+  }
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, contact_spins(scene, world));
 }

@@ -11,7 +11,7 @@ namespace tack {
 BondStiffness bond_stiffness(const BondTerm& bonds, int i, const Vec3& at, double h) {
   const BondLaw& law = bonds.law_of(i);
   const double d = law.resists_pressing() ? at[0] : std::max(at[0], 0.0), area = bonds.list().bonds()[i].area;
-  const BondSample sample = law.at(d, at.tail<2>().squaredNorm(), bonds.list().variables(i), h);
+  const BondSample sample = law.at(d, at.tail<2>().squaredNorm(), bonds.list().variables(i), {h, bonds.site(i)});
   return {area * (d != 0 ? sample.by_d / d : sample.by_dd), area * 2 * sample.by_s};
 }
 

@@ -16,6 +16,7 @@ const std::vector<std::map<std::string, std::string>> settings = {
     {{"envelope", "{type: fang, peak_traction: 1e4, peak_distance: 5e-5, range: 2e-4}"}},
     {{"envelope", "{type: expression, traction: 1e12 * d * exp(-d / 1e-5), range: 2e-4}"}, {"viscosity", "0.02"}},
     {{"envelope", "{type: table, file: " TACK_TEST_DATA "/laws/six_rows.csv}"}, {"tangential_strength", "5e3"}},
+    {{"activation_energy", "6e4"}, {"reference_temperature", "300"}},
     {{"branch_stiffness", "4e9"}, {"relaxation_time", "3e-3"}, {"tangential_strength", "5e3"}},
     {{"tangential_stiffness", "5e7"}},
     {{"tangential_stiffness", "5e7"}, {"viscosity", "0.02"}},
@@ -88,7 +89,7 @@ double force_jump(const BondLaw& law, const double* history, double h, double d,
     const BondSample s = law.at(t * d, t * t * u * u, history, h);
     return Vec2(s.by_d, 2 * s.by_s * t * u);
   };
-  double low = 0, high = 1, most = 0;
+  double low = law.directed() ? 1e-9 : 0, high = 1, most = 0;  // a directed law pulls at no slip where slip has flowed
   for (int parts = 1024; high - low > 1e-12; parts = 4) {
     const double width = (high - low) / parts, from = low;
     most = 0;
@@ -193,7 +194,7 @@ TEST_CASE("bonds with history variables have at most one direction of negative c
       const double mixed = 2 * s.by_ds * it.u, along = 4 * s.by_ss * it.u * it.u + 2 * s.by_s;
       const Eigen::Matrix2d hessian = (Eigen::Matrix2d() << s.by_dd, mixed, mixed, along).finished();
       const auto eigen = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
-      CHECK(s.by_s >= 0);
+      if (!law.directed()) CHECK(s.by_s >= 0);
       CHECK(eigen[1] >= -1e-12 * std::abs(eigen[0]));
     }
   });

@@ -76,14 +76,43 @@ TEST_CASE("viscoelastic: a bond that unloads below its flow is slack in its bran
   PulledBond bond(*law);
   bond.pull(0.5 * onset, 0, 10, 1e-3);
   for (int i = 0; i < 100; ++i) bond.step(0.5 * onset, 0, relaxation);
-  CHECK(bond.step(0.2 * onset, 0, 1e-3).by_d == Approx(stiffness * 0.2 * onset));
+  CHECK(bond.step(0.2 * onset, 0, 1e-3).by_d == Approx(stiffness * 0.2 * onset));  // v_d = 0.5 onset
   CHECK(bond.change().dissipated == Approx(0).margin(1e-12));
   CHECK(bond.intensity() == 1);
   CHECK(bond.step(0.6 * onset, 0, 1e-9).by_d == Approx((0.6 * stiffness + 0.1 * 3e8) * onset).epsilon(1e-6));
+}
+
+TEST_CASE("viscoelastic: the temperature moves the response along the logarithm of the speed", "[bonds]") {
+  const double speed = last / relaxation;
+  const auto response = [](BondLaw& law, double kelvin, double at_speed) {
+    SiteState site;
+    site.temperature = kelvin;
+    law.assume_site(site);
+    const PulledBond bond = pulled(law, at_speed, 4000);
+    return std::pair(bond.peak(), bond.work());
+  };
+  const auto arrhenius = viscoelastic(3e8, ", shift: arrhenius, activation_energy: 60 kJ/mol, reference_temperature: 293 K");
+  const auto wlf = viscoelastic(3e8, ", shift: wlf, reference_temperature: 293 K, wlf_c1: 8.86, wlf_c2: 101.6 K");
+  for (const double kelvin : {253.0, 293.0, 333.0}) {
+    const double by_arrhenius = std::exp(60e3 / 8.31446261815324 * (1 / kelvin - 1 / 293.0));
+    const double by_wlf = std::pow(10, -8.86 * (kelvin - 293) / (101.6 + kelvin - 293));
+    for (const double v : {0.1 * speed, speed, 10 * speed}) {
+      for (const auto& [law, shift] : {std::pair(arrhenius.get(), by_arrhenius), std::pair(wlf.get(), by_wlf)}) {
+        const auto shifted = response(*law, kelvin, v / shift), reference = response(*law, 293, v);
+        CHECK(shifted.first == Approx(reference.first).epsilon(1e-9));
+        CHECK(shifted.second == Approx(reference.second).epsilon(1e-9));
+      }
+    }
+  }
+  // Frozen below T_ref - C_2: the spring K + K_1 at any speed that is not infinitely slow.
+  CHECK(response(*wlf, 293 - 110, 1e-3 * speed).first == Approx(2 * strength).epsilon(1e-3));
 }
 
 TEST_CASE("viscoelastic refuses contradictory parameters", "[bonds]") {
   CHECK_THROWS_WITH(viscoelastic(1e8, ", onset: 1e-5"), Catch::Contains("follows from onset"));
   CHECK_THROWS_WITH(bond_law("{type: viscoelastic, peak_traction: 1e4, work_of_adhesion: 1, relaxation_time: 1, onset: 1}"), Catch::Contains("before the traction is largest"));
   CHECK_THROWS_WITH(bond_law("{type: viscoelastic, peak_traction: 1e4, work_of_adhesion: 1, relaxation_time: 0}"), Catch::Contains("relaxation_time"));
+  CHECK_THROWS_WITH(viscoelastic(1e8, ", shift: arrhenius"), Catch::Contains("activation_energy"));
+  CHECK_THROWS_WITH(viscoelastic(1e8, ", activation_energy: 60 kJ/mol"), Catch::Contains("shift: arrhenius"));
+  CHECK_THROWS_WITH(viscoelastic(1e8, ", shift: arrhenius, activation_energy: 60 kJ"), Catch::Contains("energy per amount (J/mol)"));
 }

@@ -69,6 +69,7 @@ TEST_CASE("experiment laws/bilinear") { check_experiment("laws/bilinear.yaml"); 
 TEST_CASE("experiment laws/mixed_mode") { check_experiment("laws/mixed_mode.yaml"); }
 TEST_CASE("experiment laws/exponential") { check_experiment("laws/exponential.yaml"); }
 TEST_CASE("experiment laws/bonded") { check_experiment("laws/bonded.yaml"); }
+TEST_CASE("experiment laws/viscoelastic") { check_experiment("laws/viscoelastic.yaml"); }
 TEST_CASE("experiment laws/damage") { check_experiment("laws/damage.yaml"); }
 TEST_CASE("experiment laws/xu_needleman_coupled") { check_experiment("laws/xu_needleman_coupled.yaml"); }
 TEST_CASE("experiment laws/slope_bonded") { check_experiment("laws/slope_bonded.yaml"); }

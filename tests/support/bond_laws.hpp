@@ -36,7 +36,7 @@ class PulledBond {
     work_ += (sample_.by_d + before_[0]) / 2 * (d - d_) + (across + before_[1]) / 2 * (u - u_);
     work_of_ends_ += sample_.by_d * (d - d_) + across * (u - u_);
     before_[0] = sample_.by_d, before_[1] = across, d_ = d, u_ = u;
-    change_ = law_.advance({d, u * u, h, pressure}, history_.data());
+    change_ = law_.advance(law_.assumed_state(d, u * u, h, pressure), history_.data());
     dissipated_ += change_.dissipated;
     return sample_;
   }
