@@ -36,6 +36,13 @@ struct LocalProblem {
   /// The largest t in (0, 1] such that q + s p is feasible for s in [0, t]; q, p: of these blocks.
   std::function<double(const VecX& q, const VecX& p)> feasible_step;
   VecX q;  // of these blocks, where the others are held
+  /// Bound of the step of each block, as MinimizerProblem::block_bounds(together). Only of problems
+  /// made by MinimizerProblem::locals.
+  std::function<VecX(const VecX& q, const VecX& p)> block_bounds = {};
+  /// Returns q of these blocks where the problems made along with this one have left them, and
+  /// moves the objective there, the others held where they are now. Only of
+  /// MinimizerProblem::locals.
+  std::function<VecX()> resume = {};
 };
 
 /// One problem: objective, feasible steps and convergence criteria.
@@ -76,6 +83,13 @@ struct MinimizerProblem {
   /// point. At most one may exist at a time; the objective's point is undefined until its next
   /// move_to().
   std::function<LocalProblem(std::span<const int> blocks)> local = {};
+  /// Problems over several sets of blocks (each ascending), to be solved in turn: each has to
+  /// resume() before it is used. They begin at the objective's current point, which is undefined
+  /// until its next move_to(); after that, they resume there.
+  std::function<std::vector<LocalProblem>(std::span<const std::vector<int>> sets)> locals = {};
+  /// The unit of motion of each block (step_cuts.hpp): blocks of one unit move a vertex together,
+  /// as the four of an affine body do.
+  std::function<std::vector<int>()> motion_units = {};
   /// These blocks (ascending) and those that elements and other lasting stencils connect with them.
   std::function<std::vector<int>(std::span<const int> blocks)> with_neighbours = {};
   // True: the observer gets the stopping norm also from methods that must do a linear solve for it

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +68,13 @@ class StepFilter : public Component {
   virtual bool bound_units(const VecX& /*x*/, const VecX& /*p*/, const MotionUnits& /*units*/,
                            BlockBound /*kind*/, std::vector<double>& /*bounds*/) {
     return false;
+  }
+  /// Does what bound_units() does `together`, for a p that moves few vertices, at a cost in
+  /// proportion to their number. moved: the only vertices at which p is not zero, ascending. The
+  /// default is bound_units().
+  virtual bool bound_local_units(const VecX& x, const VecX& p, std::span<const int> /*moved*/,
+                                 const MotionUnits& units, std::vector<double>& bounds) {
+    return bound_units(x, p, units, BlockBound::together, bounds);
   }
 };
 

@@ -21,6 +21,10 @@ std::pair<VecX, VecX> at_vertices(const StepPotential& potential, const VecX& q,
   return {std::move(x), std::move(displacement)};
 }
 
+[[noreturn]] void throw_no_bounds(const StepFilter& filter) {
+  throw InputError(fmt::format("the step filter '{}' gives no bounds of single blocks; take another `step` or `type` of the solver, or leave the filter out", filter.type()));
+}
+
 }  // namespace
 
 FeasibleSteps::FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* check, const StepFilters& filters)
@@ -72,9 +76,48 @@ void FeasibleSteps::set_feasibility(StepPotential& potential, MinimizerProblem& 
     local.objective = std::move(objective);
     return local;
   };
+  problem.locals = [this, &potential](std::span<const std::vector<int>> sets) {
+    const auto motion = std::make_shared<const MotionUnits>(units(potential.dofs()));
+    std::vector<LocalProblem> all;
+    for (const std::vector<int>& blocks : sets) {
+      auto objective = std::make_unique<LocalPotential>(potential, world_, clock_, blocks, true);
+      LocalPotential* const own = objective.get();
+      LocalProblem& local = all.emplace_back();
+      local.feasible_step = [this, own](const VecX& q, const VecX& p) { return largest_local(*own, q, p); };
+      local.block_bounds = [this, own, motion](const VecX& q, const VecX& p) { return local_bounds(*own, q, p, *motion); };
+      local.resume = [own] { return own->resume(); };
+      local.q = objective->start();
+      local.objective = std::move(objective);
+    }
+    return all;
+  };
+  problem.motion_units = [this, &potential] {
+    const MotionUnits motion = units(potential.dofs());
+    std::vector<int> of_block;
+    for (int b = 0; b < potential.dofs().block_count(); ++b) of_block.push_back(motion.of_vertex[potential.dofs().vertex_of_block(b)]);
+    return of_block;
+  };
   problem.feasible_step = [&](const VecX& q, const VecX& p) { return largest_requested(potential, q, p); };
   problem.cuts = [&](const VecX& q, const VecX& p, double below) { return cuts(potential, q, p, below); };
   problem.block_bounds = [&](const VecX& q, const VecX& p, BlockBound kind) { return block_bounds(potential, q, p, kind); };
+}
+
+VecX FeasibleSteps::local_bounds(LocalPotential& potential, const VecX& q, const VecX& p, const MotionUnits& motion) {
+  unit_bounds_.resize(motion.count, 1.0);
+  const auto refused = potential.along(q, p, [&](const VecX& x, const VecX& displacement, std::span<const int> moved) -> const StepFilter* {
+    if (check_) check_->check(x);
+    for (const auto& filter : filters_) {
+      clock_.deadline().check();
+      if (!filter->bound_local_units(x, displacement, moved, motion, unit_bounds_)) return filter.get();
+    }
+    clock_.deadline().check();
+    return nullptr;
+  });
+  VecX of_blocks(static_cast<Eigen::Index>(potential.vertices_of_blocks().size()));
+  for (Eigen::Index b = 0; b < of_blocks.size(); ++b) of_blocks(b) = unit_bounds_[motion.of_vertex[potential.vertices_of_blocks()[b]]];
+  for (const int v : potential.vertices_of_blocks()) unit_bounds_[motion.of_vertex[v]] = 1;
+  if (refused) throw_no_bounds(*refused);
+  return of_blocks;
 }
 
 StepCuts FeasibleSteps::cuts(const StepPotential& potential, const VecX& q, const VecX& p, double below) {
@@ -135,8 +178,7 @@ VecX FeasibleSteps::block_bounds(const StepPotential& potential, const VecX& q, 
   std::vector<double> bounds(motion.count, 1.0);
   for (const auto& filter : filters_) {
     clock_.deadline().check();
-    if (!filter->bound_units(x, displacement, motion, kind, bounds))
-      throw InputError(fmt::format("the step filter '{}' gives no bounds of single blocks; take another `step` of the solver, or leave the filter out", filter->type()));
+    if (!filter->bound_units(x, displacement, motion, kind, bounds)) throw_no_bounds(*filter);
   }
   VecX of_blocks(dofs.block_count());
   for (int b = 0; b < dofs.block_count(); ++b) of_blocks(b) = bounds[motion.of_vertex[dofs.vertex_of_block(b)]];

@@ -31,12 +31,16 @@ class FeasibleSteps {
   // Overload for q and p over the unknowns of the potential, whose configuration supplies all other
   // vertices.
   double largest_requested(const StepPotential& potential, const VecX& q, const VecX& p);
-  // Sets feasible_step, cuts, block_bounds, local and with_neighbours of a problem over the
-  // unknowns of the potential. Both must outlive the problem.
+  // Sets feasible_step, cuts, block_bounds, local, locals, motion_units and with_neighbours of a
+  // problem over the unknowns of the potential. Both must outlive the problem.
   void set_feasibility(StepPotential& potential, MinimizerProblem& problem);
   // See MinimizerProblem::cuts and block_bounds.
   StepCuts cuts(const StepPotential& potential, const VecX& q, const VecX& p, double below);
   VecX block_bounds(const StepPotential& potential, const VecX& q, const VecX& p, BlockBound kind);
+  // Returns bounds of blocks for a step of a local potential, at the cost of its region. units: of
+  // the whole potential.
+  VecX local_bounds(LocalPotential& potential, const VecX& q, const VecX& p,
+                    const MotionUnits& units);
   // Returns largest() for a step of a local potential, at the cost of its region.
   double largest_local(LocalPotential& potential, const VecX& q, const VecX& p);
   // Clears the last requested step.
@@ -57,7 +61,8 @@ class FeasibleSteps {
   PhaseClock& clock_;
   IterateCheck* check_;
   std::vector<std::unique_ptr<StepFilter>> filters_;
-  VecX x_, p_;  // last requested step (3n); x_ is empty before the first one
+  std::vector<double> unit_bounds_;  // 1 between calls
+  VecX x_, p_;                       // last requested step (3n); x_ is empty before the first one
   Observer observer_;
 };
 

@@ -43,13 +43,13 @@ std::unique_ptr<Objective> StepPotential::restricted(std::span<const int> blocks
   return std::make_unique<LocalPotential>(*this, world_, clock_, blocks);
 }
 
-LocalPotential::LocalPotential(StepPotential& whole, World& world, PhaseClock& clock, std::span<const int> blocks)
-    : whole_(whole), world_(world), clock_(clock), scratch_(whole.scratch()), blocks_(blocks.begin(), blocks.end()) {
+LocalPotential::LocalPotential(StepPotential& whole, World& world, PhaseClock& clock, std::span<const int> blocks, bool resumed)
+    : whole_(whole), world_(world), clock_(clock), scratch_(whole.scratch()), blocks_(blocks.begin(), blocks.end()), resumed_(resumed) {
   if (scratch_.taken) throw std::logic_error("a potential has one local problem at a time");
-  scratch_.taken = true;
+  scratch_.taken = !resumed_;
   moved_ = whole_.stencil_maps().moved_by(blocks_);
-  start_.resize(size());
-  for (size_t b = 0; b < blocks_.size(); ++b) start_.segment<3>(3 * static_cast<Eigen::Index>(b)) = vertex(scratch_.x, whole_.dofs().vertex_of_block(blocks_[b]));
+  for (const int b : blocks_) owners_.push_back(whole_.dofs().vertex_of_block(b));
+  read_start();
   positions_at_start_.resize(3 * static_cast<Eigen::Index>(moved_.size()));
   for (size_t i = 0; i < moved_.size(); ++i) vertex(positions_at_start_, static_cast<int>(i)) = vertex(scratch_.x, moved_[i]);
   local_ = has_local_form();
@@ -58,8 +58,26 @@ LocalPotential::LocalPotential(StepPotential& whole, World& world, PhaseClock& c
 }
 
 LocalPotential::~LocalPotential() {
+  if (resumed_) {
+    scratch_.moves = -1;  // no longer at the point of the whole potential
+    return;
+  }
   for (size_t i = 0; i < moved_.size(); ++i) vertex(scratch_.x, moved_[i]) = vertex(positions_at_start_, static_cast<int>(i));
   scratch_.taken = false;
+}
+
+void LocalPotential::read_start() {
+  start_.resize(size());
+  for (size_t b = 0; b < owners_.size(); ++b) start_.segment<3>(3 * static_cast<Eigen::Index>(b)) = vertex(scratch_.x, owners_[b]);
+}
+
+const VecX& LocalPotential::resume() {
+  whole_.scratch();  // at the point of the whole potential, if that has moved
+  read_start();
+  if (local_ && world_.contact && world_.contact->candidates_version() != candidates_version_) build();
+  else begin_inner();
+  inner_->move_to(start_);
+  return start_;
 }
 
 // Returns whether all dynamic stencils are those of contact that has a local search, or constant
@@ -78,6 +96,11 @@ void LocalPotential::build() {
   if (inner_) value_count_before_ += inner_->value_count();
   if (local_) build_local();
   else build_whole();
+  begin_inner();
+}
+
+// Begins the step of the inner potential with the others where they are.
+void LocalPotential::begin_inner() {
   const auto& settings = whole_.settings();
   const VecX x = local_ ? gathered(scratch_.x, vertices_) : scratch_.x, prediction = local_ ? gathered(settings.prediction, vertices_) : settings.prediction;
   inner_->begin_step(x, prediction, settings.scales, settings.inertia);

@@ -20,12 +20,17 @@ namespace tack {
 class LocalPotential : public Objective {
  public:
   // blocks: ascending. The whole potential is where the others are held, and must outlive this.
-  // Throws std::logic_error if another local potential of it exists.
-  LocalPotential(StepPotential& whole, World& world, PhaseClock& clock,
-                 std::span<const int> blocks);
+  // Throws std::logic_error if another local potential of it exists, unless this one is one of
+  // several that are `resumed` in turn.
+  LocalPotential(StepPotential& whole, World& world, PhaseClock& clock, std::span<const int> blocks,
+                 bool resumed = false);
   ~LocalPotential() override;
 
   const VecX& start() const { return start_; }  // the unknowns of the blocks, initially
+  // Moves this potential to where the whole one was moved, or those that are resumed in turn have
+  // gone since then. Returns the unknowns of the blocks there.
+  const VecX& resume();
+  const std::vector<int>& vertices_of_blocks() const { return owners_; }  // global, one per block
   // Calls act(x, p, moved) with the configuration and the displacements of all vertices (3n) for
   // unknowns q and a direction p of the blocks; moved: the vertices that these move, ascending.
   template <class Act>
@@ -51,6 +56,8 @@ class LocalPotential : public Objective {
  private:
   bool has_local_form() const;
   void build();
+  void begin_inner();
+  void read_start();
   void build_whole();
   void build_local();
   std::vector<std::unique_ptr<Term>> parts();
@@ -62,7 +69,8 @@ class LocalPotential : public Objective {
   World& world_;
   PhaseClock& clock_;
   StepPotential::Scratch& scratch_;
-  std::vector<int> blocks_, moved_;
+  std::vector<int> blocks_, owners_, moved_;
+  bool resumed_;
   VecX start_, positions_at_start_;  // positions of the moved vertices [m]
 
   bool local_ = true;  // false: all terms are evaluated as a whole

@@ -172,26 +172,54 @@ class Ccd : public StepFilter {
       const int n = static_cast<int>(kind.pairs.size());
       std::vector<std::vector<UnitBound>> chunks(chunk_count(n));
       for_each_chunk(n, [&](int c, int first, int last) {
-        for (int i = first; i < last; ++i) {
-          const auto& a = kind.first(kind.pairs[i]);
-          const auto& b = kind.second(kind.pairs[i]);
-          const double offset = offset_of(a, b);
-          const auto da = corners(p, a);
-          const auto db = corners(p, b);
-          if (largest_norm(da) + largest_norm(db) < (1 - gap_fraction_min) * (kind.distance_bounds[i] - offset)) continue;
-          const auto ca = corners(x, a);
-          const auto cb = corners(x, b);
-          if (kind_of_bound == BlockBound::together) bound_by_planes(ca, cb, da, db, units_of(units, a), units_of(units, b), offset, gap_fraction_min, chunks[c]);
-          else bound_alone(da, db, units_of(units, a), units_of(units, b), [&](const auto& ea, const auto& eb) { return accd(ca, cb, ea, eb, gap_fraction_min, 1.0, offset); }, chunks[c]);
-        }
+        for (int i = first; i < last; ++i) bound_units_of(kind, i, x, p, units, kind_of_bound, chunks[c]);
       });
-      for (const std::vector<UnitBound>& chunk : chunks)
-        for (const UnitBound& bound : chunk) bounds[bound.unit] = std::min(bounds[bound.unit], bound.step);
+      for (const std::vector<UnitBound>& chunk : chunks) lower(chunk, bounds);
     });
     return true;
   }
 
+  bool bound_local_units(const VecX& x, const VecX& p, std::span<const int> moved, const MotionUnits& units, std::vector<double>& bounds) override {
+    cover(x, p, moved, 1);
+    const PhaseScope scope(*clock_, Phase::ccd);
+    map_candidates();
+    std::vector<UnitBound> found;
+    size_t map = 0;
+    for_each_kind([&](const auto& kind) {
+      for (const int i : by_vertex_[map++].touching(moved)) bound_units_of(kind, i, x, p, units, BlockBound::together, found);
+    });
+    lower(found, bounds);
+    return true;
+  }
+
  private:
+  // Appends the bounds of the units that move a pair.
+  template <class Kind>
+  void bound_units_of(const Kind& kind, int i, const VecX& x, const VecX& p, const MotionUnits& units, BlockBound kind_of_bound, std::vector<UnitBound>& bounds) const {
+    const auto& a = kind.first(kind.pairs[i]);
+    const auto& b = kind.second(kind.pairs[i]);
+    const double offset = offset_of(a, b);
+    const auto da = corners(p, a);
+    const auto db = corners(p, b);
+    if (largest_norm(da) + largest_norm(db) < (1 - gap_fraction_min) * (kind.distance_bounds[i] - offset)) return;
+    const auto ca = corners(x, a);
+    const auto cb = corners(x, b);
+    const auto ua = moving_units(units, a, da);
+    const auto ub = moving_units(units, b, db);
+    // A single moving unit follows its path, whatever the fraction: the bound is that of CCD.
+    if (kind_of_bound == BlockBound::together && !same_unit(ua, ub)) bound_by_planes(ca, cb, da, db, ua, ub, offset, gap_fraction_min, bounds);
+    else bound_alone(da, db, ua, ub, [&](const auto& ea, const auto& eb) { return accd(ca, cb, ea, eb, gap_fraction_min, 1.0, offset); }, bounds);
+  }
+  static void lower(const std::vector<UnitBound>& found, std::vector<double>& bounds) {
+    for (const UnitBound& bound : found) bounds[bound.unit] = std::min(bounds[bound.unit], bound.step);
+  }
+  // Has the candidates cover the path from x to x + t p.
+  void cover(const VecX& x, const VecX& p, std::span<const int> moved, double t) {
+    bool covered = contact_->covers(x, moved);
+    for (size_t i = 0; covered && i < moved.size(); ++i) covered = contact_->covers_displaced(moved[i], vertex(x, moved[i]) + t * vertex(p, moved[i]));
+    if (!covered) contact_->cover(x, t * p);
+  }
+
   double search(const VecX& x, const VecX& p, double t_max) {
     contact_->cover(x, t_max * p);
     const PhaseScope scope(*clock_, Phase::ccd);
@@ -221,9 +249,7 @@ class Ccd : public StepFilter {
 
   // Returns the largest step up to t_max of the pairs that the moved vertices touch.
   double local_search(const VecX& x, const VecX& p, std::span<const int> moved, double t_max) {
-    bool covered = contact_->covers(x, moved);
-    for (size_t i = 0; covered && i < moved.size(); ++i) covered = contact_->covers_displaced(moved[i], vertex(x, moved[i]) + t_max * vertex(p, moved[i]));
-    if (!covered) contact_->cover(x, t_max * p);
+    cover(x, p, moved, t_max);
     const PhaseScope scope(*clock_, Phase::ccd);
     map_candidates();
     double t = t_max;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "framework/core/step_cuts.hpp"
@@ -25,11 +26,27 @@ struct UnitBound {
   double step;
 };
 
+/// Returns the units of vertices; -1 where the displacement is zero.
 template <size_t N>
-std::array<int, N> units_of(const MotionUnits& units, const std::array<int, N>& vertices) {
+std::array<int, N> moving_units(const MotionUnits& units, const std::array<int, N>& vertices,
+                                const std::array<Vec3, N>& displacements) {
   std::array<int, N> all;
-  for (size_t i = 0; i < N; ++i) all[i] = units.of_vertex[vertices[i]];
+  for (size_t i = 0; i < N; ++i)
+    all[i] = displacements[i].isZero(0) ? -1 : units.of_vertex[vertices[i]];
   return all;
+}
+
+/// Returns true if at most one unit moves vertices of two primitives (-1: at rest).
+template <size_t A, size_t B>
+bool same_unit(const std::array<int, A>& a, const std::array<int, B>& b) {
+  int first = -1;
+  for (const std::span<const int> units : {std::span<const int>(a), std::span<const int>(b)})
+    for (const int unit : units) {
+      if (unit < 0) continue;
+      if (first >= 0 && unit != first) return false;
+      first = unit;
+    }
+  return true;
 }
 
 template <size_t N>

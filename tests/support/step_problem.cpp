@@ -33,7 +33,12 @@ MinimizerResult StepProblem::minimize(Minimizer& minimizer, MinimizerProblem::Ob
       potential, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); }, {}, clock};
   steps.set_feasibility(potential, problem);
   problem.feasible_step = [this](const VecX& from, const VecX& p) { return feasible_step(from, p); };
-  problem.observer = std::move(observer);
+  problem.observer = [this, told = std::move(observer)](int iteration, double residual, double value, double seconds) {
+    VecX reached;
+    world->dofs.gather(potential.configuration(), reached);
+    if (path.empty() || path.back() != reached) path.push_back(std::move(reached));
+    if (told) told(iteration, residual, value, seconds);
+  };
   judge.set_criteria(problem);
   path.clear();
   const MinimizerResult result = minimizer.minimize(problem, q);

@@ -17,8 +17,8 @@ struct StepProblem : TestScene {
   double feasible_step(const VecX& from, const VecX& p);
   // Convergence test of this minimiser for the step.
   Convergence convergence(const Minimizer& minimizer);
-  // From the start; q is where it ends, and `path` the points from which steps were tried, and the
-  // end.
+  // From the start; q is where it ends, and `path` the points from which steps were tried and those
+  // after an iteration.
   MinimizerResult minimize(Minimizer& minimizer, MinimizerProblem::Observer observer = {});
 
   TimeStepper stepper;
