@@ -128,7 +128,7 @@ ProcessResult run_isolated(const ProcessLimits& limits, const std::function<std:
   }
   const std::string text = receive(ends[0], child, limits.wall_time);
   ::close(ends[0]);
-  const ProcessResult end = end_of(child);
+  ProcessResult end = end_of(child);
   if (interrupt_requested) throw Interrupted();
   if (text.size() < 2 || text.front() != text.back()) return end;
   for (const End sent : {End::answer, End::input_error, End::exception, End::no_memory})

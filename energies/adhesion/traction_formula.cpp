@@ -66,7 +66,7 @@ std::vector<std::string> TractionFormula::variables() const {
 
 std::string TractionFormula::check_formula() const {
   try {
-    Formula(text(), variables());
+    static_cast<void>(Formula(text(), variables()));
     return "";
   } catch (const InputError& error) {
     return error.what();

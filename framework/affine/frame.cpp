@@ -9,7 +9,7 @@ namespace tack {
 
 BodyFrame body_frame(const MassProperties& body) {
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.moments / body.volume);
-  const Vec3 squares = solver.eigenvalues();
+  const Vec3& squares = solver.eigenvalues();
   constexpr double flat = 1e-12;
   if (!(body.volume > 0) || !(squares(0) > flat * squares(2))) throw InputError("is flat: an affine body needs a volume");
   Mat3 axes = solver.eigenvectors();

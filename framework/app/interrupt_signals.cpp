@@ -6,7 +6,7 @@
 #include "geometry/interrupt.hpp"
 
 // Function of OpenBLAS, which no header declares; other builds of OpenBLAS may lack it.
-extern "C" [[gnu::weak]] int blas_thread_shutdown_();
+extern "C" [[gnu::weak]] int blas_thread_shutdown_();  // NOLINT(readability-identifier-naming): the name is theirs
 
 namespace tack {
 namespace {

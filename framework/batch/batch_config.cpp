@@ -70,7 +70,7 @@ void BatchConfig::fields(Fields& f) {
     std::vector<std::string> names;
     for (const BatchBase& b : all_bases()) names.push_back(b.name);
     for (const BatchPlot& p : plots)
-      if (const std::string wrong = unknown_base(p, names); !wrong.empty()) return wrong;
+      if (std::string wrong = unknown_base(p, names); !wrong.empty()) return wrong;
     return twice(plots, "plots", [](const BatchPlot& p) { return p.name; });
   });
   f.check("statistics", [this]() -> std::string {

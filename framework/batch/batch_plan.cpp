@@ -53,7 +53,7 @@ class Names {
   std::string free(const std::string& name) {
     int& number = numbers_[name];  // of the last duplicate
     for (;;) {
-      const std::string tried = ++number == 1 ? name : fmt::format("{}.{}", name, number);
+      std::string tried = ++number == 1 ? name : fmt::format("{}.{}", name, number);
       if (taken_.insert(tried).second) return tried;
     }
   }

@@ -105,7 +105,7 @@ std::vector<BondPoint> separate_slowly(const BondLaw& law, double angle, int poi
     for (const BondPoint& p : curve) most = std::max(most, size_of(p));
     if (most > 0 && size_of(curve.back()) < traction_end * most) break;
   }
-  const auto curve = pull_bond(law, {overshoot * far}, angle, points);
+  auto curve = pull_bond(law, {overshoot * far}, angle, points);
   for (const BondPoint& p : curve)
     if (size_of(p) > 0) return curve;
   return {};

@@ -50,7 +50,7 @@ void describe_fields(const Fields& fields, const std::string& prefix, std::strin
       out += fmt::format("      deprecated name: {}\n", name);
     if (const Shape* inner = nested_object(f.shape)) {
       const std::string many = f.shape.form == Shape::Form::object ? "." : "[].";
-      describe_fields(inner->prototype(), prefix + f.key + many, out);
+      describe_fields(inner->prototype(), fmt::format("{}{}{}", prefix, f.key, many), out);
     }
   }
 }

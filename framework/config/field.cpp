@@ -75,7 +75,7 @@ Field& Field::below(double high) {
 }
 
 std::string Field::constraint() const {
-  const std::string range = bounds.text();
+  std::string range = bounds.text();
   if (!filled) return range;
   return range.empty() ? "not empty" : "not empty, " + range;
 }

@@ -112,7 +112,7 @@ class Schema {
   }
 
   json struct_or_text(const Fields& fields) {
-    const json all = object(fields);
+    json all = object(fields);
     if (fields.bare_key().empty()) return all;
     const Field& bare = *fields.find(fields.bare_key());
     return {{"anyOf", json::array({value(bare.shape, bare.bounds, bare), all})}};

@@ -38,7 +38,7 @@ std::string read_included(const Value& file, const fs::path& path) {
 }
 
 std::vector<Value> included_files(const Value& include) {
-  const std::vector<Value> files =
+  std::vector<Value> files =
       include.is_sequence() ? include.items : std::vector<Value>{include};
   for (const Value& file : files) {
     if (file.is_scalar()) continue;

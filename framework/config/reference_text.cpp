@@ -10,7 +10,7 @@ namespace {
 
 std::string kind_link(const Shape& shape, KindLinks links) {
   const Shape& entry = shape.entry ? *shape.entry : shape;
-  const std::string noun = shape.noun();
+  std::string noun = shape.noun();
   if (!entry.kind) return noun;
   const std::string& kind = entry.kind->name();
   return fmt::format("[{}]({})", noun, links == KindLinks::anchors ? "#" + kind : kind + ".md");
@@ -58,7 +58,7 @@ void append_rows(const Fields& fields, const std::string& prefix, KindLinks link
                        is_value ? "`" + table_cell(initial) + "`" : initial, f.constraint(),
                        table_cell(meaning(f, fields)));
     const std::string many = f.shape.form == Shape::Form::object ? "." : "[].";
-    if (inner && nested) append_rows(inner->prototype(), prefix + f.key + many, links, nested, out);
+    if (inner && nested) append_rows(inner->prototype(), fmt::format("{}{}{}", prefix, f.key, many), links, nested, out);
   }
 }
 

@@ -54,7 +54,7 @@ class Required {
 
   // With a default component, a map without `type` sets the default's parameters.
   json component(const Kind& kind, const Field& f) {
-    const json chosen = schema_reference(define(kind));
+    json chosen = schema_reference(define(kind));
     const Value current = f.shape.form == Form::component ? f.write() : Value();
     const Value* type = current.find("type");
     if (!type || type->text.empty()) return chosen;
@@ -64,7 +64,7 @@ class Required {
   }
 
   std::string define(const Kind& kind) {
-    const std::string name = "required." + kind.name();
+    std::string name = "required." + kind.name();
     if (definitions_.contains(name)) return name;
     // Guards against recursion: components may contain components of their own kind.
     definitions_[name] = nullptr;

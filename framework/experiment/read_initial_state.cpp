@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 fs::path checkpoint_of(const fs::path& from) {
   if (!fs::is_directory(from)) return from;
   for (const fs::path& folder : {from / "checkpoints", from})
-    if (const fs::path newest = newest_checkpoint_in(folder); !newest.empty()) return newest;
+    if (fs::path newest = newest_checkpoint_in(folder); !newest.empty()) return newest;
   throw InputError(fmt::format("there is no checkpoint in {}; run that experiment with output.checkpoint_interval", from.string()));
 }
 

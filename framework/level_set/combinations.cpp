@@ -72,7 +72,7 @@ class ArrayLevelSet : public DerivedLevelSet {
 
  protected:
   Box own_bounds() const override {
-    const Box one = child().bounds();
+    Box one = child().bounds();
     if (one.isEmpty() || !finite(one)) return one;
     return {one.min() - half_extent(), one.max() + half_extent()};
   }

@@ -16,7 +16,7 @@ void LevelSet::fields(Fields& f) { f.object("place", placement_, "scale, rotate,
 void LevelSet::prepare(double) {}
 
 Eigen::AlignedBox3d LevelSet::bounds() const {
-  const Eigen::AlignedBox3d own = own_bounds();
+  Eigen::AlignedBox3d own = own_bounds();
   if (own.isEmpty()) return own;
   if (!finite(own)) return everywhere();
   const Eigen::Affine3d transform = placement_.transform();

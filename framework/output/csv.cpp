@@ -103,7 +103,7 @@ std::vector<std::string> csv_cells(std::string_view line) {
 }
 
 std::string csv_cell(const std::string& given) {
-  const std::string text = (formula(given) && !csv_number(given) ? "'" : "") + given;
+  std::string text = (formula(given) && !csv_number(given) ? "'" : "") + given;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);

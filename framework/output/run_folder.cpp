@@ -31,7 +31,7 @@ fs::path free_name(const fs::path& folder) {
 // Throws if a run writes into the folder.
 fs::path move_aside(const fs::path& folder) {
   const FolderLock lock(folder);
-  const fs::path aside = free_name(folder);
+  fs::path aside = free_name(folder);
   fs::rename(folder, aside);
   return aside;
 }

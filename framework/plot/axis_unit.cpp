@@ -34,7 +34,7 @@ std::string pretty(std::string_view unit) {
 }  // namespace
 
 AxisUnit axis_unit(double largest, const std::string& unit) {
-  const AxisUnit plain{1, unit == "1" ? "" : pretty(unit)};
+  AxisUnit plain{1, unit == "1" ? "" : pretty(unit)};
   if (!(largest > 0) || !std::isfinite(largest)) return plain;
   const int exponent = 3 * static_cast<int>(std::floor(std::log10(largest * 1.0001) / 3));
   const bool prefixed = std::find(take_prefixes.begin(), take_prefixes.end(), unit) != take_prefixes.end();

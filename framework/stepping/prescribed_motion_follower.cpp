@@ -45,10 +45,11 @@ DirichletContinuation::Result PrescribedMotionFollower::move(const VecX& x, cons
   const VecX none = VecX::Zero(world_.dofs.size());
   const PredictedMotion predicted = predicted_motion(world_, x, targets - x, free_motion ? free_motion->full : none, free_motion ? free_motion->uniform : none);
   if (!predicted.debonds) {
-    const DirichletContinuation::Result linear = move_linearly(x, targets, predicted.displacements, context.step.potential);
-    return linear.x.size() > 0 ? linear : run_continuation(x, targets, context);
+    DirichletContinuation::Result linear = move_linearly(x, targets, predicted.displacements, context.step.potential);
+    if (linear.x.size() > 0) return linear;
+    return run_continuation(x, targets, context);
   }
-  const DirichletContinuation::Result continued = run_continuation(x, targets, context);
+  DirichletContinuation::Result continued = run_continuation(x, targets, context);
   if (continued.failure.empty()) return continued;
   DirichletContinuation::Result linear = move_linearly(x, targets, {free_motion ? free_motion->full : none}, context.step.potential);
   if (linear.x.size() == 0) return continued;

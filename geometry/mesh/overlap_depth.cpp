@@ -84,7 +84,7 @@ SurfaceDistance::SurfaceDistance(const Mesh& mesh) : vertices_(mesh.vertices) {
 std::optional<SurfaceDistance::Closest> SurfaceDistance::at(const Vec3& x, double range) const {
   // Most points are near the surface: small ranges are searched first.
   for (double r = (box_.hi - box_.lo).norm() / 64; r < range; r *= 4)
-    if (const auto found = within(x, r)) return found;
+    if (auto found = within(x, r)) return found;
   return within(x, range);
 }
 

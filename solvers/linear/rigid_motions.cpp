@@ -96,7 +96,7 @@ void RigidMotions::find_frames(const BlockMatrix& matrix) {
       inertia += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia / (last - first));
-    const Vec3 squares = axes.eigenvalues();
+    const Vec3& squares = axes.eigenvalues();
     for (int j = 0; j < 3; ++j)
       rotations_[a].col(j) = squares(j) > slender * squares(2) ? Vec3(axes.eigenvectors().col(j) / std::sqrt(squares(j))) : Vec3::Zero();
   }, 8);

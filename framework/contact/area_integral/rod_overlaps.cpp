@@ -106,7 +106,8 @@ double distance_to(const Vec3& p, const std::array<Vec3, 2>& edge) { return std:
 
 double projected_overlap(const std::array<Vec3, 2>& a, double width_a, const std::array<Vec3, 2>& b, double width_b,
                          const Vec3& n, Vec3& centre) {
-  const Vec3 x = n.unitOrthogonal(), y = n.cross(x), origin = a[0];
+  const Vec3 x = n.unitOrthogonal(), y = n.cross(x);
+  const Vec3& origin = a[0];
   const auto from = [&](const std::array<Vec3, 2>& e) { return std::array<Vec3, 2>{Vec3(e[0] - origin), Vec3(e[1] - origin)}; };
   const Strip sa = strip_of(from(a), width_a, x, y), sb = strip_of(from(b), width_b, x, y);
   Vec2 flat;

@@ -311,7 +311,7 @@ class QuadratureMaker {
       for (TriangleWeight& s : weights) s.weight *= sum / overlap_count;
   }
   static Vec3 closest_on(const VecX& x, const PointFeature& f, const Vec3& p) {
-    const Vec3 a = vertex(x, f.vertices[0]);
+    Vec3 a = vertex(x, f.vertices[0]);
     if (f.count() == 1) return a;
     const Vec3 along = (Vec3(vertex(x, f.vertices[1])) - a).normalized();
     if (f.count() == 2) return a + along.dot(p - a) * along;

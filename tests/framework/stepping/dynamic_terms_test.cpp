@@ -215,5 +215,5 @@ TEST_CASE("every term that publishes forces or energies of contact is dynamic", 
     INFO(term->name());
     CHECK(term->dynamic());
   }
-  CHECK(in_contact == 4);  // contact, overlap-boundary forces, bonds, friction
+  CHECK(in_contact == 5);  // contact, overlap-boundary forces, overhangs, bonds, friction
 }
