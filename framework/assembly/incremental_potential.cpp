@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/core/residual_view.hpp"
+#include "framework/core/term_gradient.hpp"
 #include "framework/core/term_times.hpp"
 #include "geometry/parallel.hpp"
 
@@ -139,6 +140,33 @@ const BlockMatrix& IncrementalPotential::hessian(const HessianRequest& request) 
   assembler_.assemble(x_, scales_, request, block_mass_, gradient_, matrix_);
   gradient_known_ = true;
   return matrix_;
+}
+
+// Inertia first, then the terms. Inertia of vertices that several unknowns move is a term of its own.
+std::vector<ObjectivePart> IncrementalPotential::parts() const {
+  std::vector<ObjectivePart> parts = {{"inertia"}};
+  for (const Term* term : terms_) parts.push_back({term->name(), term->dynamic(), term->stores()});
+  return parts;
+}
+
+double IncrementalPotential::part_value(int part) {
+  if (part == 0) return inertia_ ? inertia_value() : 0.0;
+  return scales_.of(*terms_.at(part - 1)) * value_of(*terms_[part - 1]);
+}
+
+VecX IncrementalPotential::part_gradient(int part) {
+  VecX gradient(size());
+  if (part == 0) {
+    for (int b = 0; b < dofs_.block_count(); ++b) gradient.segment<3>(3 * b) = block_mass_(b) * (q_.segment<3>(3 * b) - prediction_.segment<3>(3 * b));
+    return gradient;
+  }
+  const Term& term = *terms_.at(part - 1);
+  VecX full = VecX::Zero(x_.size());
+  add_term_gradient(term, x_, full);
+  dofs_.move_to_independents(full);
+  for (int b = 0; b < dofs_.block_count(); ++b) gradient.segment<3>(3 * b) = scales_.of(term) * vertex(full, dofs_.vertex_of_block(b));
+  for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks()) gradient.segment<3>(3 * h.block) -= (h.projection * gradient.segment<3>(3 * h.block)).eval();
+  return gradient;
 }
 
 LeastSquares IncrementalPotential::least_squares() const {

@@ -74,6 +74,9 @@ class IncrementalPotential : public Objective {
   const VecX& gradient() override;
   const BlockMatrix& hessian(const HessianRequest& request) override;
   LeastSquares least_squares() const override;
+  std::vector<ObjectivePart> parts() const override;
+  double part_value(int part) override;
+  VecX part_gradient(int part) override;
   int value_count() const override { return value_count_; }
 
  private:

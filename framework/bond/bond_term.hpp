@@ -38,6 +38,7 @@ class BondTerm : public Term {
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
+  bool lagged_stencils() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
   void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;

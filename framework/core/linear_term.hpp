@@ -19,6 +19,7 @@ class LinearTerm : public Term, public ResidualView {
   const VecX& force() const { return force_; }
   const VecX& reference() const { return reference_; }
 
+  bool lagged_stencils() const override { return true; }  // it has none
   double value(const VecX& x) const override {
     return force_.size() == 0 ? 0.0 : -force_.dot(x - reference_);
   }

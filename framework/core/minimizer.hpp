@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "framework/config/registry.hpp"
+#include "framework/core/close_pair.hpp"
 #include "framework/core/objective.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "framework/core/step_filter.hpp"
@@ -75,6 +76,9 @@ struct MinimizerProblem {
   /// Pairs and elements that by themselves allow less than `below`, in (0, 1], of the step from q
   /// to q + p. Costs a search of all pairs along that part of the step.
   std::function<StepCuts(const VecX& q, const VecX& p, double below)> cuts = {};
+  /// Pairs of primitives whose gap at q is below `reach` [m], with closest points and normals,
+  /// sorted. Throws InputError if `reach` exceeds the largest range of contact.
+  std::function<std::vector<ClosePair>(const VecX& q, double reach)> pairs = {};
   /// Bound of the step of each block (size / 3), in [0, 1]: feasible is any step in which the
   /// blocks make fractions of p up to their bounds, all `together`, or one of them `alone`. Throws
   /// InputError if a step filter knows no such bounds.

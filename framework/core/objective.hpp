@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "framework/core/block_matrix.hpp"
@@ -27,6 +28,13 @@ struct HessianRequest {
   bool without_dynamic = false;  // omits the dynamic part of the Hessian, not of the gradient
 };
 
+/// Part of an objective: inertia, or one term of the potential.
+struct ObjectivePart {
+  std::string name;      // "inertia", or that of the term
+  bool dynamic = false;  // its stencils change with the contacts of the point (Term::dynamic)
+  bool stores = true;    // a stored energy, not the dissipation of a step (Term::stores)
+};
+
 /// A smooth function of the unknowns with a current point.
 class Objective {
  public:
@@ -40,6 +48,14 @@ class Objective {
   virtual const VecX& gradient() = 0;
   /// Returns the Hessian and updates the gradient. The next call overwrites the matrix.
   virtual const BlockMatrix& hessian(const HessianRequest& request) = 0;
+  /// Returns the parts, the same for all points of a step; none: the objective is not divided.
+  /// Methods that treat contact, friction and elasticity differently choose among them.
+  virtual std::vector<ObjectivePart> parts() const { return {}; }
+  /// Returns the value of a part at the current point; those of all parts add up to value(). Throws
+  /// InputError if the objective is not divided.
+  virtual double part_value(int part);
+  /// Returns the gradient of a part; those of all parts add up to gradient().
+  virtual VecX part_gradient(int part);
   /// Returns the least-squares form at the current point (residual_view.hpp). Throws InputError if
   /// the objective is no sum of squares.
   virtual LeastSquares least_squares() const;

@@ -23,6 +23,9 @@ LeastSquares Objective::least_squares() const {
   throw InputError("this objective is no sum of squares; use another solver.type (projected_newton)");
 }
 
+double Objective::part_value(int) { throw InputError("this objective is not divided into parts"); }
+VecX Objective::part_gradient(int) { throw InputError("this objective is not divided into parts"); }
+
 std::unique_ptr<Objective> Objective::restricted(std::span<const int>) {
   throw InputError("this objective has no local problems; use another solver.step");
 }

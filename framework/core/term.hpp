@@ -72,6 +72,9 @@ class Term : public StepParticipant {
   virtual std::vector<StencilBatch> batches() const { return {}; }
   /// Returns true if the stencils may differ from one configuration to the next (contact).
   virtual bool dynamic() const { return false; }
+  /// Returns true if the stencils of a dynamic term differ from one step or lagging iteration to
+  /// the next, but not between the configurations of one.
+  virtual bool lagged_stencils() const { return false; }
 
   /// Writes every gradient slot, and every Hessian slot unless `hessian` is null.
   virtual void derivatives(const VecX& x, Projection projection, double* gradient,

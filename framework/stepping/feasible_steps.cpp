@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "framework/core/disjoint_sets.hpp"
+#include "framework/stepping/close_pairs.hpp"
 #include "framework/stepping/local_potential.hpp"
 #include "framework/stepping/obstacle.hpp"
 #include "geometry/errors.hpp"
@@ -98,6 +99,11 @@ void FeasibleSteps::set_feasibility(StepPotential& potential, MinimizerProblem& 
     return of_block;
   };
   problem.feasible_step = [&](const VecX& q, const VecX& p) { return largest_requested(potential, q, p); };
+  problem.pairs = [&](const VecX& q, double reach) {
+    VecX x = potential.configuration();
+    potential.dofs().scatter(q, x);
+    return close_pairs(world_, x, reach);
+  };
   problem.cuts = [&](const VecX& q, const VecX& p, double below) { return cuts(potential, q, p, below); };
   problem.block_bounds = [&](const VecX& q, const VecX& p, BlockBound kind) { return block_bounds(potential, q, p, kind); };
 }

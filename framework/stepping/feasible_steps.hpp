@@ -31,8 +31,8 @@ class FeasibleSteps {
   // Overload for q and p over the unknowns of the potential, whose configuration supplies all other
   // vertices.
   double largest_requested(const StepPotential& potential, const VecX& q, const VecX& p);
-  // Sets feasible_step, cuts, block_bounds, local, locals, motion_units and with_neighbours of a
-  // problem over the unknowns of the potential. Both must outlive the problem.
+  // Sets feasible_step, pairs, cuts, block_bounds, local, locals, motion_units and with_neighbours
+  // of a problem over the unknowns of the potential. Both must outlive the problem.
   void set_feasibility(StepPotential& potential, MinimizerProblem& problem);
   // See MinimizerProblem::cuts and block_bounds.
   StepCuts cuts(const StepPotential& potential, const VecX& q, const VecX& p, double below);

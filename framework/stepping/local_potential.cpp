@@ -4,11 +4,8 @@
 #include <stdexcept>
 
 #include "framework/assembly/listed_stencils.hpp"
-#include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_potential.hpp"
 #include "framework/contact/terms/contact_term.hpp"
-#include "framework/contact/terms/friction_term.hpp"
-#include "framework/core/linear_term.hpp"
 
 namespace tack {
 namespace {
@@ -80,15 +77,11 @@ const VecX& LocalPotential::resume() {
   return start_;
 }
 
-// Returns whether all dynamic stencils are those of contact that has a local search, or constant
-// until the next lagging iteration. Other dynamic terms, also of a contact model, may find theirs
-// in move_to().
+// Returns whether all dynamic stencils are those of contact that has a local search, or lagged.
+// Other dynamic terms, also of a contact model, may find theirs in move_to().
 bool LocalPotential::has_local_form() const {
   if (world_.contact && !world_.contact->potential().local({})) return false;
-  const auto known = [&](const Term* term) {
-    return !term->dynamic() || term == world_.bonds.get() || term == world_.friction.get() || dynamic_cast<const ContactTerm*>(term) ||
-           dynamic_cast<const LinearTerm*>(term);
-  };
+  const auto known = [](const Term* term) { return !term->dynamic() || term->lagged_stencils() || dynamic_cast<const ContactTerm*>(term); };
   return std::all_of(whole_.terms().begin(), whole_.terms().end(), known);
 }
 

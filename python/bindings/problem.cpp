@@ -64,6 +64,48 @@ double Problem::feasible_step(const Numbers& q, const Numbers& p) {
   return step;
 }
 
+py::list Problem::parts(const Numbers& q) {
+  Objective& objective = at(q);
+  py::list all;
+  const std::vector<ObjectivePart> parts = objective.parts();
+  for (size_t i = 0; i < parts.size(); ++i) {
+    py::dict d;
+    d["name"] = parts[i].name;
+    d["value"] = objective.part_value(static_cast<int>(i));
+    d["gradient"] = copy(objective.part_gradient(static_cast<int>(i)), 0);
+    d["dynamic"] = parts[i].dynamic;
+    d["stores"] = parts[i].stores;
+    all.append(d);
+  }
+  return all;
+}
+
+py::list Problem::pairs(const Numbers& q, double reach) {
+  const int size = there().objective.size();
+  if (!there().pairs) throw std::runtime_error("this problem has no pairs: it is that of prescribed vertices on their way");
+  const std::vector<ClosePair> found = there().pairs(vector_of(q, size, "unknowns"), reach);
+  leave();  // the search may have moved the shared state
+  py::list all;
+  for (const ClosePair& pair : found) {
+    py::list objects;
+    for (const int body : pair.bodies) objects.append(body >= 0 ? py::object(py::str(world_.bodies[body].name)) : py::none());
+    const int* v = pair.vertices.data();
+    const double* w = pair.weights.data();
+    py::dict d;
+    d["kind"] = std::string(to_string(pair.kind));
+    d["first"] = std::vector<int>(v, v + pair.first_count);
+    d["second"] = std::vector<int>(v + pair.first_count, v + pair.count);
+    d["weights_first"] = std::vector<double>(w, w + pair.first_count);
+    d["weights_second"] = std::vector<double>(w + pair.first_count, w + pair.count);
+    d["distance"] = pair.distance;
+    d["gap"] = pair.gap();
+    d["normal"] = copy(VecX(pair.normal), 0);
+    d["objects"] = objects;
+    all.append(d);
+  }
+  return all;
+}
+
 py::list Problem::cuts(const Numbers& q, const Numbers& p, double below) {
   const int size = there().objective.size();
   if (!there().cuts) throw std::runtime_error("this problem has no step filters: it is that of prescribed vertices on their way");
@@ -168,6 +210,12 @@ void bind_problem(py::module_& module) {
            "Its Hessian at q, a scipy.sparse.csc_matrix. projection: 'none', or that each stencil is made positive semi-definite, 'clamp' or 'absolute'.")
       .def("feasible_step", &Problem::feasible_step, py::arg("q"), py::arg("p"),
            "The largest t in (0, 1] such that from q to q + t p nothing interpenetrates or inverts.")
+      .def("parts", &Problem::parts, py::arg("q"),
+           "What value and gradient at q consist of: dictionaries with name ('inertia', or that of an energy), value, gradient, dynamic (whether its stencils change with the contacts) and "
+           "stores (False: the dissipation of the step, as of friction). Values and gradients add up to value(q) and gradient(q).")
+      .def("pairs", &Problem::pairs, py::arg("q"), py::arg("reach"),
+           "Pairs of primitives whose gap at q is below reach [m], which is at most the largest range of contact: dictionaries with kind ('edge_edge', 'point_triangle', ...), first and "
+           "second (their vertices), weights_first and weights_second (of the vertices in the closest points), distance, gap (less the offset of the surfaces) [m], normal (from the second to the first) and objects.")
       .def("cuts", &Problem::cuts, py::arg("q"), py::arg("p"), py::arg("below") = 1.0,
            "What by itself allows less than `below` of the step from q to q + p: dictionaries with kind ('edge_edge', 'point_triangle', 'tet', ...), step (the fraction that it "
            "allows), vertices (of the first primitive, then of the second), blocks (of three unknowns) and objects, in an order that does not depend on threads.")

@@ -30,6 +30,11 @@ class Problem {
   double value(const Numbers& q);
   py::array gradient(const Numbers& q);
   py::object hessian(const Numbers& q, const std::string& projection);
+  // Returns a dictionary per part: name, value, gradient, dynamic, stores.
+  py::list parts(const Numbers& q);
+  // Returns a dictionary per pair: kind, first, second, weights_first, weights_second, gap,
+  // distance, normal, objects.
+  py::list pairs(const Numbers& q, double reach);
   double feasible_step(const Numbers& q, const Numbers& p);
   double stopping_norm(const Numbers& p, const Numbers& gradient);
   // Returns a dictionary per cut: kind, step, vertices, blocks, bodies.

@@ -55,6 +55,28 @@ class Minimising(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "together, alone"):
             problem.block_bounds(q, p, "both")
 
+    def test_parts_add_up_and_pairs_are_close(self):
+        sim = tack.Simulation(blocks, set=small)
+        for _ in range(12):
+            sim.step()
+        problem = sim.problem()
+        q = problem.start
+        parts = problem.parts(q)
+        self.assertEqual(parts[0]["name"], "inertia")
+        self.assertAlmostEqual(sum(part["value"] for part in parts) / problem.value(q), 1, places=10)
+        gradient = problem.gradient(q)
+        np.testing.assert_allclose(sum(part["gradient"] for part in parts), gradient, atol=1e-10 * np.abs(gradient).max())
+        self.assertTrue(any(part["dynamic"] for part in parts))
+        pairs = problem.pairs(q, 1e-3)
+        self.assertTrue(pairs)
+        for pair in pairs:
+            self.assertAlmostEqual(sum(pair["weights_first"]), 1)
+            self.assertEqual(len(pair["second"]), len(pair["weights_second"]))
+            self.assertLess(pair["gap"], 1e-3)
+            self.assertAlmostEqual(np.linalg.norm(pair["normal"]), 1)
+        with self.assertRaisesRegex(ValueError, "range of contact"):
+            problem.pairs(q, 1.0)
+
     def test_the_documented_descent_ends_where_newton_does(self):
         page = (source / "docs/python.md").read_text(encoding="utf-8")
         code = re.search(r"```python\n(import numpy as np\nimport tack\n\ndef descend.*?)\nsim = ", page, re.S).group(1)

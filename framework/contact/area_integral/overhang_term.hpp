@@ -20,6 +20,7 @@ class OverhangTerm : public Term, public ResidualView {
 
   // Adhesion and the change of its area have one factor in every integrator (term_scales.hpp).
   bool dynamic() const override { return true; }
+  bool lagged_stencils() const override { return true; }
 
   void clear_caches() override;
   void begin_step(const StepStart& start) override;

@@ -56,6 +56,7 @@ class FrictionTerm : public Term, public ResidualView {
   double value(const VecX& x) const override { return term_value(x, TangentialTerm::all); }
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
+  bool lagged_stencils() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
 
