@@ -47,10 +47,10 @@ FanStencils::FanStencils(const DihedralFan* fans, const FanMatrix* c, int count)
   const int n = shape_.edge_count;
   for (int f = 0; f < count; ++f) vertices_.insert(vertices_.end(), fans[f].vertices.begin(), fans[f].vertices.end());
   const int all = chunk_count(count, pack_width);
-  c_.resize(static_cast<size_t>(all * n * n));
+  c_.resize(static_cast<size_t>(all) * n * n);
   for (int f = 0; f < all * pack_width; ++f)
     for (int i = 0; i < n * n; ++i)
-      c_[static_cast<size_t>(f / pack_width * n * n + i)].set(f % pack_width, c[std::min(f, count - 1)](i / n, i % n));
+      c_[static_cast<size_t>(f / pack_width) * n * n + i].set(f % pack_width, c[std::min(f, count - 1)](i / n, i % n));
   Angles none;
   none.fill(0);
   resting_.assign(static_cast<size_t>(all), none);

@@ -59,7 +59,7 @@ class FanStencils final : public StencilRanges {
   int packs() const { return static_cast<int>(resting_.size()); }
   int lanes(int pack) const { return std::min(pack_width, count_ - pack * pack_width); }
   const Pack& c(int pack, int i, int k) const {
-    return c_[static_cast<size_t>((pack * shape_.edge_count + i) * shape_.edge_count + k)];
+    return c_[(static_cast<size_t>(pack) * shape_.edge_count + i) * shape_.edge_count + k];
   }
   void corners(int pack, const VecX& x, Corners& out) const;
   void find_edges(const Corners& x, DihedralEdges& out) const;

@@ -86,8 +86,8 @@ class PatchTerm : public SolidTerm<PatchShape<Shape>> {
     }
   }
 
-  void publish(Records& records) const override {
-    Term::publish(records);
+ protected:
+  StressRecord stress_record() const override {
     StressRecord stress{[this](const VecX& x) {
       std::vector<Mat3> all = this->cauchy_stress(x);
       for (int t = 0; t < this->count(); ++t)
@@ -95,10 +95,8 @@ class PatchTerm : public SolidTerm<PatchShape<Shape>> {
       return all;
     }};
     stress.tets = &this->tets_;
-    records.add(std::move(stress));
+    return stress;
   }
-
- protected:
   double pressure_of(int patch, const VecX& x) const {
     return law_.at(patches_.growth(patch, x)).pressure;
   }

@@ -83,7 +83,7 @@ class SolidTerm : public Term, public StencilRanges {
 
   void publish(Records& records) const override {
     Term::publish(records);
-    records.add(StressRecord{[this](const VecX& x) { return cauchy_stress(x); }});
+    records.add(stress_record());
   }
 
   std::vector<Mat3> cauchy_stress(const VecX& x) const {
@@ -104,6 +104,10 @@ class SolidTerm : public Term, public StencilRanges {
   }
 
  protected:
+  // Returns the stresses that publish() adds to the records.
+  virtual StressRecord stress_record() const {
+    return StressRecord{[this](const VecX& x) { return cauchy_stress(x); }};
+  }
   int count() const { return static_cast<int>(tets_.size()); }
 
   // Returns the rest data of one tet.

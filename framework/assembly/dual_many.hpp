@@ -147,6 +147,7 @@ struct NumTraits<tack::DualMany<N, Curvature>> : NumTraits<double> {
   using Real = tack::DualMany<N, Curvature>;
   using NonInteger = Real;
   using Nested = Real;
+  // NOLINTBEGIN(readability-identifier-naming): the names are Eigen's
   enum {
     IsComplex = 0,
     IsInteger = 0,
@@ -156,6 +157,7 @@ struct NumTraits<tack::DualMany<N, Curvature>> : NumTraits<double> {
     AddCost = N,
     MulCost = N * N
   };
+  // NOLINTEND(readability-identifier-naming)
 };
 
 template <int N, bool Curvature, class Operation>

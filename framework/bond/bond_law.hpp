@@ -188,7 +188,8 @@ class BondLawOf : public BondLaw {
   }
   int width() const override {
     using HistoryVariables = typename Law::HistoryVariables;
-    return std::is_empty_v<HistoryVariables> ? 0 : sizeof(HistoryVariables) / sizeof(double);
+    if constexpr (std::is_empty_v<HistoryVariables>) return 0;
+    else return sizeof(HistoryVariables) / sizeof(double);
   }
   void initialize(bool on_contact, double* history) const override {
     if constexpr (requires { law().begin(on_contact); }) store(law().begin(on_contact), history);

@@ -37,7 +37,7 @@ class LocalPotential : public Objective {
   auto along(const VecX& q, const VecX& p, const Act& act) {
     place(q);
     displace(p);
-    const auto answer = act(scratch_.x, scratch_.p, std::span<const int>(moved_));
+    auto answer = act(scratch_.x, scratch_.p, std::span<const int>(moved_));
     for (const int v : moved_) vertex(scratch_.p, v).setZero();
     return answer;
   }

@@ -17,7 +17,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 CgalMesh solid(const Mesh& mesh, const std::string& name) {
   const Mesh surface = triangle_surface(mesh, name);
   require_solid(surface, name);
-  const CgalMesh result = to_cgal(surface);
+  CgalMesh result = to_cgal(surface);
   if (!pmp::does_bound_a_volume(result))
     throw InputError(name + ": its closed components are not oriented as the border of a solid: each has to have its normals outwards, "
                      "a hollow inwards; repair it (`tack mesh repair`)");

@@ -291,7 +291,7 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
     for (; !filled && attempt == 0 && crease_angle < no_crease; filled = fill())
       crease_angle = std::min(crease_angle + 15 / degrees, no_crease);
     if (!filled && attempt > 0) break;
-    if (!filled) throw InputError(name + ": " + flaws);
+    if (!filled) throw InputError(fmt::format("{}: {}", name, flaws));
     Meshing now;
     now.tets = std::move(inside->tets);
     now.deviation = deviation_of(surface, now.tets, asked);

@@ -19,7 +19,7 @@ std::vector<py::ssize_t> shape_of(Eigen::Index size, int columns) {
 py::array real_array(const Numbers& numbers, const std::string& what) {
   if (py::isinstance(numbers, py::module_::import("numpy.ma").attr("MaskedArray")))
     throw py::type_error(what + ": a masked array is given, and every number counts; give what `filled` makes of it");
-  const py::array given = py::array::ensure(numbers);
+  py::array given = py::array::ensure(numbers);
   if (!given) throw py::type_error(what + ": no array of numbers is given");
   if (const char kind = given.dtype().kind(); std::string_view("fiu").find(kind) == std::string_view::npos)
     throw py::type_error(fmt::format("{}: an array of {} is given, and real numbers are needed{}", what, py::str(given.dtype()).cast<std::string>(),
@@ -52,7 +52,7 @@ VecX vector_of(const Numbers& numbers, Eigen::Index size, const std::string& wha
   check_shape(given, size, what);
   const auto rows = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
   if (!rows) throw py::error_already_set();
-  const VecX values = Eigen::Map<const VecX>(rows.data(), size);
+  VecX values = Eigen::Map<const VecX>(rows.data(), size);
   for (Eigen::Index i = 0; i < size; ++i)
     if (!std::isfinite(values(i))) throw py::value_error(fmt::format("{}: number {} is {}", what, i, values(i)));
   return values;

@@ -103,7 +103,7 @@ py::dict Running::step() {
     const py::gil_scoped_release released;
     report = arena_.execute([this]() -> std::optional<StepReport> {
       const int before = simulation_->state().step;
-      const StepReport r = simulation_->step();
+      StepReport r = simulation_->step();
       if (simulation_->state().step == before) return std::nullopt;
       settle();
       return r;
