@@ -42,6 +42,12 @@ class Problem:
     def feasible_step(self, q: np.ndarray, p: np.ndarray) -> float:
         """The largest t in (0, 1] such that from q to q + t p nothing interpenetrates or inverts."""
 
+    def parts(self, q: np.ndarray) -> list[dict]:
+        """What value and gradient at q consist of: dictionaries with name ('inertia', or that of an energy), value, gradient, dynamic (whether its stencils change with the contacts) and stores (False: the dissipation of the step, as of friction). Values and gradients add up to value(q) and gradient(q)."""
+
+    def pairs(self, q: np.ndarray, reach: float) -> list[dict]:
+        """Pairs of primitives whose gap at q is below reach [m], which is at most the largest range of contact: dictionaries with kind ('edge_edge', 'point_triangle', ...), first and second (their vertices), weights_first and weights_second (of the vertices in the closest points), distance, gap (less the offset of the surfaces) [m], normal (from the second to the first) and objects."""
+
     def cuts(self, q: np.ndarray, p: np.ndarray, below: float = 1.0) -> list[dict]:
         """What by itself allows less than `below` of the step from q to q + p: dictionaries with kind ('edge_edge', 'point_triangle', 'tet', ...), step (the fraction that it allows), vertices (of the first primitive, then of the second), blocks (of three unknowns) and objects, in an order that does not depend on threads."""
 

@@ -8,6 +8,10 @@
 namespace tack {
 namespace {
 
+// Largest cosine between the way and an edge that bounds it: cos 75 degrees. Boundaries that cross at
+// larger angles do not pass each other along their length.
+constexpr double edge_cosine_max = 0.2588;
+
 // Returns another triangle at the edge from u to v that faces a surface of the given normal; -1: none.
 int triangle_beyond(const CollisionMesh& mesh, const LaggedSurface& lagged, int triangle, int u, int v, const Vec3& facing) {
   for (const int t : lagged.topology().triangles_at(u)) {
@@ -36,7 +40,10 @@ double way_to_boundary(const CollisionMesh& mesh, const LaggedSurface& lagged, S
     way += length;
     const int u = t[(opposite + 1) % 3], v = t[(opposite + 2) % 3];
     const int next = triangle_beyond(mesh, lagged, from.triangle, u, v, facing);
-    if (next < 0) return way;
+    if (next < 0) {
+      const Vec3 edge = (vertex(lagged.x(), v) - vertex(lagged.x(), u)).normalized();
+      return std::abs(edge.dot(direction)) <= edge_cosine_max ? way : std::numeric_limits<double>::infinity();
+    }
     const double at_v = std::clamp(from.inside[(opposite + 2) % 3] + length * direction.dot(slopes[(opposite + 2) % 3]), 0.0, 1.0);
     from = {next, Vec3::Zero()};
     for (int i = 0; i < 3; ++i) {

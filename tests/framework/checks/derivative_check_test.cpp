@@ -124,7 +124,7 @@ TEST_CASE("derivatives that are those of the value pass, also at tiny gaps, in s
     for (const DerivativeCheck& c : checks) {
       INFO(c.term << ": " << c.gradient.error << ", " << c.hessian.error);
       CHECK_FALSE(c.wrong());
-      CHECK(c.active());
+      CHECK(c.active() == (c.term != "overhangs"));  // surfaces of different size
       CHECK(c.gradient.unclear == 0);
       CHECK(20 * c.hessian.unclear <= c.hessian.components);
     }
@@ -163,7 +163,7 @@ TEST_CASE("wrong derivatives are found at tiny gaps, in slivers and far from the
 
 TEST_CASE("a term that is zero is inactive; half a term is wrong", "[scene]") {
   TestScene scene(scene_text("[0, 0.1006, 0]", "[0, 0.3, 0]"));
-  for (const DerivativeCheck& c : checks_of(scene)) CHECK(c.active() == (c.term != "contact" && c.term != "rim"));
+  for (const DerivativeCheck& c : checks_of(scene)) CHECK(c.active() == (c.term != "contact" && c.term != "rim" && c.term != "overhangs"));
   CHECK_FALSE(half(0, 0).active());
   CHECK_FALSE(half(0, 0).wrong());
   CHECK_FALSE(half(1, 1).wrong());

@@ -125,7 +125,7 @@ TEST_CASE("contact models: terms of contact are those of the model, then bonds a
   };
   const std::string friction = ", friction: {mu: 0.5}";
   using Names = std::vector<std::string>;
-  CHECK(names(contact("", adhesion + friction)) == Names{"contact", "rim", "friction"});
+  CHECK(names(contact("", adhesion + friction)) == Names{"contact", "rim", "overhangs", "friction"});
   CHECK(names(contact("model: clipped", adhesion + friction)) == Names{"contact", "clipped_adhesion", "friction"});
   CHECK(names(contact("model: ipc", adhesion + friction)) == Names{"contact", "friction"});
   CHECK(names(contact("", rcc + friction)) == Names{"contact", "bonds", "friction"});

@@ -93,6 +93,7 @@ TEST_CASE("a cube at rest loads its bonds with its weight: every integrator, eve
       {},
       {{"envelope", "{type: expression, traction: 1e9 * d * exp(-d / 1e-5), range: 2e-4}"}},
       {{"tangential_stiffness", "5e7"}},
+      {{"activation_energy", "6e4"}},
       {{"tangential_strength", "5e3"}},
       {{"tangential_strength", "2e4"}, {"tangential_work", "3"}}};
   std::vector<std::string> tested;

@@ -193,7 +193,7 @@ TEST_CASE("clipped battery: the boundary force of sliding plates is the energy p
 TEST_CASE("clipped battery: closed paths make no energy", "[clipped]") {
   for (const bool backwards : {false, true}) {
     CHECK(std::abs(made_on_closed_path("clipped", backwards)) <= 1e-12);
-    CHECK(std::abs(made_on_closed_path("area_integral", backwards)) <= 8e-3);  // measured 3.7e-3
+    CHECK(std::abs(made_on_closed_path("area_integral", backwards)) <= 1.2e-2);  // measured 9.2e-3, of which 6e-3 by softened overhangs (R / 2 over the width)
   }
 }
 
