@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "framework/contact/points/close_pairs.hpp"
 #include "framework/core/disjoint_sets.hpp"
-#include "framework/stepping/close_pairs.hpp"
 #include "framework/stepping/local_potential.hpp"
 #include "framework/stepping/obstacle.hpp"
 #include "geometry/errors.hpp"
@@ -102,7 +102,10 @@ void FeasibleSteps::set_feasibility(StepPotential& potential, MinimizerProblem& 
   problem.pairs = [&](const VecX& q, double reach) {
     VecX x = potential.configuration();
     potential.dofs().scatter(q, x);
-    return close_pairs(world_, x, reach);
+    if (!world_.contact) return std::vector<ClosePair>();
+    std::vector<ClosePair> found = close_pairs(*world_.contact, x, reach);
+    for (ClosePair& pair : found) pair.bodies = {world_.body_of(pair.vertices[0]), world_.body_of(pair.vertices[pair.first_count])};
+    return found;
   };
   problem.cuts = [&](const VecX& q, const VecX& p, double below) { return cuts(potential, q, p, below); };
   problem.block_bounds = [&](const VecX& q, const VecX& p, BlockBound kind) { return block_bounds(potential, q, p, kind); };

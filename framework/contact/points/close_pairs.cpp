@@ -1,10 +1,9 @@
-#include "framework/stepping/close_pairs.hpp"
+#include "framework/contact/points/close_pairs.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "framework/contact/contact_system.hpp"
 #include "framework/contact/stencils/rest_neighbours.hpp"
 #include "geometry/broad_phase/candidate_kinds.hpp"
 #include "geometry/distance/closest_parameters.hpp"
@@ -52,12 +51,10 @@ ClosePair close_pair(const VecX& x, const std::array<int, A>& a, const std::arra
 
 }  // namespace
 
-std::vector<ClosePair> close_pairs(World& world, const VecX& x, double reach) {
-  std::vector<ClosePair> found;
-  if (!world.contact) return found;
-  ContactSystem& contact = *world.contact;
+std::vector<ClosePair> close_pairs(ContactSystem& contact, const VecX& x, double reach) {
   if (!(reach >= 0 && reach <= contact.range()))
     throw InputError(fmt::format("pairs: a reach of {:.4g} m is not between 0 and {:.4g} m, the largest range of contact in this scene; within that alone pairs are searched", reach, contact.range()));
+  std::vector<ClosePair> found;
   contact.cover(x, VecX());
   const ContactSurface& surface = contact.surface();
   for_each_kind(surface.mesh, contact.candidates(), [&](const auto& kind) {
@@ -68,7 +65,6 @@ std::vector<ClosePair> close_pairs(World& world, const VecX& x, double reach) {
       pair.offset = offset_between(surface, contact.pairs(), a, b);
       if (pair.gap() >= reach) continue;
       pair.kind = kind_of(kind);
-      pair.bodies = {world.body_of(a[0]), world.body_of(b[0])};
       found.push_back(pair);
     }
   });
