@@ -125,7 +125,7 @@ void LocalPotential::build_local() {
     contact_ = world_.contact->potential().local(moved_);
     for (const int v : contact_->vertices()) vertices_.add(v);
   }
-  parts_ = parts();  // numbers the vertices of their stencils
+  parts_ = restricted_terms();  // numbers the vertices of their stencils
   Dependences dependences;
   for (const int v : moved_) {
     const int k = dependent_number(dofs, v);
@@ -147,7 +147,7 @@ void LocalPotential::build_local() {
 }
 
 // Returns the parts of all terms that the moved vertices change, in the order of the terms.
-std::vector<std::unique_ptr<Term>> LocalPotential::parts() {
+std::vector<std::unique_ptr<Term>> LocalPotential::restricted_terms() {
   struct Choice {
     const Term* term;
     std::vector<std::vector<int>> stencils;

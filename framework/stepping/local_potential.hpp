@@ -60,7 +60,7 @@ class LocalPotential : public Objective {
   void read_start();
   void build_whole();
   void build_local();
-  std::vector<std::unique_ptr<Term>> parts();
+  std::vector<std::unique_ptr<Term>> restricted_terms();
   void place(const VecX& q);
   void displace(const VecX& p);
   void find_contacts();
