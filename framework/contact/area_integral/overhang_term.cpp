@@ -36,9 +36,11 @@ void OverhangTerm::begin_step(const StepStart& start) {
 }
 
 double OverhangTerm::value(const VecX& x) const {
-  double sum = 0;
-  for (const Overhang& o : overhangs_) sum += o.value(o.width(x, start_));
-  return sum;
+  return sum_chunks(static_cast<int>(overhangs_.size()), [&](int first, int last) {
+    double sum = 0;
+    for (int s = first; s < last; ++s) sum += overhangs_[s].value(overhangs_[s].width(x, start_));
+    return sum;
+  });
 }
 
 std::vector<StencilBatch> OverhangTerm::batches() const {
