@@ -132,7 +132,7 @@ own/build/own falling.yaml | tail -1 | grep -qx '0.100 s: [0-9]* iterations, 0.0
 # A plugin in Python, if the Python package is built.
 package=$build/python
 for python in python3 /usr/bin/python3; do
-  if [[ -e $package/tack/lib/libtack.so ]] && "$python" -c 'import numpy' 2>/dev/null; then
+  if [[ -e $package/tack/lib/libtack.so && -e $package/tack/__init__.py ]] && "$python" -c 'import numpy' 2>/dev/null; then
     (cd "$scratch/guide/mine" && PYTHONPATH=$package "$python" -c 'import tack; s = tack.Simulation("pull.yaml"); s.step(); print("stepped", s.steps)') | grep -qx 'stepped 1' ||
       fail "a plugin in Python"
     break
