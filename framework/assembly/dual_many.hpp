@@ -137,6 +137,11 @@ template <int N, bool Curvature>
 double value_of(const DualMany<N, Curvature>& x) {
   return x.v;
 }
+/// Returns f(x) for a formula with known derivatives: f, f' and f'' at value_of(x).
+template <int N, bool Curvature>
+DualMany<N, Curvature> chained(const DualMany<N, Curvature>& x, double f, double f1, double f2) {
+  return x.chain(f, f1, f2);
+}
 
 }  // namespace tack
 

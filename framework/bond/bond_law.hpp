@@ -60,7 +60,7 @@
 #include <type_traits>
 
 #include "framework/assembly/dual22.hpp"
-#include "framework/assembly/dual23.hpp"
+#include "framework/assembly/dual_many.hpp"
 #include "framework/bond/site_state.hpp"
 #include "framework/contact/adhesion_law.hpp"
 
@@ -229,30 +229,25 @@ class BondLawOf : public BondLaw {
       for (int i = 0; i < n; ++i) {
         const auto m = load(history + i * width());
         const auto energy = [&](double opening, double h) {
-          return law().energy(
-              Dual23::variable(0, opening),
-              Slip<Dual23>{Dual23::variable(1, jumps[i][1]), Dual23::variable(2, jumps[i][2])}, m,
-              h, site_of(step, i));
+          const Slip<JumpDual> slip{JumpDual::variable(jumps[i][1], 1),
+                                    JumpDual::variable(jumps[i][2], 2)};
+          return sample_of(
+              law().energy(JumpDual::variable(opening, 0), slip, m, h, site_of(step, i)));
         };
-        Dual23 e = energy(std::max(jumps[i][0], 0.0), step.h);
+        DirectedSample e = energy(std::max(jumps[i][0], 0.0), step.h);
         if (jumps[i][0] < 0) {
-          e.g[0] = 0;
-          e.h.row(0).setZero();
-          e.h.col(0).setZero();
+          without_opening(e);
           if (resists) {
-            Dual23 pressed = energy(-jumps[i][0], 0), none = energy(0, 0);
+            DirectedSample pressed = energy(-jumps[i][0], 0), none = energy(0, 0);
             const Vec3 mirror(-1, 1, 1);
-            none.g[0] = 0;
-            none.h.row(0).setZero();
-            none.h.col(0).setZero();
-            pressed.g = pressed.g.cwiseProduct(mirror).eval();
-            pressed.h = (mirror.asDiagonal() * pressed.h * mirror.asDiagonal()).eval();
-            e = e + pressed - none;
+            without_opening(none);
+            pressed.gradient = pressed.gradient.cwiseProduct(mirror).eval();
+            pressed.hessian = (mirror.asDiagonal() * pressed.hessian * mirror.asDiagonal()).eval();
+            add(pressed, 1, e);
+            add(none, -1, e);
           }
         }
-        out[i].value += e.v;
-        out[i].gradient += e.g;
-        out[i].hessian += e.h;
+        add(e, 1, out[i]);
       }
     }
   }
@@ -321,13 +316,32 @@ class BondLawOf : public BondLaw {
 
  private:
   const Law& law() const { return static_cast<const Law&>(*this); }
+  // Number of a directed law, in the opening and both components of the slip.
+  using JumpDual = DualMany<3, true>;
+  static DirectedSample sample_of(const JumpDual& e) {
+    DirectedSample sample{e.v, Vec3(e.d[0], e.d[1], e.d[2]), Mat3()};
+    for (int i = 0, k = 0; i < 3; ++i)
+      for (int j = 0; j <= i; ++j, ++k) sample.hessian(i, j) = sample.hessian(j, i) = e.h[k];
+    return sample;
+  }
+  // Removes the derivatives by the opening.
+  static void without_opening(DirectedSample& sample) {
+    sample.gradient[0] = 0;
+    sample.hessian.row(0).setZero();
+    sample.hessian.col(0).setZero();
+  }
+  static void add(const DirectedSample& sample, double factor, DirectedSample& out) {
+    out.value += factor * sample.value;
+    out.gradient += factor * sample.gradient;
+    out.hessian += factor * sample.hessian;
+  }
   // Arguments of the formula.
   enum class Form { plain, of_site, directed };
   static constexpr Form form() {
     using M = typename Law::HistoryVariables;
-    constexpr bool directed = requires(const Law& l, const Dual23& x, const Slip<Dual23>& u,
+    constexpr bool directed = requires(const Law& l, const JumpDual& x, const Slip<JumpDual>& u,
                                        const M& m, const SiteState& at) {
-      { l.energy(x, u, m, 0.0, at) } -> std::convertible_to<Dual23>;
+      { l.energy(x, u, m, 0.0, at) } -> std::convertible_to<JumpDual>;
     };
     constexpr bool of_site =
         requires(const Law& l, const Dual22& x, const M& m, const SiteState& at) {
