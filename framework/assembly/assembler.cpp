@@ -161,12 +161,7 @@ void Assembler::gather_modes(const VecX& x, const TermScales& scales, const Hess
     // Modes touch every block, flagged or not.
     source->add_global_modes(x, request.clamp_at ? Projection::clamp : asked, modes);
     for (size_t k = first; k < modes.size(); ++k) {
-      VecX& full = modes[k].vector;
-      dofs_.move_to_independents(full);
-      VecX own(dofs_.size());
-      for (int b = 0; b < dofs_.block_count(); ++b) own.segment<3>(3 * b) = vertex(full, dofs_.vertex_of_block(b));
-      project_out_fixed_directions(own);
-      full = std::move(own);
+      modes[k].vector = dofs_.to_unknowns(modes[k].vector);
       modes[k].coefficient *= scales.of(*term);
     }
   }
@@ -181,12 +176,7 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
   add_linear(x, scales, gradient);
-  project_out_fixed_directions(gradient);
-}
-
-void Assembler::project_out_fixed_directions(VecX& gradient) const {
-  for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks())
-    gradient.segment<3>(3 * h.block) -= (h.projection * gradient.segment<3>(3 * h.block)).eval();
+  dofs_.project_out_fixed_directions(gradient);
 }
 
 // Replaces rows and columns of fixed directions by those of a multiple of the identity.
@@ -296,7 +286,7 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianR
   static_.gather_hessian(scales.body, static_positions_, matrix);
   if (!request.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
   add_linear(x, scales, gradient);
-  project_out_fixed_directions(gradient);
+  dofs_.project_out_fixed_directions(gradient);
   project_out_fixed_directions(matrix);
   gather_modes(x, scales, request, matrix.modes);
 }

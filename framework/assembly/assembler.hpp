@@ -79,7 +79,6 @@ class Assembler {
   void add_linear(const VecX& x, const TermScales& scales, VecX& gradient) const;
   void gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request,
                     GlobalModes& modes) const;
-  void project_out_fixed_directions(VecX& gradient) const;
   void project_out_fixed_directions(BlockMatrix& matrix) const;
 
   const DofMap& dofs_;

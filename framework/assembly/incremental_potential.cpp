@@ -102,16 +102,16 @@ double IncrementalPotential::inertial_force(int block) const {
   return block_mass_(block) * component / scales_.body;
 }
 
-void IncrementalPotential::start_gradient() {
-  gradient_.resize(size());
+void IncrementalPotential::set_inertia_gradient(VecX& gradient) const {
+  gradient.resize(size());
   for (int b = 0; b < dofs_.block_count(); ++b)
-    gradient_.segment<3>(3 * b) =
+    gradient.segment<3>(3 * b) =
         block_mass_(b) * (q_.segment<3>(3 * b) - prediction_.segment<3>(3 * b));
 }
 
 const VecX& IncrementalPotential::gradient() {
   if (gradient_known_) return gradient_;
-  start_gradient();
+  set_inertia_gradient(gradient_);
   assembler_.add_gradient(x_, scales_, gradient_);
   gradient_known_ = true;
   return gradient_;
@@ -136,7 +136,7 @@ VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x) {
 }
 
 const BlockMatrix& IncrementalPotential::hessian(const HessianRequest& request) {
-  start_gradient();
+  set_inertia_gradient(gradient_);
   assembler_.assemble(x_, scales_, request, block_mass_, gradient_, matrix_);
   gradient_known_ = true;
   return matrix_;
@@ -155,18 +155,15 @@ double IncrementalPotential::part_value(int part) {
 }
 
 VecX IncrementalPotential::part_gradient(int part) {
-  VecX gradient(size());
   if (part == 0) {
-    for (int b = 0; b < dofs_.block_count(); ++b) gradient.segment<3>(3 * b) = block_mass_(b) * (q_.segment<3>(3 * b) - prediction_.segment<3>(3 * b));
+    VecX gradient;
+    set_inertia_gradient(gradient);
     return gradient;
   }
   const Term& term = *terms_.at(part - 1);
   VecX full = VecX::Zero(x_.size());
   add_term_gradient(term, x_, full);
-  dofs_.move_to_independents(full);
-  for (int b = 0; b < dofs_.block_count(); ++b) gradient.segment<3>(3 * b) = scales_.of(term) * vertex(full, dofs_.vertex_of_block(b));
-  for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks()) gradient.segment<3>(3 * h.block) -= (h.projection * gradient.segment<3>(3 * h.block)).eval();
-  return gradient;
+  return scales_.of(term) * dofs_.to_unknowns(full);
 }
 
 LeastSquares IncrementalPotential::least_squares() const {

@@ -82,7 +82,7 @@ class IncrementalPotential : public Objective {
  private:
   double inertia_value() const;
   double value_of(const Term& term) const;
-  void start_gradient();
+  void set_inertia_gradient(VecX& gradient) const;
 
   MixedInertia mixed_inertia_;  // of vertices that several unknowns move
   std::vector<const Term*> terms_;

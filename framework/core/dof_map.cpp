@@ -58,6 +58,18 @@ void DofMap::scatter(const VecX& q, VecX& x) const {
   update_dependents(x);
 }
 
+void DofMap::project_out_fixed_directions(VecX& gradient) const {
+  for (const PartlyFixedBlock& h : partly_fixed_blocks_) gradient.segment<3>(3 * h.block) -= (h.projection * gradient.segment<3>(3 * h.block)).eval();
+}
+
+VecX DofMap::to_unknowns(VecX& full) const {
+  move_to_independents(full);
+  VecX own;
+  gather(full, own);
+  project_out_fixed_directions(own);
+  return own;
+}
+
 void DofMap::copy_fixed_directions(const VecX& x, VecX& q) const {
   for (const PartlyFixedBlock& h : partly_fixed_blocks_)
     q.segment<3>(3 * h.block) += h.projection * (vertex(x, vertex_of_[h.block]) - q.segment<3>(3 * h.block));

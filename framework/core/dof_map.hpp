@@ -85,6 +85,11 @@ class DofMap {
   void update_dependents(VecX& x) const;
   /// Moves the forces (3n) on dependent vertices to the vertices on which these depend.
   void move_to_independents(VecX& forces) const;
+  /// Removes the fixed directions from a gradient in the unknowns.
+  void project_out_fixed_directions(VecX& gradient) const;
+  /// Returns W^T full without the fixed directions, the gradient in the unknowns (3m) of a gradient
+  /// at all vertices (3n). Overwrites `full`.
+  VecX to_unknowns(VecX& full) const;
   /// Returns per block the mass of the vertices that it alone moves [kg]. mass: n.
   VecX own_masses(const VecX& mass) const;
   /// Returns the diagonal of W^T M W per block [kg]. mass: n.

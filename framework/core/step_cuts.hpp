@@ -21,6 +21,15 @@ constexpr std::string_view to_string(CutKind kind) {
   return names[static_cast<int>(kind)];
 }
 
+/// Returns the kind of a cut of two primitives, by their vertices: two edges, or a point and a
+/// triangle, edge or point.
+constexpr CutKind cut_kind(size_t first, size_t second) {
+  if (first == 2) return CutKind::edge_edge;
+  return second == 3   ? CutKind::point_triangle
+         : second == 2 ? CutKind::point_edge
+                       : CutKind::point_point;
+}
+
 /// Two primitives, or an element, that allow less than the whole step.
 struct StepCut {
   CutKind kind = CutKind::other;

@@ -80,12 +80,6 @@ double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, doubl
   return std::min(t, accd(a, b, da, db, gap_fraction_min, t, offset));
 }
 
-template <size_t A, size_t B>
-constexpr CutKind cut_kind() {
-  if constexpr (A == 2) return CutKind::edge_edge;
-  else return B == 3 ? CutKind::point_triangle : B == 2 ? CutKind::point_edge : CutKind::point_point;
-}
-
 // Returns the largest displacement of a vertex [m].
 double largest_motion(const VecX& p) {
   return std::sqrt(Eigen::Map<const Eigen::Matrix3Xd>(p.data(), 3, p.size() / 3).colwise().squaredNorm().maxCoeff());
@@ -158,7 +152,7 @@ class Ccd : public StepFilter {
           const auto& a = kind.first(kind.pairs[i]);
           const auto& b = kind.second(kind.pairs[i]);
           const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {reference, x, p}, below);
-          if (bound < below) chunks[c].push_back(step_cut(cut_kind<std::tuple_size_v<std::decay_t<decltype(a)>>, std::tuple_size_v<std::decay_t<decltype(b)>>>(), a, b, bound));
+          if (bound < below) chunks[c].push_back(step_cut(cut_kind(a.size(), b.size()), a, b, bound));
         }
       });
       for (const auto& chunk : chunks) cuts.insert(cuts.end(), chunk.begin(), chunk.end());

@@ -27,11 +27,6 @@ std::array<double, 4> weights(const std::array<Vec3, 2>& a, const std::array<Vec
   return {1 - at[0], at[0], 1 - at[1], at[1]};
 }
 
-CutKind kind_of(const EdgeEdgeCandidates&) { return CutKind::edge_edge; }
-CutKind kind_of(const PointTriangleCandidates&) { return CutKind::point_triangle; }
-CutKind kind_of(const PointEdgeCandidates&) { return CutKind::point_edge; }
-CutKind kind_of(const PointPointCandidates&) { return CutKind::point_point; }
-
 template <size_t A, size_t B>
 ClosePair close_pair(const VecX& x, const std::array<int, A>& a, const std::array<int, B>& b) {
   ClosePair pair;
@@ -42,6 +37,7 @@ ClosePair close_pair(const VecX& x, const std::array<int, A>& a, const std::arra
     pair.weights[i] = of_vertices[i];
     apart += (i < A ? 1 : -1) * of_vertices[i] * Vec3(vertex(x, pair.vertices[i]));
   }
+  pair.kind = cut_kind(A, B);
   pair.first_count = A;
   pair.count = A + B;
   pair.distance = apart.norm();
@@ -64,7 +60,6 @@ std::vector<ClosePair> close_pairs(ContactSystem& contact, const VecX& x, double
       ClosePair pair = close_pair(x, a, b);
       pair.offset = offset_between(surface, contact.pairs(), a, b);
       if (pair.gap() >= reach) continue;
-      pair.kind = kind_of(kind);
       found.push_back(pair);
     }
   });
