@@ -4,7 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <functional>
 
-#include "framework/core/objective.hpp"
+#include "framework/core/minimizer.hpp"
+#include "tests/support/component_variants.hpp"
 
 namespace tack {
 
@@ -71,6 +72,26 @@ inline FormulaObjective chain(int n, const VecX& minimum) {
       {[=](const VecX& q) { return 0.5 * (q - minimum).dot(a * (q - minimum)); },
        [=](const VecX& q) { return VecX(a * (q - minimum)); }, [=](const VecX&) { return a; }},
       minimum);
+}
+
+// Where a minimiser ended on a chain from q = 0, and how far from the minimum.
+struct ChainEnd {
+  MinimizerResult result;
+  VecX error;
+};
+// minimizer: YAML. tolerance: of the largest component of the direction. feasible: part of every
+// step.
+inline ChainEnd minimize_chain(int particles, const std::string& minimizer, double tolerance,
+                               double feasible = 1) {
+  const VecX minimum = VecX::LinSpaced(3 * particles, 1, 2);
+  FormulaObjective objective = chain(particles, minimum);
+  PhaseClock clock;
+  VecX q = VecX::Zero(3 * particles);
+  const MinimizerProblem problem{
+      objective, [=](const VecX&, const VecX&) { return feasible; },
+      [=](const VecX& p, const VecX&) { return p.lpNorm<Eigen::Infinity>() / tolerance; }, clock};
+  const MinimizerResult result = component<Minimizer>(minimizer)->minimize(problem, q);
+  return {result, q - minimum};
 }
 
 }  // namespace tack

@@ -10,20 +10,8 @@ using namespace tack;
 
 namespace {
 
-struct Ended {
-  MinimizerResult result;
-  VecX q;
-};
-
-Ended minimize(int particles, const std::string& settings, double feasible = 1) {
-  const VecX minimum = VecX::LinSpaced(3 * particles, 1, 2);
-  FormulaObjective objective = chain(particles, minimum);
-  PhaseClock clock;
-  VecX q = VecX::Zero(3 * particles);
-  const MinimizerProblem problem{objective, [=](const VecX&, const VecX&) { return feasible; },
-                                 [](const VecX& p, const VecX&) { return p.lpNorm<Eigen::Infinity>() / 1e-7; }, clock};
-  const MinimizerResult result = component<Minimizer>("{type: anderson, metric: block_diagonal, max_iterations: 10000" + settings + "}")->minimize(problem, q);
-  return {result, q - minimum};
+ChainEnd minimize(int particles, const std::string& settings, double feasible = 1) {
+  return minimize_chain(particles, "{type: anderson, metric: block_diagonal, max_iterations: 10000" + settings + "}", 1e-7, feasible);
 }
 
 }  // namespace
@@ -31,16 +19,16 @@ Ended minimize(int particles, const std::string& settings, double feasible = 1) 
 TEST_CASE("Anderson: a linear problem ends after as many steps as it has eigenvalues", "[minimizer]") {
   for (const int particles : {3, 5, 8}) {
     INFO(particles);
-    const Ended e = minimize(particles, ", window: 10");
+    const ChainEnd e = minimize(particles, ", window: 10");
     CHECK(e.result.status == MinimizerStatus::converged);
-    CHECK(e.q.norm() < 1e-6);
+    CHECK(e.error.norm() < 1e-6);
     CHECK(e.result.iterations <= particles + 1);
   }
 }
 
 TEST_CASE("Anderson: without a window it is the plain fixed point", "[minimizer]") {
   // Jacobi's method on 8 particles: the error falls by cos(pi / 9) in a step.
-  const Ended plain = minimize(8, ", window: 0"), short_window = minimize(8, ", window: 2");
+  const ChainEnd plain = minimize(8, ", window: 0"), short_window = minimize(8, ", window: 2");
   CHECK(plain.result.status == MinimizerStatus::converged);
   CHECK(plain.result.iterations > 150);
   CHECK(short_window.result.status == MinimizerStatus::converged);
@@ -48,7 +36,7 @@ TEST_CASE("Anderson: without a window it is the plain fixed point", "[minimizer]
 }
 
 TEST_CASE("Anderson: truncated steps still lead to the minimum", "[minimizer]") {
-  const Ended e = minimize(5, "", 0.3);
+  const ChainEnd e = minimize(5, "", 0.3);
   CHECK(e.result.status == MinimizerStatus::converged);
-  CHECK(e.q.norm() < 1e-6);
+  CHECK(e.error.norm() < 1e-6);
 }
