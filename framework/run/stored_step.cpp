@@ -34,6 +34,15 @@ double largest_distance(const VecX& a, const VecX& b) {
   return std::sqrt(Eigen::Matrix3Xd((a - b).reshaped(3, a.size() / 3)).colwise().squaredNorm().maxCoeff());
 }
 
+// Returns whether an unknown differs between two configurations. A solve that ends before its minimisation has prescribed vertices at their targets and all
+// others at the start: no state of the step.
+bool moves_unknowns(const World& world, const VecX& from, const VecX& to) {
+  VecX before, after;
+  world.dofs.gather(from, before);
+  world.dofs.gather(to, after);
+  return before != after;
+}
+
 }  // namespace
 
 StoredStep::StoredStep(std::string path, std::vector<std::string> overrides)
@@ -106,6 +115,7 @@ StoredSolve StoredStep::solve(const Value& solver, const StoredSolveSettings& se
   result.linear_solves = work.linear_solves;
   result.residual = work.residual;
   if (!solved.failure.empty() || !solved.x.allFinite()) return result;
+  if (!result.converged && !moves_unknowns(simulation.world(), file_.state.x, solved.x)) return result;
   result.x = std::move(solved.x);
   result.intersections = intersections_at(simulation.world(), result.x);
   if (!has_minimum()) return result;

@@ -109,6 +109,16 @@ TEST_CASE("a solve of a suite ends at its limit of processor time, and tighter t
   CHECK(two.number(1, "iterations") >= two.number(0, "iterations"));
 }
 
+TEST_CASE("a solve of a suite that ends before prescribed vertices are at their targets has no result", "[suite]") {
+  const TemporaryFolder folder;
+  REQUIRE(run_tack(folder.path(), {"suite", TACK_SOURCE_DIR "/experiments/suite/grains.problem", "-q", "-o", "out", "--solver", "anderson", "--cpu-limit", "0.2"}).exit_code == 0);
+  const Leaderboard board(folder.path() / "out/leaderboard.csv");
+  REQUIRE(board.table.rows.size() == 1);
+  CHECK(board.cell(0, "outcome") == "time limit");
+  CHECK(board.cell(0, "intersections").empty());
+  CHECK(board.cell(0, "distance").empty());
+}
+
 TEST_CASE("tack suite refuses paths without problems and problems of one name", "[suite]") {
   const TemporaryFolder folder;
   CHECK(contains(run_tack(folder.path(), {"suite", "nowhere"}).err, "nowhere: there is no such file or folder"));
