@@ -10,6 +10,15 @@
 
 namespace tack {
 
+/// State of the step size controller between two steps (stepping/step_size.hpp).
+struct StepSizeState {
+  double h_next = 0;           // size of the next step [s]; 0: the scene's
+  double h_max = 0;            // size above which steps gained or lost energy [s]; 0: none
+  int steady_steps = 0;        // whole or adaptive steps since `h_max` last changed
+  double error_before = 0;     // error of the last adaptive step over its tolerance; 0: none
+  double no_growth_until = 0;  // time before which adaptive steps do not grow [s]
+};
+
 /// Positions, velocities, history variables and step size control between two steps.
 struct State {
   double time = 0;  // s
@@ -25,6 +34,7 @@ struct State {
   // The step before, for two-step integrators; valid while the step size stays the same, or adapts.
   VecX x_before, v_before;
   double h_before = 0;             // s; 0: there is none
+  bool adapts = false;             // step sizes follow an error: they vary from step to step
   double contact_time_before = 0;  // time in which contact acted in it [s]; 0: unknown
 
   // Accelerations by dynamic terms (Term::dynamic), now and in the step before (3n) [m/s^2]; empty:
@@ -35,16 +45,7 @@ struct State {
 
   EnergyAccount energy;
 
-  int whole_steps = 0;   // finished steps of the scene's size; substeps do not count
-  double h_next = 0;     // size of the next step [s]; 0: the scene's
-  int substeps = 1;      // of a whole step, against numerical energy gain or loss; 2^k
-  int steady_steps = 0;  // whole steps since `substeps` or `h_max` last changed
-
-  // Error-controlled step sizes (stepping/step_control.hpp).
-  bool adapts = false;         // true: error-controlled; two-step integrators allow for varying h
-  double error_before = 0;     // error of the last step over its tolerance; 0: none
-  double no_growth_until = 0;  // time before which step sizes do not grow [s]
-  double h_max = 0;            // size above which steps gained or lost energy [s]; 0: no such size
+  StepSizeState step_size;
 };
 
 }  // namespace tack

@@ -66,7 +66,7 @@ std::string Progress::line_of(const StepReport& r, double now) const {
   // the mesh size.
   if (std::isfinite(r.min_gap)) line += fmt::format("  gap {:.3g} m", r.min_gap);
   else if (std::isfinite(r.min_distance)) line += fmt::format("  self-distance {:.3g} m", r.min_distance);
-  if (r.cutbacks > 0) line += fmt::format("  {}", counted(r.cutbacks, "halving"));
+  if (const int n = r.rejections.cutbacks(); n > 0) line += fmt::format("  {}", counted(n, "halving"));
   if (!r.converged) line += "  not converged";
   const std::string left = time_left(r, now);
   return left.empty() ? line : line + "  " + left;

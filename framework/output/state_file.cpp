@@ -90,16 +90,14 @@ template <class S, class Act>
 void for_each_field(S& s, const Act& act) {
   act("time", s.time, Since::first);
   act("step", s.step, Since::first);
-  act("whole_steps", s.whole_steps, Since::first);
   act("h_before", s.h_before, Since::first);
   act("acted_before", s.contact_time_before, Since::later);
-  act("h_next", s.h_next, Since::first);
-  act("parts", s.substeps, Since::later);
-  act("calm_steps", s.steady_steps, Since::later);
+  act("h_next", s.step_size.h_next, Since::first);
+  act("calm_steps", s.step_size.steady_steps, Since::later);
   act("adapts", s.adapts, Since::later);
-  act("error_before", s.error_before, Since::later);
-  act("wary_until", s.no_growth_until, Since::later);
-  act("h_cap", s.h_max, Since::later);
+  act("error_before", s.step_size.error_before, Since::later);
+  act("wary_until", s.step_size.no_growth_until, Since::later);
+  act("h_cap", s.step_size.h_max, Since::later);
   act("held", s.motion_active, Since::first);
   act("x", s.x, Since::first);
   act("v", s.v, Since::first);

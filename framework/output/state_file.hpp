@@ -14,7 +14,7 @@
 //    plugins         {path: CRC-32 of the file}, checkpoints only
 //    files           {path: digest} read by the scene (framework/config/file_digest.hpp)
 //    objects         {object: {vertices: of its mesh and others, mesh: digest}}
-//    state           {time, step, whole_steps, h_before, acted_before, h_next, held, x, v, a,
+//    state           {time, step, h_before, acted_before, h_next, held, x, v, a,
 //                    anchor, x_before, v_before, contact, contact_before,
 //                    history {name: {width, values, keys}}, energy (energy_account.hpp)}
 //    step_size       of a problem [s]

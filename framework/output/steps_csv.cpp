@@ -36,6 +36,7 @@ std::vector<std::string> columns_of(const std::vector<std::string>& terms, const
   for (const std::string_view phase : phase_names) {
     columns.push_back(fmt::format("seconds_{}", phase));
   }
+  for (const char* reason : rejection_names) columns.push_back(fmt::format("rejected_{}", reason));
   if (first.error) columns.insert(columns.end(), {"step_error", "repeats"});
   for (const StepMetric& metric : first.metrics) columns.push_back(metric.name);
   return columns;
@@ -45,7 +46,7 @@ std::vector<double> row_of(const StepReport& r) {
   std::vector<double> row = {double(r.step),
                              r.time,
                              r.step_size,
-                             double(r.cutbacks),
+                             double(r.rejections.cutbacks()),
                              double(r.solve.iterations),
                              double(r.solve.linear_solves),
                              double(r.solve.linear_iterations),
@@ -59,7 +60,8 @@ std::vector<double> row_of(const StepReport& r) {
   row.insert(row.end(), {r.solve.residual, r.unbalanced_force, r.tolerated_force, r.converged ? 1.0 : 0.0, double(r.lag_iterations),
                          r.friction_residual, r.wall_seconds});
   row.insert(row.end(), r.phases.begin(), r.phases.end());
-  if (r.error) row.insert(row.end(), {*r.error, double(r.repeats)});
+  row.insert(row.end(), r.rejections.counts.begin(), r.rejections.counts.end());
+  if (r.error) row.insert(row.end(), {*r.error, double(r.rejections[Rejection::error])});
   for (const StepMetric& metric : r.metrics) row.push_back(metric.value);
   return row;
 }

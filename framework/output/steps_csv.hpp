@@ -10,6 +10,7 @@
 //    residual, unbalanced_force [N], tolerated_force [N], converged (0 or 1)
 //    lag_iterations, friction_residual
 //    wall_seconds, seconds_<phase> for each phase
+//    rejected_<reason> for each (stepping/rejection.hpp): rejected tries of the step
 //    step_error, repeats, if steps are adaptive; step metrics of the stepper (core/step_metric.hpp)
 #pragma once
 

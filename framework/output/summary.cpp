@@ -166,8 +166,8 @@ bool RunSummary::add(const Warning& warning) {
 void RunSummary::add(const StepReport& report) {
   ++steps;
   converged_steps += report.converged ? 1 : 0;
-  failed_solves += report.cutbacks;
-  repeated_steps += report.repeats;
+  failed_solves += report.rejections.cutbacks();
+  repeated_steps += report.rejections[Rejection::error];
   smallest_step = std::min(smallest_step, report.step_size);
   largest_step = std::max(largest_step, report.step_size);
   stepped_time += report.step_size;

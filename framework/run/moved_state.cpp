@@ -74,7 +74,6 @@ State moved_state(const World& world, const State& before, const VecX& x, const 
   state.motion_active = before.motion_active;
   state.history = before.history;
   state.energy = reopened(before.energy);
-  state.whole_steps = before.whole_steps;
   return state;
 }
 

@@ -69,7 +69,7 @@ void PerturbedScene::begin() {
   World& world = built_->world();
   stepper_.reset();
   world.participants.clear_caches();
-  stepper_.emplace(world, e, e.time, *solver_, built_->clock(), [](const Warning&) {});
+  stepper_.emplace(world, e, e.time, *solver_, built_->clock());
   stepper_->keep_account(needs_dissipation_);
   rate_ = 1;
   last_.resize(0), before_.resize(0);

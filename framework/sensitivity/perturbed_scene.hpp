@@ -56,7 +56,7 @@ class PerturbedScene {
   double difference_ = 0;
   std::unique_ptr<BuiltExperiment> built_;
   std::unique_ptr<Minimizer> solver_;
-  std::optional<TimeStepper> stepper_;
+  std::optional<StepStages> stepper_;
   std::optional<ProbeSet> probes_;
   bool needs_dissipation_ = false;
   // Displacement from the end of the run's step to the end of this one, in the unknowns: of the

@@ -257,7 +257,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   flows.reference_energy = concerned.largest();
   flows.groups = groups_.close(state, h);
   end.groups = state.energy.groups;
-  flows.gained = track_gain(end, flows);
+  track_gain(end, flows);
   warn_of_growth(end, state, flows);
   state.energy = std::move(end);
   return flows;
@@ -269,10 +269,10 @@ double EnergyBalance::solver_noise() const {
   return world_.mass.sum() * error * error;
 }
 
-// Returns whether the step has a noticeable numerical energy gain. Gains count from the lowest energy
+// Finds out whether the step has a noticeable numerical energy gain or loss. Gains count from the lowest energy
 // so far, so that earlier losses do not hide them. A prescribed motion that starts with a jerk acts
 // with the force at the end of the step, which is no numerical gain.
-bool EnergyBalance::track_gain(EnergyAccount& account, const EnergyFlows& flows) {
+void EnergyBalance::track_gain(EnergyAccount& account, EnergyFlows& flows) const {
   const double lowest = account.numerical_gain_low;
   account.numerical_gain -= flows.numerics + flows.areas + jerk_;
   account.numerical_gain_low = std::min(account.numerical_gain_low, account.numerical_gain);
@@ -280,12 +280,11 @@ bool EnergyBalance::track_gain(EnergyAccount& account, const EnergyFlows& flows)
   // Losses count if half of the reference energy is kinetic. A loss that a later gain compensates, as
   // in vibrations with Newmark, is none.
   const double reference_energy = account.reference_energy.largest();
-  lost_ = 2 * start_.kinetic >= reference_energy && lowest - account.numerical_gain > loss_max * reference_energy + flows.noise;
+  flows.lost = 2 * start_.kinetic >= reference_energy && lowest - account.numerical_gain > loss_max * reference_energy + flows.noise;
   // Dissipation by friction and damping, a part of the reference energy, is known to first order
   // only.
-  if (account.numerical_gain - account.numerical_gain_low <= gain_max * reference_energy + flows.noise) return false;
-  account.numerical_gain_low = account.numerical_gain;
-  return true;
+  flows.gained = account.numerical_gain - account.numerical_gain_low > gain_max * reference_energy + flows.noise;
+  if (flows.gained) account.numerical_gain_low = account.numerical_gain;
 }
 
 void EnergyBalance::warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows) {

@@ -63,9 +63,6 @@ class EnergyBalance {
   // above a tenth of the reference energy in consecutive steps. Smaller or temporary gains are
   // reported at the end of the run (output/energy_losses.hpp).
   const std::string& warning() const { return warning_; }
-  // Returns whether time integration lost more than 0.5% of the reference energy in the step,
-  // beyond earlier gains.
-  bool lost() const { return lost_; }
   // Returns the names of the groups in EnergyFlows::groups; known once a step has begun.
   const std::vector<std::string>& group_names() const { return groups_.names(); }
 
@@ -78,7 +75,7 @@ class EnergyBalance {
   double load_work(const State& state, const VecX& displacement, double h);
   void add_inertia_and_weight(const State& state, VecX& gradient) const;
   double prescribed_work(const VecX& displacement, const VecX& gradient, const VecX& x);
-  bool track_gain(EnergyAccount& account, const EnergyFlows& flows);
+  void track_gain(EnergyAccount& account, EnergyFlows& flows) const;
   void warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows);
   double solver_noise() const;
 
@@ -91,7 +88,6 @@ class EnergyBalance {
   EnergyFlows dissipated_;         // set by end()
   double jerk_ = 0;                // EnergyFlows::jerk [J]
   std::string warning_;
-  bool lost_ = false;
 };
 
 }  // namespace tack

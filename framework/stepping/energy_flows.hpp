@@ -47,6 +47,7 @@ struct EnergyFlows {
   bool refined = false;           // shorter than the scene's step, to conserve energy
   std::vector<GroupFlow> groups;  // of the step alone; empty: all bodies are one group
   bool gained = false;            // noticeable numerical gain
+  bool lost = false;              // noticeable numerical loss, beyond earlier gains
 
   // Returns whether the numerical gain by re-evaluated contact areas exceeds that by time
   // integration.

@@ -203,12 +203,13 @@ Validation Minimization::validate(const SolveResult& result) {
   const PhaseScope scope(clock_, Phase::check);
   if (const int tet = first_inverted_tet(world_.tets, result.x); tet >= 0) {
     v.inverted_tets = 1;
+    v.reason = Rejection::inversion;
     v.fault = fmt::format("tet {} inverted", tet);
   } else if (world_.contact) {
     const auto hits = find_intersections(world_.contact->surface().mesh, result.x, world_.contact->colliding(), 1);
     v.intersections = static_cast<int>(hits.size());
-    if (!hits.empty()) v.fault = "the surfaces intersect";
-    else check_tunnelling(result.x, v);
+    if (hits.empty()) check_tunnelling(result.x, v);
+    else v.fault = "the surfaces intersect", v.reason = Rejection::intersection;
   }
   return v;
 }
@@ -219,6 +220,7 @@ void Minimization::check_tunnelling(const VecX& x, Validation& validation) {
   validation.fault = fmt::format(
       "'{}' tunnelled through '{}': it moved {:.3g} m or more, at {:.3g} m/s, and the smaller one of them is {:.3g} m long",
       world_.bodies[tunnelling->body].name, world_.bodies[tunnelling->obstacle].name, tunnelling->displacement, tunnelling->displacement / h_, tunnelling->size);
+  validation.reason = Rejection::tunnelling;
   validation.remedy = "take a smaller time.step or a larger time.max_cutbacks";
   validation.substeps = tunnelling->substeps;
   validation.tolerable = true;

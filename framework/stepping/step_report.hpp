@@ -11,16 +11,16 @@
 #include "framework/core/step_metric.hpp"
 #include "framework/core/records.hpp"
 #include "framework/stepping/energy_flows.hpp"
+#include "framework/stepping/rejection.hpp"
 
 namespace tack {
 
 struct StepReport {
-  int step = 0;                 // accepted steps so far, this one included
-  double time = 0;              // at the end of the step [s]
-  double step_size = 0;         // h [s]; smaller than the scene's after a cutback
-  int cutbacks = 0;             // failed solves of this step
-  int repeats = 0;              // solves whose error was too large
-  std::optional<double> error;  // of the step, if sizes are adaptive (step_control.hpp) [m]
+  int step = 0;          // accepted steps so far, this one included
+  double time = 0;       // at the end of the step [s]
+  double step_size = 0;  // h [s]; smaller than the scene's after a cutback
+  RejectionCounts rejections;
+  std::optional<double> error;  // of the step, if sizes are adaptive (adaptive_steps.hpp) [m]
   MinimizerResult solve;
   bool converged = false;
   double affine_strain = 0;     // largest strain of any affine body

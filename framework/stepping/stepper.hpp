@@ -11,6 +11,7 @@
 #include "framework/core/history.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/core/step_metric.hpp"
+#include "framework/stepping/rejection.hpp"
 #include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
@@ -67,8 +68,9 @@ struct SolveResult {
 
 // Validation of a solve result.
 struct Validation {
-  std::string fault;   // reason to reject the result; "" if it may be accepted
-  std::string remedy;  // advice to users against the fault
+  std::string fault;                    // reason to reject the result; "" if it may be accepted
+  std::string remedy;                   // advice to users against the fault
+  Rejection reason = Rejection::solve;  // of the fault
   int intersections = 0, inverted_tets = 0;  // counts found, for records
   int substeps = 2;                          // number of substeps after a rejection; a power of two
   std::string warning = "";                  // about a result that may be accepted

@@ -30,6 +30,11 @@ void TimeConfig::fields(Fields& f) {
             "largest number of cutbacks (halvings into substeps) of a failed step before the run ends with an error; "
             "also of a step with tunnelling, after which the step is accepted with a warning")
       .range(0, 30);
+  f.choice("energy_repeats", energy_repeats,
+           {{"auto", EnergyRepeats::automatic, "if the integrator has a fallback: newmark, with implicit_euler"},
+            {"always", EnergyRepeats::always, "with every integrator"},
+            {"never", EnergyRepeats::never, "energy gain and loss are reported only"}},
+           "whether steps with numerical energy gain or loss are repeated with smaller sizes, down to an eighth of `step`, or with the integrator's fallback");
   f.check("step", [this]() -> std::string {
     constexpr double least = 1e-100;  // s: incremental potentials are divided by the square of the step
     return step >= least ? "" : fmt::format("{:g} s is too short to compute with, its square is no number; take {:g} s or more", step, least);

@@ -30,7 +30,7 @@ py::dict dict_of(const StepReport& report) {
   d["status"] = std::string(to_string(report.solve.status));
   d["converged"] = report.converged;
   d["residual"] = report.solve.residual;
-  d["halvings"] = report.cutbacks;
+  d["halvings"] = report.rejections.cutbacks();
   d["contacts"] = report.contacts;
   d["min_distance"] = report.min_distance;
   d["min_gap"] = report.min_gap;

@@ -135,6 +135,7 @@ Validation LcpPgsStepper::validate(const SolveResult& result) {
   }
   if (const int tet = first_inverted_tet(world_->tets, result.x); tet >= 0) {
     v.inverted_tets = 1;
+    v.reason = Rejection::inversion;
     v.fault = fmt::format("tet {} inverted", tet);
   }
   v.intersections = crossings_;

@@ -37,7 +37,7 @@ class Strip {
             -q / (density * thickness), 1 + cell_, 0.1, 10 * cells_across + 1, cells_across, triangles.diagonals, triangles.jitter,
             (1 - cell_) / 2, thickness, young, density, young, 0.2 * cell_)) {
     const StepReport report = run_.step();
-    REQUIRE(report.cutbacks == 0);
+    REQUIRE(report.rejections.cutbacks() == 0);
   }
 
   double length() const { return 1 + cell_ / 2; }

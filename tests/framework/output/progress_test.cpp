@@ -53,7 +53,7 @@ TEST_CASE("the line of a step reports cutbacks and non-convergence, and omits un
   r.solve.iterations = 1;
   r.contacts = 1;
   r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
-  r.cutbacks = 2;
+  r.rejections[Rejection::solve] = 2;
   r.converged = false;
   reported.progress.step(r);
   CHECK(reported.out.str() ==

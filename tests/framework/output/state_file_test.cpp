@@ -42,9 +42,8 @@ contact:
 void check_same(const State& a, const State& b) {
   CHECK(a.time == b.time);
   CHECK(a.step == b.step);
-  CHECK(a.whole_steps == b.whole_steps);
   CHECK(a.motion_active == b.motion_active);
-  CHECK(a.h_next == b.h_next);
+  CHECK(a.step_size.h_next == b.step_size.h_next);
   CHECK(a.h_before == b.h_before);
   CHECK(a.contact_time_before == b.contact_time_before);
   CHECK((a.x == b.x && a.v == b.v && a.a == b.a));

@@ -47,7 +47,7 @@ StepReport report(bool converged, int contacts, double distance) {
   StepReport r;
   r.converged = converged;
   r.unbalanced_force = contacts;
-  r.cutbacks = 2;
+  r.rejections[Rejection::solve] = 2;
   r.solve = {MinimizerStatus::converged, 3, 4, 9, 5, 0.1};
   r.contacts = contacts;
   r.min_distance = distance;

@@ -136,6 +136,6 @@ TEST_CASE("rollers stay at their positions during Dirichlet continuation") {
       strip));
   for (int i = 0; i < 5; ++i) {
     INFO("step " << i + 1);
-    CHECK(run.step().cutbacks == 0);
+    CHECK(run.step().rejections.cutbacks() == 0);
   }
 }

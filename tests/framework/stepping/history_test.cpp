@@ -194,7 +194,7 @@ TEST_CASE("an accepted step is stored once, and changes later steps", "[history]
   TestRun run(scene_with(enough));
   CHECK(run.state().history.empty());
   for (int n = 1; n <= 5; ++n) {
-    CHECK(run.step().cutbacks == 0);
+    CHECK(run.step().rejections.cutbacks() == 0);
     CHECK(counted(run.state()) == n);
   }
   // The energy at these positions is larger than without history.
@@ -214,21 +214,21 @@ TEST_CASE("a failed solve and rejected substeps do not change the history", "[hi
   TimeStepper& stepper = failing.simulation.stepper();
   const SolveResult result = stepper.solve(0.02);
   CHECK(result.minimizer.status == MinimizerStatus::iteration_limit);
-  CHECK_FALSE(stepper.fault(result).empty());
+  CHECK_FALSE(stepper.validate(result).fault.empty());
   CHECK((result.x != before.x));
   CHECK(same(stepper.state(), before));
 
   // A step that fails and succeeds with substeps, and a run that begins with those substeps.
   const StepReport cut_back = failing.step();
-  REQUIRE(cut_back.cutbacks > 0);
+  REQUIRE(cut_back.rejections.cutbacks() > 0);
   TestRun resumed(scene_with(2));
   State smaller = before;
-  smaller.h_next = cut_back.step_size;
+  smaller.step_size.h_next = cut_back.step_size;
   resumed.simulation.start_from(smaller);
-  CHECK(resumed.step().cutbacks == 0);
+  CHECK(resumed.step().rejections.cutbacks() == 0);
   CHECK(same(failing.state(), resumed.state()));
   CHECK(counted(failing.state()) == 2);
-  while (failing.state().whole_steps < 3) failing.step();
+  while (failing.state().time < 3 * 0.02 * (1 - 1e-9)) failing.step();
   CHECK(counted(failing.state()) == failing.state().step);
 }
 

@@ -152,7 +152,7 @@ double impulse_ratio(const std::string& integrator, double h, const std::vector<
   for (int i = 0; run.state().time < 0.06; ++i) {
     const double size = sizes[i % sizes.size()] * h;
     const SolveResult result = run.stepper.solve(size);
-    REQUIRE(run.stepper.fault(result).empty());
+    REQUIRE(run.stepper.validate(result).fault.empty());
     run.stepper.commit(result.x, size);
   }
   const Vec3 given = momentum(run) - start;

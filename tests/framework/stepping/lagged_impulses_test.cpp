@@ -33,7 +33,7 @@ std::string sliding(const std::string& integrator, double h, Start start, const 
 
 void step(TestRun& run, double h) {
   const SolveResult result = run.stepper.solve(h);
-  REQUIRE(run.stepper.fault(result).empty());
+  REQUIRE(run.stepper.validate(result).fault.empty());
   run.stepper.commit(result.x, h);
 }
 

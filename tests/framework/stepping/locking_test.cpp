@@ -158,7 +158,7 @@ TEST_CASE("locking: a block of composite tets is compressed to two fifths withou
               "probes: [{name: push, type: reaction, object: cube, direction: [0, -1, 0], select: {type: face, direction: [0, 1, 0]}}]\n");
   std::map<int, double> expected = {{12, 0.528}, {20, 1.11}, {24, 1.52}};  // of an independent implementation
   for (int i = 1; i <= 24; ++i) {
-    REQUIRE(run.step().cutbacks == 0);
+    REQUIRE(run.step().rejections.cutbacks() == 0);
     if (expected.contains(i)) CHECK(run.sample(0)[0] == Approx(expected[i]).epsilon(0.02));
   }
 }

@@ -40,7 +40,7 @@ TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticit
     run.stepper.observe({[&](int, double residual, double, double) { residuals.push_back(residual); }, {}, {}});
     for (int i = 0; i < 3; ++i) {
       residuals.clear();
-      REQUIRE(run.step().cutbacks == 0);
+      REQUIRE(run.step().rejections.cutbacks() == 0);
       // Quadratic convergence: an iteration doubles the number of correct digits, up to round-off.
       int doubled = 0;
       for (size_t k = 1; k + 1 < residuals.size(); ++k) {
@@ -66,7 +66,7 @@ TEST_CASE("a failed step that is cut back does not change the history", "[plasti
   bool failed = false;
   for (const double h : {0.4, 5.0, 200.0}) {
     const SolveResult result = run.stepper.solve(h);
-    failed = failed || !run.stepper.fault(result).empty();
+    failed = failed || !run.stepper.validate(result).fault.empty();
     CHECK(run.state().history == before);
   }
   CHECK(failed);

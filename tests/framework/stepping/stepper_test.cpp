@@ -80,7 +80,7 @@ TEST_CASE("a stepper that solves nothing runs through the loop, and through the 
   bool inside = false;
   for (int n = 1; !run.stepper.finished(); ++n) {
     const StepReport report = run.step();
-    CHECK(report.cutbacks == 0);
+    CHECK(report.rejections.cutbacks() == 0);
     CHECK(report.step_size == h);
     CHECK(report.solve.iterations == 0);
     CHECK(report.intersections == 0);  // the stepper does not check
@@ -108,7 +108,7 @@ TEST_CASE("energy gain of a stepper is warned of once", "[stepper]") {
 TEST_CASE("the loop cuts back rejected steps, and fails with the remedy of the stepper", "[stepper]") {
   TestRun run(scene_with("{type: free_flight, longest: 0.01}"));
   const StepReport report = run.step();
-  CHECK(report.cutbacks == 2);
+  CHECK(report.rejections.cutbacks() == 2);
   CHECK(report.step_size == h / 4);
   REQUIRE(run.warnings.size() == 2);
   CHECK_THAT(first_text(run.warnings, WarningKind::step_cutback), Catch::Contains("step 1 at t = 0 s: too far ahead") && Catch::Contains("0.015625 s"));
@@ -120,7 +120,7 @@ TEST_CASE("the loop cuts back rejected steps, and fails with the remedy of the s
 TEST_CASE("single steps and potentials are those of any stepper", "[stepper]") {
   TestRun run(scene_with("free_flight")), minimized(scene_with("incremental_potential"));
   const SolveResult result = run.stepper.solve(h);
-  CHECK(run.stepper.fault(result).empty());
+  CHECK(run.stepper.validate(result).fault.empty());
   const SolveResult minimum = minimized.stepper.solve(h);
   // Before contact, free flight is the minimum.
   CHECK((result.x - minimum.x).lpNorm<Eigen::Infinity>() < 1e-5);

@@ -63,7 +63,7 @@ TEST_CASE("a failed solve is rolled back and cut back, with warnings", "[steppin
     const double before = stepper.state().time;
     const StepReport report = stepper.advance();
     ++steps;
-    halvings += report.cutbacks;
+    halvings += report.rejections.cutbacks();
     CHECK(report.converged);
     CHECK(report.solve.iterations == 1);
     CHECK(report.step_size <= 0.02);
@@ -126,4 +126,29 @@ TEST_CASE("fixed vertices stay; energies are reported", "[stepping]") {
   CHECK(energies.at("gravity") < 0);  // falls
   // implicit Euler loses energy and gains none
   CHECK(energies.at("kinetic") + energies.at("neo_hookean") + energies.at("gravity") <= 1e-9);
+}
+
+TEST_CASE("time.energy_repeats decides which integrators repeat steps for their energy", "[stepping]") {
+  // A box that spins about a fixed point, too fast for the step.
+  const auto repeats = [](const std::string& integrator, const std::string& option) {
+    TestScene scene(fmt::format("time: {{step: 2 ms, duration: 40 ms, integrator: {}{}}}\nsolver: {{type: projected_newton}}\ngravity: [0, -9.81, 0]\nobjects:\n"
+                                "  - {{name: top, shape: {{type: box, size: [0.1, 0.06, 0.1], cells: [2, 2, 2]}}, body: {{type: affine, density: 2000}},\n"
+                                "     place: {{axis: [0, 0, 1], angle: 20 deg, translate: [-0.01026, 0.02819, 0]}}, spin: [-34.2, 93.97, 0],\n"
+                                "     motion: [{{type: fixed, select: {{type: sphere, centre: [0, 0, 0], radius: 1 mm}}}}]}}\n",
+                                integrator, option.empty() ? "" : ", energy_repeats: " + option));
+    TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
+    int count = 0;
+    while (!stepper.finished()) {
+      const StepReport report = stepper.advance();
+      count += report.rejections.of_energy();
+      CHECK(report.step_size >= 2e-3 / 8 * (1 - 1e-9));
+      CHECK(report.flows.refined == (report.step_size < 2e-3 * (1 - 1e-9)));
+    }
+    return count;
+  };
+  CHECK(repeats("newmark", "") > 0);
+  CHECK(repeats("newmark", "always") == repeats("newmark", "auto"));
+  CHECK(repeats("newmark", "never") == 0);
+  CHECK(repeats("implicit_euler", "") == 0);
+  CHECK(repeats("implicit_euler", "always") > 0);
 }

@@ -36,7 +36,7 @@ struct WholeStep {
   WholeStep(TestRun& run, double h) {
     const double end = run.state().time + h * (1 - 1e-9);
     while (run.state().time < end) {
-      refused += run.step().cutbacks;
+      refused += run.step().rejections.cutbacks();
       ++steps;
     }
   }

@@ -53,7 +53,7 @@ void run_to_end(TestRun& run) {
   while (!run.stepper.finished()) {
     const StepReport report = run.step();
     REQUIRE(report.intersections == 0);
-    REQUIRE(report.cutbacks == 0);
+    REQUIRE(report.rejections.cutbacks() == 0);
   }
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("bodies that pass through each other are recorded with a warning, and 
   bool unconverged = false;
   while (!run.stepper.finished()) {
     const StepReport report = run.step();
-    CHECK(report.cutbacks == 0);
+    CHECK(report.rejections.cutbacks() == 0);
     CHECK(report.metrics.size() == 5);
     for (const StepMetric& metric : report.metrics) {
       if (metric.name == "crossing_pairs") CHECK(metric.value == report.intersections);

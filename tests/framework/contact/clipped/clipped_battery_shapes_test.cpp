@@ -210,7 +210,7 @@ TEST_CASE("clipped battery: blocks that nothing but adhesion holds settle quasi-
     for (int step = 0; step < 20; ++step) {
       const StepReport report = run.step();
       iterations += report.solve.iterations;
-      cutbacks += report.cutbacks;
+      cutbacks += report.rejections.cutbacks();
     }
     CHECK(cutbacks == 0);
     CHECK(iterations <= 90);  // measured 28 to 45

@@ -35,7 +35,7 @@ Taken run(const std::string& yaml, const Prepare& prepare) {
                       [&](const Warning& w) { taken.warnings.push_back(w); });
   while (!stepper.finished()) {
     taken.steps.push_back(stepper.advance());
-    taken.repeats += taken.steps.back().repeats;
+    taken.repeats += taken.steps.back().rejections[Rejection::error];
   }
   taken.end = stepper.state();
   return taken;
@@ -261,7 +261,7 @@ TEST_CASE("a failed solve of an adaptive step is repeated with substeps", "[step
                           "  velocity: [6, 8, 0], energies: [{type: neo_hookean, young: 1e5}],\n"
                           "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}]}]\n");
   int halvings = 0;
-  for (const StepReport& s : taken.steps) halvings += s.cutbacks;
+  for (const StepReport& s : taken.steps) halvings += s.rejections.cutbacks();
   CHECK(halvings > 0);
   CHECK(taken.end.time == Approx(0.06).epsilon(1e-12));
 }
