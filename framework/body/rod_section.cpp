@@ -40,6 +40,14 @@ void RodConfig::fields(Fields& f) {
     return radius.has_value() != any && any == rectangle ? "" : "give either radius, or width, height and normal";
   });
   f.check("normal", [this]() -> std::string { return !normal || normal->norm() > 0 ? "" : "must not be zero"; });
+  const auto computable = [this](bool circle) -> std::string {
+    if (circle ? !radius : !(width && height && normal)) return "";
+    const RodSection s = section();
+    const bool normal_numbers = std::isnormal(s.area()) && std::isnormal(s.moment_across() + s.moment_along() + s.torsion_constant()) && std::isnormal(s.radius_of_gyration());
+    return normal_numbers ? "" : "the moments of the cross-section go with the fourth power of its size, which is no number here";
+  };
+  f.check("radius", [=] { return computable(true); });
+  f.check("width", [=] { return computable(false); });
 }
 
 RodSection RodConfig::section() const {

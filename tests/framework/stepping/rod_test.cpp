@@ -369,6 +369,8 @@ TEST_CASE("missing settings of rods and particles are reported with their locati
   CHECK_THROWS_WITH(TestScene(object(line + "rod: {radius: 0}, " + rod)), Contains("positive"));
   CHECK_THROWS_WITH(TestScene(object(line + "rod: {width: 1 mm, height: 1 mm, normal: [1, 0, 0]}, " + rod)), Contains("along rod.normal"));
   CHECK_THROWS_WITH(TestScene(object(line + "rod: {width: 1 mm, height: 1 mm, normal: [0, 0, 0]}, " + rod)), Contains("must not be zero"));
+  for (const char* section : {"radius: 1e100", "radius: 1e-100", "width: 1e110, height: 1 mm, normal: [0, 0, 1]"})
+    CHECK_THROWS_WITH(TestScene(object(line + "rod: {" + section + "}, " + rod)), Contains("fourth power"));
   const std::string points = "shape: {type: points}, ", particle = "energies: [particle]";
   CHECK_THROWS_WITH(TestScene(object(points + particle)), Contains("test.yaml:4") && Contains("needs the radius"));
   CHECK_THROWS_WITH(TestScene(object(line + "particle: {radius: 1}, " + particle)), Contains("no explicit points"));
