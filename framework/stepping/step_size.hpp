@@ -57,6 +57,8 @@ class StepSizeController {
   double smallest(Rejection reason) const;
   // Returns the size that cutbacks divide [s].
   double whole() const { return time_.adaptive ? first_size_ : time_.step; }
+  // Returns the difference below which times count as equal [s].
+  double time_tolerance() const;
   // Returns the rejected tries of the step.
   const RejectionCounts& rejections() const { return rejections_; }
 
@@ -65,8 +67,6 @@ class StepSizeController {
   double adaptive_size() const;
   double whole_steps(double t) const;
   void adapt(const ErrorRatio& error);
-  // Returns the difference below which times count as equal [s].
-  double time_tolerance() const;
 
   const TimeConfig& time_;
   State& state_;

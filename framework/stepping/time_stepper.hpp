@@ -35,7 +35,7 @@ class TimeStepper : public StepStages {
   StepReport advance();
   // Sets further times at which adaptive steps end: next(t) is the first one after t [s].
   void stop_at(std::function<double(double t)> next) { sizes_.stop_at(std::move(next)); }
-  bool finished() const { return state_.time >= time_.duration - 1e-9 * time_.step; }
+  bool finished() const { return state_.time >= time_.duration - sizes_.time_tolerance(); }
   bool interrupted() const { return interrupted_; }
   // Returns the size that advance() tries first [s].
   double next_step_size() const { return sizes_.size(); }

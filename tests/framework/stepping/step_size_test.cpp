@@ -77,6 +77,17 @@ TEST_CASE("a cut size stays until the end of the whole step", "[step_size]") {
   }
 }
 
+TEST_CASE("a cut in a long run, whose time has drifted off the grid, leaves no tiny step", "[step_size]") {
+  Run run(constant());
+  for (int i = 0; i < 3'000'000; ++i) run.step();
+  REQUIRE(std::abs(run.state.time - 30'000) > 1e-9 * run.time.step);
+  run.begin();
+  CHECK(run.reject(Rejection::solve, 0.5));
+  CHECK(run.accept() == Approx(0.005));
+  CHECK(run.step() == Approx(0.005).epsilon(1e-3));
+  CHECK(run.step() == 0.01);
+}
+
 TEST_CASE("a rejection with a small factor cuts at once, but not below the smallest size", "[step_size]") {
   Run run(constant(3));
   run.begin();
