@@ -133,7 +133,7 @@ int check_command(const CheckOptions& options) {
   print_warnings(resolution_warnings(experiment, world));
   print_warnings(round_friction_warnings(experiment, world));
   print_warnings(flush_face_warnings(experiment, world));
-  print_warnings(tolerance_warnings(experiment, world));
+  print_warnings(tolerance_warnings(experiment));
   const LawCheck laws = check_laws(world);
   for (const std::string& line : laws.notes) fmt::print("{}\n", line);
   print_warnings(laws.warnings);

@@ -10,8 +10,8 @@
 namespace tack {
 namespace {
 
-void check_damping(const Experiment& e, const Value& root, const World& world) {
-  if (e.time.integrator->predict(world.start, e.time.step).inertia) return;
+void check_damping(const Experiment& e, const Value& root) {
+  if (e.time.integrator->inertia()) return;
   for (size_t i = 0; i < e.objects.size(); ++i)
     if (e.objects[i].damping)
       throw InputError(fmt::format("{}object '{}': damping acts on velocities, and with time.integrator: {} there are none; take "
@@ -36,7 +36,7 @@ BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(lo
 void BuiltExperiment::build() {
   const Experiment& e = loaded_.experiment;
   world_ = build_world(e, loaded_.root, {e.time.step, e.time.duration}, clock_, loaded_.initial_state ? &*loaded_.initial_state : nullptr, loaded_.flowed);
-  check_damping(e, loaded_.root, *world_);
+  check_damping(e, loaded_.root);
   with_source_location(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
   world_->step_metrics = e.time.stepper->metrics();
   with_source_location(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });

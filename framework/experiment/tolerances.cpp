@@ -19,10 +19,6 @@ constexpr double of_number = 1e-2;
 // m/s: sticking speeds below are not resolved unless a tolerance asks for it.
 constexpr double finest_sticking = 1e-4;
 
-bool has_inertia(const Experiment& experiment, const World& world) {
-  return experiment.time.integrator->predict(world.start, experiment.time.step).inertia;
-}
-
 // Returns the diagonal of the smallest moving object [m]; the diameter of a single particle.
 double smallest_size(const World& world) {
   double smallest = std::numeric_limits<double>::infinity();
@@ -71,9 +67,9 @@ std::unique_ptr<const Minimizer> solver_with_tolerances(const Experiment& experi
   return solver;
 }
 
-std::vector<Warning> tolerance_warnings(const Experiment& experiment, const World& world) {
+std::vector<Warning> tolerance_warnings(const Experiment& experiment) {
   std::vector<Warning> warnings;
-  if (!experiment.contact || !has_inertia(experiment, world) || experiment.solver->stopping() != Stopping::velocity) return warnings;
+  if (!experiment.contact || !experiment.time.integrator->inertia() || experiment.solver->stopping() != Stopping::velocity) return warnings;
   const double tolerance = experiment.solver->velocity_tolerance(), way = tolerance * experiment.time.step;
   const double distance = experiment.contact->contact_distance;
   if (way > of_distance * distance * (1 + 1e-9))

@@ -19,6 +19,6 @@ std::unique_ptr<const Minimizer> solver_with_tolerances(const Experiment& experi
 
 // Returns warnings about tolerances that do not fit the contact distance or the friction, one line
 // each with the remedy.
-std::vector<Warning> tolerance_warnings(const Experiment& experiment, const World& world);
+std::vector<Warning> tolerance_warnings(const Experiment& experiment);
 
 }  // namespace tack

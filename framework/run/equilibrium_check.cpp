@@ -11,8 +11,8 @@ namespace tack {
 EquilibriumCheck check_equilibrium(const Experiment& experiment, World& world, PhaseClock& clock) {
   const State& start = world.start;
   const double h = experiment.time.step;
-  const auto prediction = experiment.time.integrator->predict(start, h);
-  if (prediction.inertia || world.dofs.size() == 0) return {};
+  if (experiment.time.integrator->inertia() || world.dofs.size() == 0) return {};
+  const auto prediction = experiment.time.integrator->predict({start, h});
   world.participants.load_history(start.history);
   world.participants.begin_step({start.x, start.time, h});
   StepPotential potential(world, clock);

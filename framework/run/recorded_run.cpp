@@ -82,7 +82,7 @@ RecordedRun::Monitors::Monitors(const BuiltExperiment& built)
   const Experiment& experiment = built.experiment();
   const World& world = built.world();
   if (!world.adhesion.empty()) adhesion.emplace(experiment, world);
-  if (world.contact && !experiment.time.integrator->predict(world.start, experiment.time.step).inertia) approach.emplace(experiment, world);
+  if (world.contact && !experiment.time.integrator->inertia()) approach.emplace(experiment, world);
 }
 
 const RunSummary& RecordedRun::execute() {

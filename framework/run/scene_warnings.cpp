@@ -48,7 +48,7 @@ std::vector<Warning> scene_warnings(const Experiment& experiment, World& world) 
   std::vector<Warning> all;
   for (const auto& lines : {laws.errors, laws.warnings, meshing_warnings(world), barrier_warnings(world), element_warnings(experiment, world),
                             scale_warnings(experiment, world), resolution_warnings(experiment, world), round_friction_warnings(experiment, world), flush_face_warnings(experiment, world),
-                            tolerance_warnings(experiment, world)})
+                            tolerance_warnings(experiment)})
     all.insert(all.end(), lines.begin(), lines.end());
   return all;
 }

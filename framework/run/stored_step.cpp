@@ -51,7 +51,7 @@ StoredStep::StoredStep(std::string path, std::vector<std::string> overrides)
   check_size(file_, built.world().rest.size() / 3, path_);
   unknowns_ = built.world().dofs.size();
   const Experiment& experiment = built.experiment();
-  quasi_static_ = !experiment.time.integrator->predict(built.world().start, file_.step_size).inertia;
+  quasi_static_ = !experiment.time.integrator->inertia();
   velocity_tolerance_ = experiment.solver->velocity_tolerance();
   force_tolerance_ = experiment.solver->force_tolerance();
   if (!overrides_.empty()) file_.minimum.resize(0);

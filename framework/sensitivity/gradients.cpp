@@ -12,6 +12,9 @@ const std::string message_prefix = "output.gradients: ";
 void require_minimised_steps(const Experiment& e) {
   if (e.time.adaptive)
     throw InputError("output.gradients: results with adaptive steps (time.adaptive) are not differentiable; use steps of fixed size, or remove the gradients");
+  if (e.time.integrator->stages().size() > 1)
+    throw InputError(fmt::format("output.gradients: sensitivities need an integrator of one stage, and time.integrator: {} has {}; take another one, or remove the gradients",
+                                 e.time.integrator->type(), e.time.integrator->stages().size()));
   if (e.time.stepper->type() == "incremental_potential") return;
   throw InputError(fmt::format("output.gradients: sensitivities need steps that minimise a potential, and time.stepper: {} does not; "
                                "use incremental_potential, or remove the gradients", e.time.stepper->type()));

@@ -34,7 +34,7 @@ void TangentSystem::begin(const SolvedStep& step) {
   current_ = false;
   if (step.unknowns == unknowns_) return;
   unknowns_ = step.unknowns;
-  inertia_ = step.integrator.predict(step.start, step.h).inertia;
+  inertia_ = step.integrator.inertia();
   factored_ = false;
   shift_ = 0;
   definite_.reset();

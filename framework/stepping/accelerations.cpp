@@ -16,7 +16,7 @@ Accelerations::Accelerations(World& world, const TimeIntegrator& integrator, dou
 }
 
 void Accelerations::set(State& state, double t, const std::vector<int>& vertices, StepPotential& potential) {
-  if (vertices.empty() || !integrator_.predict(state, step_).inertia) return;
+  if (vertices.empty() || !integrator_.inertia()) return;
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
     term->begin_step({state.x, t});
   const EndVelocity now{1 / step_, state.x - step_ * state.v};

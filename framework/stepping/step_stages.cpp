@@ -26,7 +26,7 @@ std::vector<double> masses_of_bodies(const World& world) {
 }  // namespace
 
 StepStages::StepStages(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver, PhaseClock& clock)
-    : world_(world), time_(time), solver_(solver), clock_(clock), state_(world.start), balance_(world, solver), integrator_(time.integrator.get()),
+    : world_(world), time_(time), solver_(solver), clock_(clock), state_(world.start), balance_(world, solver), integrator_(time.integrator.get()), stage_ends_(integrator_->stages()),
       accelerations_(world, *integrator_, time.step), fixed_(world.prescribed_motion, world.constraints, world.rest), stepper_(instance_of(*time.stepper)) {
   state_.adapts = time.adaptive.has_value();
   const DeadlineSuspension suspension(clock_, time_);
@@ -51,21 +51,22 @@ void StepStages::begin_without_history() {
   state_.a = VecX::Zero(state_.x.size());
   state_.history.erase(friction_account_name);
   erase_contact_history(state_.history);
+  integrator_->forget(state_.history);
   stepper_->erase_history(state_.history);
 }
 
 // Begins a step of zero length at the state, so that terms have forces, energies and fields there
 // before the first step is opened.
 void StepStages::begin_records() {
-  const bool inertia = integrator_->predict(state_, time_.step).inertia;
+  const bool inertia = integrator_->inertia();
   const EndVelocity now{1 / time_.step, inertia ? VecX(state_.x - time_.step * state_.v) : state_.x};
   world_.participants.begin_step({state_.x, state_.time, 0, &now, inertia ? &state_.v : nullptr});
 }
 
-// Fixes the vertices with prescribed motion in the middle of a step of size h. All other vertices are
+// Fixes the vertices with prescribed motion in the middle of a step of size h, for all its stages. All other vertices are
 // unknowns.
 void StepStages::fix_vertices(double h) {
-  const bool changed = fixed_.activate(state_, state_.time + h / 2);
+  const bool changed = fixed_.activate(state_, step_start().time + h / 2);
   if (changed) world_.dofs = fixed_.dofs();
   stepper_->begin(changed);
   if (!changed) return;
@@ -73,6 +74,7 @@ void StepStages::fix_vertices(double h) {
   potential_.emplace(world_, clock_);
   if (world_.contact) world_.contact->set_free(fixed_.may_move() ? fixed_.moving() : std::vector<char>());
   accelerations_.set(state_, state_.time, fixed_.released(), *potential_);
+  if (!fixed_.released().empty()) integrator_->forget(state_.history);
 }
 
 double StepStages::potential_at(const VecX& x) {
@@ -84,9 +86,10 @@ double StepStages::potential_at(const VecX& x) {
 
 // Sets the lagged normal forces of friction. Contact acts on velocities for a time that depends on the
 // integrator.
-void StepStages::lag_impulses(Step& step) {
+void StepStages::lag_impulses(Step& step, const StepStage& stage) {
   if (!impulses_ || !step.prediction.inertia) return;
-  impulses_->begin(state_, step.h, step.prediction.contact_scale * integrator_->end_velocity(state_, step.h).rate);
+  const double given = step.prediction.contact_time;
+  impulses_->begin(state_, step.h, given > 0 ? given : step.prediction.contact_scale * integrator_->end_velocity(stage).rate);
   step.impulses = &*impulses_;
 }
 
@@ -98,14 +101,20 @@ bool StepStages::velocities_matter() const {
          std::any_of(loads.begin(), loads.end(), [](const FollowingLoad* load) { return load->needs_velocities(); });
 }
 
+StepStage StepStages::stage(double h) const {
+  const double begin = solved_stages_.empty() ? 0 : stage_ends_[solved_stages_.size() - 1];
+  return {state_, (stage_end() - begin) * h, step_start(), h, solved_stages_};
+}
+
 Step StepStages::open(double h) {
   fix_vertices(h);
-  Step step{state_, h, integrator_->predict(state_, h), state_.x, fixed_, *potential_};
+  const StepStage stage = this->stage(h);
+  Step step{state_, stage.h, integrator_->predict(stage), state_.x, fixed_, *potential_};
   std::optional<EndVelocity> velocity;
-  if (velocities_matter()) velocity = integrator_->end_velocity(state_, h);
-  world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr, step.prediction.inertia ? &state_.v : nullptr});
-  lag_impulses(step);
-  fixed_.set_positions(state_.time + h, step.targets);
+  if (velocities_matter()) velocity = integrator_->end_velocity(stage);
+  world_.participants.begin_step({state_.x, state_.time, stage.h, velocity ? &*velocity : nullptr, step.prediction.inertia ? &state_.v : nullptr});
+  lag_impulses(step, stage);
+  fixed_.set_positions(step_start().time + stage_end() * h, step.targets);
   if (accounts_) balance_.begin(state_, step.has_prescribed_motion());
   potential_->begin_step(step.targets, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
   return step;
@@ -127,12 +136,12 @@ SolveResult StepStages::solve(double h, const VecX* guess) {
 
 // Updates velocities and accelerations in the fixed directions of partly fixed vertices as those of
 // fixed vertices.
-void StepStages::update_fixed_directions(const VecX& x, double h, VecX& v, VecX& a) const {
+void StepStages::update_fixed_directions(const StepStage& stage, const VecX& x, VecX& v, VecX& a) const {
   if (world_.dofs.partly_fixed_blocks().empty()) return;
   std::vector<int> vertices;
   for (const DofMap::PartlyFixedBlock& block : world_.dofs.partly_fixed_blocks()) vertices.push_back(world_.dofs.vertex_of_block(block.block));
   VecX v_fixed = v, a_fixed = a;
-  integrator_->update_fixed(state_, x, h, vertices, v_fixed, a_fixed);
+  integrator_->update_fixed(stage, x, vertices, v_fixed, a_fixed);
   for (size_t i = 0; i < vertices.size(); ++i) {
     const Mat3& fixed = world_.dofs.partly_fixed_blocks()[i].projection;
     vertex(v, vertices[i]) += fixed * (vertex(v_fixed, vertices[i]) - vertex(v, vertices[i]));
@@ -141,31 +150,65 @@ void StepStages::update_fixed_directions(const VecX& x, double h, VecX& v, VecX&
 }
 
 void StepStages::commit(const VecX& x, double h) {
-  VecX v, a, contact = accelerations_.by_dynamic_terms(x);
-  integrator_->update(state_, x, contact, h, v, a);
-  integrator_->update_fixed(state_, x, h, fixed_.vertices(), v, a);
-  update_fixed_directions(x, h, v, a);
-  world_.dofs.update_dependents(v);
-  world_.dofs.update_dependents(a);
+  StageEnd end{x, {}, {}, accelerations_.by_dynamic_terms(x)};
+  const bool last = at_last_stage();
+  if (!last && !step_start_) step_start_ = state_;
+  const StepStage stage = this->stage(h);
+  const double length = stage.h, time = step_start().time + stage_end() * h;
+  integrator_->update(stage, x, end.contact, end.v, end.a);
+  integrator_->update_fixed(stage, x, fixed_.vertices(), end.v, end.a);
+  update_fixed_directions(stage, x, end.v, end.a);
+  world_.dofs.update_dependents(end.v);
+  world_.dofs.update_dependents(end.a);
+  integrator_->store(stage, end, fixed_.vertices(), state_.history);
+  if (uses_fallback_integrator()) time_.integrator->forget(state_.history);
   fixed_.commit(state_);
   state_.x_before = std::exchange(state_.x, x);
-  state_.v_before = std::exchange(state_.v, std::move(v));
-  state_.a = std::move(a);
-  state_.contact_before = std::exchange(state_.contact, std::move(contact));
+  state_.v_before = std::exchange(state_.v, end.v);
+  state_.a = end.a;
+  state_.contact_before = std::exchange(state_.contact, end.contact);
   world_.participants.commit(x, state_.history);
   stepper_->commit(state_.history);
   world_.participants.load_history(state_.history);
-  state_.h_before = h;
+  state_.h_before = length;
   state_.contact_time_before = impulses_ ? impulses_->contact_time() : 0;
   if (state_.contact_time_before > 0) state_.history[friction_account_name] = impulses_->history();
-  state_.time += h;
+  state_.time = time;
+  if (!last) return solved_stages_.push_back(std::move(end));
   ++state_.step;
+  step_start_.reset();
+  solved_stages_.clear();
+}
+
+void StepStages::commit_stage(const VecX& x, double h) {
+  const DeadlineSuspension suspension(clock_, time_);
+  if (accounts_) balance_.end(x);
+  commit(x, h);
+  if (!accounts_) return;
+  const EnergyFlows flows = close_account(energies_by_term(world_, state_));
+  if (stage_flows_) *stage_flows_ += flows;
+  else stage_flows_ = flows;
+}
+
+EnergyFlows StepStages::with_stages(EnergyFlows last) {
+  if (stage_flows_) last += *std::exchange(stage_flows_, std::nullopt);
+  return last;
+}
+
+void StepStages::restore_step_start() {
+  if (!step_start_) return;
+  const StepSizeState sizes = state_.step_size;
+  State start = *std::exchange(step_start_, std::nullopt);
+  start.step_size = sizes;
+  solved_stages_.clear();
+  stage_flows_.reset();
+  set_state(std::move(start));
 }
 
 void StepStages::commit_solution(const VecX& x, double h) {
   if (accounts_) balance_.end(x);
   commit(x, h);
-  if (accounts_) close_account(energies_by_term(world_, state_), h);
+  if (accounts_) close_account(energies_by_term(world_, state_));
 }
 
 void StepStages::set_state(State state) {

@@ -1,5 +1,8 @@
-// The stages of a time step: open, solve, validate, commit. The time loop (time_stepper.hpp) runs
+// The parts of a time step: open, solve, validate, commit. The time loop (time_stepper.hpp) runs
 // them and decides what is accepted; studies of single steps call them one by one.
+//
+// With an integrator of several stages (time_integrator.hpp) they concern the next stage of a step
+// of size h. All stages but the last are committed to the state; restore_step_start() undoes them.
 #pragma once
 
 #include <memory>
@@ -43,6 +46,7 @@ class StepStages {
   // commit_solution() instead of commit().
   void use_fallback_integrator(bool fallback) {
     integrator_ = fallback ? time_.integrator->fallback() : time_.integrator.get();
+    stage_ends_ = integrator_->stages();
   }
   // Returns the names of the groups of EnergyFlows::groups, known once a step has begun.
   const std::vector<std::string>& energy_groups() const { return balance_.group_names(); }
@@ -54,10 +58,21 @@ class StepStages {
   void set_state(State state);
 
  protected:
-  // Returns the energy flows of the committed step, which ended with these energies.
-  EnergyFlows close_account(const EnergyBalance::Energies& energies, double h) {
-    return balance_.close(state_, energies, h, fixed_.may_move(), *potential_);
+  // Returns the energy flows of the committed stage, which ended with these energies.
+  EnergyFlows close_account(const EnergyBalance::Energies& energies) {
+    return balance_.close(state_, energies, state_.h_before, fixed_.may_move(), *potential_);
   }
+  // Returns the next stage of a step of size h.
+  StepStage stage(double h) const;
+  bool at_last_stage() const { return solved_stages_.size() + 1 == stage_ends_.size(); }
+  // Returns the state at the start of the step.
+  const State& step_start() const { return step_start_ ? *step_start_ : state_; }
+  // Commits a stage that is not the last one of its step. Its energy flows are kept for the step.
+  void commit_stage(const VecX& x, double h);
+  // Returns the energy flows of the step, given those of its last stage.
+  EnergyFlows with_stages(EnergyFlows last);
+  // Undoes the committed stages of the step; the state of the step size controller stays.
+  void restore_step_start();
   bool uses_fallback_integrator() const { return integrator_ != time_.integrator.get(); }
 
   World& world_;
@@ -68,6 +83,7 @@ class StepStages {
   EnergyBalance balance_;
   // The scene's integrator, or its fallback while a step is repeated.
   const TimeIntegrator* integrator_;
+  std::vector<double> stage_ends_;  // TimeIntegrator::stages()
   Accelerations accelerations_;
   std::optional<LaggedImpulses> impulses_;  // if friction lags by a step
   std::optional<StepPotential> potential_;
@@ -77,9 +93,16 @@ class StepStages {
   void begin_without_history();
   void begin_records();
   void fix_vertices(double h);
-  void lag_impulses(Step& step);
+  void lag_impulses(Step& step, const StepStage& stage);
+  double stage_end() const { return stage_ends_[solved_stages_.size()]; }
   bool velocities_matter() const;
-  void update_fixed_directions(const VecX& x, double h, VecX& v, VecX& a) const;
+  void update_fixed_directions(const StepStage& stage, const VecX& x, VecX& v, VecX& a) const;
+
+  // Once a stage but the last was committed: the state at the start of the step, the ends of its
+  // stages, and their energy flows.
+  std::optional<State> step_start_;
+  std::vector<StageEnd> solved_stages_;
+  std::optional<EnergyFlows> stage_flows_;
 
   FixedVertices fixed_;
   std::unique_ptr<Stepper> stepper_;

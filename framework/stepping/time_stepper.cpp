@@ -21,22 +21,54 @@ StepReport TimeStepper::advance() {
   check_wall_limit("");
   for (;;) {
     const double h = sizes_.next();
-    const SolveResult result = solve(h);
+    const auto [result, validation] = solve_stages(h);
     interrupted_ = result.minimizer.status == MinimizerStatus::interrupted;
     if (interrupted_) return {};
-    const Validation validation = validate(result);
-    reporter_.add(validation);
     if (!validation.fault.empty() && rejects(validation, h)) continue;
     const ErrorRatio error = error_of(result.x, h);
-    if (error.ratio > 1 && sizes_.reject(Rejection::error, sizes_.error_factor(error))) continue;
+    if (error.ratio > 1 && rejects_error(error)) continue;
     std::optional<State> start;
-    if (repeats_for_energy()) start = state_;
+    if (repeats_for_energy()) start = step_start();
     StepReport report = commit_with_report(result, h);
-    if (start && rejects_energy(report, h, *std::move(start))) continue;
+    if (start && rejects_energy(report, *std::move(start))) continue;
     sizes_.accept(error);
     end(report, validation, error);
     return report;
   }
+}
+
+// Solves a step of size h stage by stage and commits all stages but the last. Returns the solve of the last stage with the work of all, or that of
+// the first stage that failed; then the state is again that of the start of the step.
+TimeStepper::Attempt TimeStepper::solve_stages(double h) try {
+  Attempt all;
+  for (;;) {
+    Attempt now{solve(h), {}};
+    now.result.minimizer.add_work(all.result.minimizer);
+    now.result.lag_iterations += all.result.lag_iterations;
+    now.result.lag_converged = now.result.lag_converged && all.result.lag_converged;
+    const bool interrupted = now.result.minimizer.status == MinimizerStatus::interrupted;
+    if (!interrupted) {
+      now.validation = validate(now.result);
+      reporter_.add(now.validation);
+    }
+    const bool fault = !now.validation.fault.empty();
+    const bool failed = interrupted || (fault && !(now.validation.tolerable && sizes_.at_smallest(now.validation.reason)));
+    if (failed) restore_step_start();
+    else if (!fault && !all.validation.fault.empty()) now.validation = all.validation;
+    if (failed || at_last_stage()) return now;
+    commit_stage(now.result.x, h);
+    all = std::move(now);
+  }
+} catch (...) {
+  restore_step_start();
+  throw;
+}
+
+// Rejects a step whose error is too large. Returns false if no smaller step is allowed.
+bool TimeStepper::rejects_error(const ErrorRatio& error) {
+  if (sizes_.at_smallest(Rejection::error)) return false;
+  restore_step_start();
+  return sizes_.reject(Rejection::error, sizes_.error_factor(error));
 }
 
 // Rejects a faulty result of a step of size h. Returns false if it is accepted, with a warning, because no smaller step is allowed.
@@ -54,7 +86,7 @@ bool TimeStepper::rejects(const Validation& validation, double h) {
 
 // Returns the error of a solved step of size h to x; zero in constant steps.
 ErrorRatio TimeStepper::error_of(const VecX& x, double h) const {
-  return errors_ ? errors_->measure(integrator_->local_error(state_, x, accelerations_.by_dynamic_terms(x), h)) : ErrorRatio();
+  return errors_ ? errors_->measure(integrator_->local_error(stage(h), x, accelerations_.by_dynamic_terms(x))) : ErrorRatio();
 }
 
 // Returns whether a step with numerical energy gain or loss is repeated. Its fallback integrator is final.
@@ -70,17 +102,17 @@ StepReport TimeStepper::commit_with_report(const SolveResult& result, double h) 
   commit(result.x, h);
   StepReport report = reporter_.report(state_, result, h);
   world_.step_metrics = result.metrics;
-  report.flows = close_account(report.energies, h);
+  report.flows = with_stages(close_account(report.energies));
   return report;
 }
 
-// Undoes a committed step of size h with numerical energy gain or loss, to be repeated from `start`: in smaller steps, or, for a gain, with the
+// Undoes a committed step with numerical energy gain or loss, to be repeated from `start`: in smaller steps, or, for a gain, with the
 // fallback integrator. Smaller steps help without contact, and where the smallest ones resolve the impact: the fastest vertex crosses the
 // contact range in at least two of them. Returns false if the step is accepted.
-bool TimeStepper::rejects_energy(const StepReport& report, double h, State start) {
+bool TimeStepper::rejects_energy(const StepReport& report, State start) {
   const Rejection reason = report.contacts == 0 ? Rejection::energy_free : Rejection::energy_contact;
   const double fastest = (state_.x - state_.x_before).lpNorm<Eigen::Infinity>();
-  const bool finer = !sizes_.at_smallest(reason) && (reason == Rejection::energy_free || 2 * fastest * sizes_.smallest(reason) / h <= contact_distance_);
+  const bool finer = !sizes_.at_smallest(reason) && (reason == Rejection::energy_free || 2 * fastest * sizes_.smallest(reason) / state_.h_before <= contact_distance_);
   if (!finer && !(report.flows.gained && integrator_->fallback())) return false;
   if (!report.flows.gained && !report.flows.lost) return false;
   set_state(std::move(start));

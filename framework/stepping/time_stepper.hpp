@@ -45,11 +45,18 @@ class TimeStepper : public StepStages {
   void observe_solved(SolvedObserver solved) { solved_ = std::move(solved); }
 
  private:
+  // A step solved up to its last stage, or up to a stage that failed.
+  struct Attempt {
+    SolveResult result;
+    Validation validation;
+  };
+  Attempt solve_stages(double h);
   bool rejects(const Validation& validation, double h);
+  bool rejects_error(const ErrorRatio& error);
   ErrorRatio error_of(const VecX& x, double h) const;
   bool repeats_for_energy() const;
   StepReport commit_with_report(const SolveResult& result, double h);
-  bool rejects_energy(const StepReport& report, double h, State start);
+  bool rejects_energy(const StepReport& report, State start);
   void end(StepReport& report, const Validation& validation, const ErrorRatio& error);
   void check_wall_limit(const std::string& fault) const;
 

@@ -227,7 +227,7 @@ std::shared_ptr<Problem> Running::problem() {
   const double h = stepper.next_step_size();
   const Step step = stepper.open(h);
   convergence_.emplace(world, simulation_->solver(), simulation_->experiment().time.step);
-  convergence_->begin_step(step.potential, h, step.prediction.inertia);
+  convergence_->begin_step(step.potential, step.h, step.prediction.inertia);
   steps_.emplace(world, simulation_->clock(), nullptr, simulation_->solver().step_filters());
   StepPotential& potential = step.potential;
   MinimizerProblem problem{potential, {}, {}, simulation_->clock()};

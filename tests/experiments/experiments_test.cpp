@@ -57,6 +57,11 @@ TEST_CASE("experiment debonding/pull") { check_experiment("debonding/pull.yaml")
 TEST_CASE("experiment debonding/pull_squared") { check_experiment("debonding/pull_squared.yaml"); }
 TEST_CASE("experiment debonding/peel") { check_experiment("debonding/peel.yaml"); }
 TEST_CASE("experiment meshing/turned") { check_experiment("meshing/turned.yaml"); }
+TEST_CASE("experiment integrators/beam") { check_experiment("integrators/beam.yaml"); }
+TEST_CASE("experiment integrators/impact") { check_experiment("integrators/impact.yaml"); }
+TEST_CASE("experiment integrators/resting") { check_experiment("integrators/resting.yaml"); }
+TEST_CASE("experiment integrators/top") { check_experiment("integrators/top.yaml"); }
+TEST_CASE("experiment integrators/creep") { check_experiment("integrators/creep.yaml"); }
 TEST_CASE("experiment calibration/pull") { check_experiment("calibration/pull.yaml"); }
 TEST_CASE("experiment calibration/peel") { check_experiment("calibration/peel.yaml"); }
 TEST_CASE("experiment laws/xu_needleman") { check_experiment("laws/xu_needleman.yaml"); }

@@ -15,6 +15,24 @@ def bdf2(theta):
     return max(abs((2 + root) / (2 * a)), abs((2 - root) / (2 * a)))
 
 
+def generalised_alpha(theta, rho=0.8):
+    am, af = (2 * rho - 1) / (rho + 1), rho / (rho + 1)
+    beta, gamma = (1 + af - am) ** 2 / 4, 0.5 + af - am
+    x, v, a, sizes = 1.0, 0.0, -theta**2, []
+    for _ in range(400):
+        known = x + v + (0.5 - beta) * a
+        new = (-theta**2 * (af * x + (1 - af) * known) - am * a) / (1 - am + theta**2 * (1 - af) * beta)
+        x, v, a = known + beta * new, v + (1 - gamma) * a + gamma * new, new
+        sizes.append(math.hypot(theta * x, v))
+        x, v, a = (q / sizes[-1] for q in (x, v, a))
+    return math.exp(sum(math.log(s) for s in sizes[100:]) / 300)
+
+
+def tr_bdf2(theta):
+    d = 1 - 1 / math.sqrt(2)
+    return math.sqrt(1 + 2 * (d * theta) ** 2) / (1 + (d * theta) ** 2)
+
+
 def integrators():
     left, top, width, height = 60, 20, 520, 300
     steps = [5 * 40 ** (i / 200) for i in range(201)]  # per period
@@ -27,11 +45,13 @@ def integrators():
         out.append(f'<line class="g" y1="{top}" y2="{top + height}" x1="{px(n):.1f}" x2="{px(n):.1f}"/>' + text(px(n), top + height + 18, str(n), "middle"))
     out.append(text(left + width / 2, top + height + 38, "steps per period", "middle"))
     out.append(f'<text transform="translate(18 {top + height / 2}) rotate(-90)" text-anchor="middle">amplitude after one period</text>')
-    factors = [("newmark", lambda t: 1.0), ("bdf2", bdf2), ("implicit_euler", lambda t: 1 / math.sqrt(1 + t * t))]
+    factors = [("newmark", lambda t: 1.0), ("generalised_alpha", generalised_alpha), ("tr_bdf2, sdirk2", tr_bdf2), ("bdf2", bdf2),
+               ("implicit_euler", lambda t: 1 / math.sqrt(1 + t * t))]
+    colours = [*COLOURS, "#444444"]
     for k, (name, factor) in enumerate(factors):
-        out.append(line([(px(n), py(factor(2 * math.pi / n) ** n)) for n in steps], COLOURS[k], 2.2))
+        out.append(line([(px(n), py(factor(2 * math.pi / n) ** n)) for n in steps], colours[k], 2.2))
         y = top + 120 + 20 * k
-        out.append(line([(left + 370, y), (left + 400, y)], COLOURS[k], 2.2) + text(left + 408, y + 5, name))
+        out.append(line([(left + 340, y), (left + 370, y)], colours[k], 2.2) + text(left + 378, y + 5, name))
     save("integrators_damping.svg", 600, 370, out)
 
 

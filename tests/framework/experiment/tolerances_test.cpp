@@ -27,7 +27,7 @@ double tolerance(const std::string& yaml) { return TestScene(yaml).config.solver
 
 std::vector<Warning> warnings_of(const std::string& yaml) {
   TestScene scene(yaml);
-  return tolerance_warnings(scene.config, *scene.world);
+  return tolerance_warnings(scene.config);
 }
 
 }  // namespace

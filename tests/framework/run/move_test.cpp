@@ -82,6 +82,8 @@ TEST_CASE("a body put back to its rest state stays at rest", "[move]") {
 TEST_CASE("a moved simulation continues as a run that starts there", "[move]") {
   for (const std::string& integrator : Registry<TimeIntegrator>::kind().names()) {
     if (integrator == "quasi_static") continue;  // a free body has no unique equilibrium
+    // Steps that are repeated for their energy here stay smaller for a while, also after a move.
+    if (integrator == "sdirk2" || integrator == "documented_sdirk3") continue;
     INFO(integrator);
     const Acting& friction = all_acting[1];
     TestRun moved(thrown(integrator, friction, elastic)), fresh(thrown(integrator, friction, elastic));

@@ -106,28 +106,28 @@ TEST_CASE("BDF2 of two sizes is exact under a constant acceleration", "[stepping
     s.h_before = before;
     s.x = x(0), s.v = v(0), s.a = g;
     s.x_before = x(-before), s.v_before = v(-before);
-    const TimeIntegrator::Prediction p = integrator->predict(s, h);
+    const TimeIntegrator::Prediction p = integrator->predict({s, h});
     const VecX end = p.x + p.scale * g;
     CHECK((end - x(h)).norm() <= 1e-14);
     VecX velocity, acceleration;
-    integrator->update(s, end, {}, h, velocity, acceleration);
+    integrator->update({s, h}, end, {}, velocity, acceleration);
     CHECK((velocity - v(h)).norm() <= 1e-11);
     CHECK((acceleration - g).norm() <= 1e-8);
-    const EndVelocity linear = integrator->end_velocity(s, h);
+    const EndVelocity linear = integrator->end_velocity({s, h});
     CHECK((linear.rate * (end - linear.still) - v(h)).norm() <= 1e-11);
-    CHECK(integrator->local_error(s, end, {}, h).x.norm() <= 1e-14);
+    CHECK(integrator->local_error({s, h}, end, {}).x.norm() <= 1e-14);
     // For a cubic path, the estimate is the error of the step.
     const double jerk = 1e3;
     const auto cubic = [&](double t) -> VecX { return x(t) + jerk * t * t * t / 6 * VecX::Ones(3); };
     const auto slope = [&](double t) -> VecX { return v(t) + jerk * t * t / 2 * VecX::Ones(3); };
     s.x_before = cubic(-before), s.v_before = slope(-before);
-    const TimeIntegrator::Prediction q = integrator->predict(s, h);
+    const TimeIntegrator::Prediction q = integrator->predict({s, h});
     const VecX there = q.x + q.scale * (g + jerk * h * VecX::Ones(3));
-    const double missed = (cubic(h) - there).norm(), estimated = integrator->local_error(s, there, {}, h).x.norm();
+    const double missed = (cubic(h) - there).norm(), estimated = integrator->local_error({s, h}, there, {}).x.norm();
     CHECK(estimated > 0.5 * missed);
     CHECK(estimated < 2 * missed);
     s.adapts = false;  // then the first step of another size is implicit Euler
-    CHECK((ratio == 1) == (integrator->predict(s, h).scale != h * h));
+    CHECK((ratio == 1) == (integrator->predict({s, h}).scale != h * h));
   }
 }
 

@@ -35,7 +35,7 @@ TEST_CASE("stiffness damping conserves the angular momentum of a freely spinning
   const std::string bar = "shape: {type: box, size: [0.1, 0.02, 0.02], cells: [5, 1, 1]}, energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}]";
   const std::string card = "shape: {type: grid, size: [0.1, 0.03], cells: [5, 2]}, place: {axis: [1, 0, 0], angle: 90 deg}, shell: {thickness: 1 mm},\n"
                            "  energies: [{type: stvk_membrane, young: 10 MPa, density: 1000}, {type: hinge_bending, young: 10 MPa}]";
-  for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"})
+  for (const std::string integrator : {"implicit_euler", "bdf2", "newmark", "generalised_alpha", "tr_bdf2"})
     for (const std::string& object : {bar, card}) {
       INFO(integrator << ", " << object);
       TestRun run(fmt::format("time: {{step: 0.5 ms, duration: 1, integrator: {}}}\nsolver: {{type: projected_newton, tolerance: 1e-9, force_floor: 1e-12}}\n"
@@ -49,7 +49,7 @@ TEST_CASE("stiffness damping conserves the angular momentum of a freely spinning
       CHECK(taken <= 1e-8 * momentum);
       // The tolerances leave room for the losses of the integrator and for stretching.
       const bool damps = integrator == "implicit_euler";
-      CHECK(angular_momentum(run) == Approx(momentum).epsilon(damps ? 0.1 : 2e-3));
+      CHECK(angular_momentum(run) == Approx(momentum).epsilon(damps ? 0.1 : 4e-3));
       CHECK(kinetic_energy(run) == Approx(energy).epsilon(damps ? 0.2 : 0.02));
     }
 }

@@ -12,7 +12,7 @@ using namespace tack;
 
 namespace {
 
-const std::vector<std::string> dynamic_integrators = {"implicit_euler", "bdf2", "newmark"};
+const std::vector<std::string> dynamic_integrators = {"implicit_euler", "bdf2", "newmark", "generalised_alpha", "sdirk2", "tr_bdf2"};
 
 std::string scene_text(const std::string& integrator, double h, const std::string& more) {
   return fmt::format("time: {{step: {}, duration: 10, integrator: {}}}\n"
@@ -74,7 +74,8 @@ Vec3 angular_momentum(const World& world, const State& s) {
 
 TEST_CASE("integrators converge with their order", "[stepping]") {
   const VecX reference = oscillation("newmark", 2000).x;
-  const std::map<std::string, double> orders = {{"implicit_euler", 1}, {"bdf2", 2}, {"newmark", 2}};
+  const std::map<std::string, double> orders = {
+      {"implicit_euler", 1}, {"bdf2", 2}, {"newmark", 2}, {"generalised_alpha", 2}, {"sdirk2", 2}, {"tr_bdf2", 2}};
   for (const auto& [name, order] : orders) {
     std::vector<double> errors;
     for (const int steps : {100, 200, 400}) errors.push_back((oscillation(name, steps).x - reference).norm());
@@ -103,7 +104,7 @@ TEST_CASE("free fall obeys the formula of each integrator", "[stepping]") {
   };
   const double t = n * h;
   check("implicit_euler", t * v0 + h * h * n * (n + 1) / 2.0 * g, v0 + t * g);
-  check("newmark", t * v0 + t * t / 2 * g, v0 + t * g);
+  for (const char* name : {"newmark", "generalised_alpha", "sdirk2", "tr_bdf2"}) check(name, t * v0 + t * t / 2 * g, v0 + t * g);
   Vec3 x_before = Vec3::Zero(), v_before = v0, x = h * v0 + h * h * g, v = v0 + h * g;  // first step: Euler
   for (int i = 1; i < n; ++i) {
     const Vec3 next = (4 * x - x_before) / 3 + h * (8 * v - 2 * v_before) / 9 + 4 * h * h / 9 * g;
@@ -136,7 +137,7 @@ TEST_CASE("the drift of angular momentum shrinks with the order of the integrato
   };
   CHECK(drift("implicit_euler", 100) < 0.1);
   CHECK(drift("implicit_euler", 100) / drift("implicit_euler", 200) > 1.6);
-  for (const std::string name : {"bdf2", "newmark"}) {
+  for (const std::string name : {"bdf2", "newmark", "generalised_alpha", "tr_bdf2"}) {
     INFO(name);
     CHECK(drift(name, 200) < 5e-3);
     CHECK(drift(name, 200) / drift(name, 400) > 3);
