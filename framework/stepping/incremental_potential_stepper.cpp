@@ -2,7 +2,7 @@
 // a feasible start by feasible steps (the paper, eq. 1; Li et al. 2020, Incremental Potential
 // Contact). Vertices with a prescribed motion are at their target positions at the end of every
 // step. They move there along linear trajectories, together with the first guess of the free
-// vertices, or by Dirichlet continuation if these are blocked (prescribed_motion_follower.hpp).
+// vertices, or by an augmented Lagrangian if these are blocked (prescribed_motion.hpp).
 #include <fmt/format.h>
 
 #include <optional>
@@ -16,7 +16,7 @@
 #include "framework/stepping/free_bodies.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
 #include "framework/stepping/predicted_motion.hpp"
-#include "framework/stepping/prescribed_motion_follower.hpp"
+#include "framework/stepping/prescribed_motion.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "framework/stepping/tunnelling_check.hpp"
 #include "framework/stepping/time_config.hpp"
@@ -33,7 +33,7 @@ constexpr const char* blocked_motion_remedy = "leave room for what the prescribe
 // State of the stepper for one run.
 class Minimization {
  public:
-  Minimization(const StepperContext& context, const StepObservers& observers);
+  Minimization(const StepperContext& context, const StepObservers& observers, const MotionPenalty& penalty);
   void begin(bool new_unknowns);
   void solve(const Step& step, const VecX* guess, SolveResult& result);
   Validation validate(const SolveResult& result);
@@ -53,19 +53,19 @@ class Minimization {
   Convergence convergence_;
   std::optional<IterateCheck> check_;
   FeasibleSteps steps_;
-  PrescribedMotionFollower follower_;
+  PrescribedMotionSolver motion_;
   std::optional<TunnellingCheck> tunnelling_;
   VecX x_start_;                // 3n [m]: start of the latest step
   double h_ = 0;                // s: size of the latest step
   bool has_free_body_ = false;  // the latest solve failed because a body is free
 };
 
-Minimization::Minimization(const StepperContext& context, const StepObservers& observers)
+Minimization::Minimization(const StepperContext& context, const StepObservers& observers, const MotionPenalty& penalty)
     : world_(context.world), scene_(context.scene), solver_(context.solver), clock_(context.clock), observers_(observers),
       convergence_(world_, solver_, context.time.step),
       check_(solver_.checks_iterates() ? std::optional<IterateCheck>(std::in_place, world_, clock_) : std::nullopt),
       steps_(world_, clock_, check_ ? &*check_ : nullptr, solver_.step_filters()),
-      follower_(world_, solver_, clock_, steps_) {
+      motion_(world_, solver_, clock_, steps_, penalty) {
   if (world_.contact) tunnelling_.emplace(world_);
   steps_.observe([this](const VecX& x, const VecX& p, double feasible) {
     if (observers_.steps) observers_.steps(x, p, feasible);
@@ -75,7 +75,7 @@ Minimization::Minimization(const StepperContext& context, const StepObservers& o
 void Minimization::begin(bool new_unknowns) {
   steps_.reset();
   if (new_unknowns) {
-    follower_.reset();
+    motion_.reset();
     convergence_.begin_unknowns();
   }
 }
@@ -114,7 +114,7 @@ bool Minimization::start(const Step& step, const VecX* guess, SolveResult& resul
     q = first_guess(step);
     return true;
   }
-  const DirichletContinuation::Result start = follower_.follow(step, check_ ? &*check_ : nullptr, observers_.continuation);
+  const PrescribedMotionSolver::Result start = motion_.solve(step, check_ ? &*check_ : nullptr, observers_.continuation);
   result.minimizer = start.solve;
   result.failure = start.failure;
   if (!start.failure.empty() || start.solve.status != MinimizerStatus::converged) return false;
@@ -228,7 +228,8 @@ void Minimization::check_tunnelling(const VecX& x, Validation& validation) {
 
 class IncrementalPotentialStepper : public Stepper {
  public:
-  void prepare(const StepperContext& context) override { minimization_.emplace(context, observers_); }
+  void fields(Fields& f) override { f.object("prescribed_motion", penalty_, "how vertices with prescribed motion push what is in their way"); }
+  void prepare(const StepperContext& context) override { minimization_.emplace(context, observers_, penalty_); }
   void begin(bool new_unknowns) override { minimization_->begin(new_unknowns); }
   void solve(const Step& step, const VecX* guess, SolveResult& result) override {
     minimization_->solve(step, guess, result);
@@ -236,6 +237,7 @@ class IncrementalPotentialStepper : public Stepper {
   Validation validate(const SolveResult& result) override { return minimization_->validate(result); }
 
  private:
+  MotionPenalty penalty_;
   std::optional<Minimization> minimization_;
 };
 

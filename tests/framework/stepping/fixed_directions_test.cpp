@@ -58,7 +58,7 @@ TEST_CASE("an affine body on a guide, and one pushed by a prescribed plate that 
   CHECK(std::hypot(c.x(), c.z()) < 1e-12);
 }
 
-TEST_CASE("a roller that is driven into an obstacle moves by Dirichlet continuation", "[fixed]") {
+TEST_CASE("a roller that is driven into an obstacle pushes it", "[fixed]") {
   TestRun run("time: {step: 10 ms, duration: 1}\nobjects:\n"
               "  - {name: pad, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, energies: [{type: neo_hookean, young: 1e5, density: 1000}], "
               "motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}\n"
