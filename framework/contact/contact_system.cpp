@@ -66,7 +66,6 @@ ContactSystem::~ContactSystem() = default;
 
 void ContactSystem::set_free(std::vector<char> free) { potential_->set_free(std::move(free)); }
 
-void ContactSystem::enable_self_pairs(const std::vector<int>& vertices) { broad_phase_->enable_self_pairs(vertices); }
 
 void ContactSystem::load_history(const History& history) { potential_->load_history(history); }
 

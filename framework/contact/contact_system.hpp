@@ -32,8 +32,6 @@ class ContactSystem : public StepParticipant {
   // Sets the free vertices (non-zero): no force is computed between primitives without one. Empty:
   // every candidate has one.
   void set_free(std::vector<char> free);
-  // Searches pairs within the rigid groups of these global vertices too, and within no other group.
-  void enable_self_pairs(const std::vector<int>& vertices);
   void clear_caches() override;
   void load_history(const History& history) override;
   void commit(const VecX& x, History& history) const override;

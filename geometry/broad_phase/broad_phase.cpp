@@ -144,16 +144,6 @@ bool BroadPhase::inside(const std::vector<Aabb>& boxes, const VecX& x, const Vec
   return all_of(mesh_.vertices, inside);
 }
 
-void BroadPhase::enable_self_pairs(const std::vector<int>& vertices) {
-  std::vector<char> self_pairs;
-  for (const int v : vertices) {
-    if (mesh_.vertex_group.empty() || mesh_.vertex_group[v] < 0) continue;
-    if (self_pairs.empty()) self_pairs.resize(*std::max_element(mesh_.vertex_group.begin(), mesh_.vertex_group.end()) + 1);
-    self_pairs[mesh_.vertex_group[v]] = 1;
-  }
-  stale_ |= finder_.enable_self_pairs_of_groups(std::move(self_pairs));
-}
-
 bool BroadPhase::covers(const VecX& x) const {
   if (builds_ == 0 || x.size() != 3 * static_cast<Eigen::Index>(fat_boxes_.size())) return false;
   return all_of(mesh_.vertices, [&](int v) { return fat_boxes_[v].contains(vertex(x, v)); });

@@ -44,10 +44,6 @@ class BroadPhase {
     return update(x, p, InflationRadii::uniform(mesh_, range, range), skin);
   }
 
-  // Searches pairs within the rigid groups of these global vertices too, and within no other group.
-  // For rigid groups whose members move against each other.
-  void enable_self_pairs(const std::vector<int>& vertices);
-
   // Returns whether every surface vertex lies inside its fat AABB; false before the first build.
   bool covers(const VecX& x) const;
   // The same for some of the vertices.

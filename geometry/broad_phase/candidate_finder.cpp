@@ -16,20 +16,19 @@ struct MayTouch {
   const Primitives<M>& first;
   const Primitives<N>& second;
   const CollidingObjects& colliding;
-  const std::vector<char>& self_pairs;  // a flag per rigid group whose own pairs are accepted; empty: none
   const NearbyObjects& nearby;
 
   bool accept(int a, int b) const {
-    if (first.groups[a] >= 0 && first.groups[a] == second.groups[b] && skips(first.groups[a])) return false;
+    if (first.groups[a] >= 0 && first.groups[a] == second.groups[b]) return false;
     return !share_vertex(first.vertices[a], second.vertices[b]) &&
            colliding.allows(first.objects[a], second.objects[b]);
   }
-  bool skips(int rigid_group) const { return self_pairs.empty() || !self_pairs[rigid_group]; }
+  static bool skips(int /*rigid_group*/) { return true; }
   bool isolated(int rigid_group, const Aabb& box) const { return !nearby.near(rigid_group, box); }
   std::array<int, 2> pair(int a, int b) const { return {first.ids[a], second.ids[b]}; }
 };
 template <std::size_t M, std::size_t N>
-MayTouch(const Primitives<M>&, const Primitives<N>&, const CollidingObjects&, const std::vector<char>&, const NearbyObjects&) -> MayTouch<M, N>;
+MayTouch(const Primitives<M>&, const Primitives<N>&, const CollidingObjects&, const NearbyObjects&) -> MayTouch<M, N>;
 
 // Returns 0 .. n-1, stably sorted by the object of the triangle: the order of point-triangle candidates.
 std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
@@ -142,7 +141,7 @@ void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, const Inflat
     using Kind = decltype(kind);
     const auto& first = primitives<Kind::first_searched>();
     const auto& second = primitives<Kind::second_searched>();
-    const MayTouch may_touch{first, second, colliding_, self_pairs_, nearby_};
+    const MayTouch may_touch{first, second, colliding_, nearby_};
     if constexpr (Kind::first_searched == Kind::second_searched) overlap_pairs(first.tree, may_touch, candidates.*Kind::list);
     else overlap_pairs(first.tree, second.tree, may_touch, candidates.*Kind::list);
   });
@@ -150,7 +149,6 @@ void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, const Inflat
 
 void CandidateFinder::triangles_in(const Aabb& box, int without, int without_group, std::vector<int>& out) const {
   if (triangles_.tree.size() == 0) return;
-  if (without_group >= 0 && !self_pairs_.empty() && self_pairs_[without_group]) without_group = -1;
   const size_t before = out.size();
   detail::visit_groups(triangles_.tree, box, false, without_group, [&](int group) {
     for (unsigned lanes = triangles_.tree.boxes(0, group).overlap_mask(box); lanes != 0; lanes &= lanes - 1) {

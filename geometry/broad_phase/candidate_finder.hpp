@@ -1,7 +1,6 @@
 // Candidate search of the broad phase: one bounding volume hierarchy per kind of primitive.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "geometry/broad_phase/candidate_kinds.hpp"
@@ -30,19 +29,13 @@ class CandidateFinder {
   // reference distances; those of new_candidates() are not set.
   void find_changed(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii,
                     const std::vector<char>& changed, Candidates& candidates);
-  // Sets the rigid groups whose own pairs are searched too: a flag per group, or empty (none).
-  // Returns whether these have changed.
-  bool enable_self_pairs_of_groups(std::vector<char> self_pairs) {
-    return std::exchange(self_pairs_, std::move(self_pairs)) != self_pairs_;
-  }
 
   // The primitives of the last find_changed, and the candidates that it added.
   const ChangedPrimitives& changed() const { return changed_; }
   const CandidateIndices& new_candidates() const { return new_candidates_; }
 
   // Appends, ascending, the triangles whose boxes of the last search overlap this box, without
-  // those of the object `without` and of the rigid group `without_group` (-1: none), unless own
-  // pairs of that group are searched.
+  // those of the object `without` and of the rigid group `without_group` (-1: none).
   void triangles_in(const Aabb& box, int without, int without_group, std::vector<int>& out) const;
 
  private:
@@ -53,7 +46,6 @@ class CandidateFinder {
 
   const CollisionMesh& mesh_;
   CollidingObjects colliding_;
-  std::vector<char> self_pairs_;
   Primitives<1> points_, codim_points_;
   Primitives<2> edges_, codim_edges_;
   Primitives<3> triangles_;

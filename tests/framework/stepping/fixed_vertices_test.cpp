@@ -5,7 +5,6 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "framework/contact/contact_system.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 
@@ -53,28 +52,4 @@ TEST_CASE("a paddle that rotates by 135 degrees in a step hits obstacles") {
   run.step();
   const int first = run.world->bodies[1].first_vertex;
   CHECK(vertex(run.state().v, first).norm() > 0.5);  // m/s; zero if the paddle passed through
-}
-
-TEST_CASE("candidates within a rigid group are searched only while self-pairs are enabled, those of other groups never") {
-  TestRun run("time: {step: 0.01, duration: 1}\n"
-                 "objects: [" + far + ", {name: sheet, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [4, 1, 4]},\n"
-                 "  motion: [{type: translate, velocity: [1, 0, 0]}]},\n"
-                 " {name: grain, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [4, 1, 4]}, place: {translate: [0, 5, 0]},\n"
-                 "  body: {type: affine, density: 1000}}]\ncontact: {distance: 20 mm}\n");
-  ContactSystem& contact = *run.world->contact;
-  contact.cover(run.world->rest, VecX());
-  const size_t none = contact.candidates().size();  // but within the far one
-  const int sheet = run.world->bodies[1].first_vertex, grain = run.world->bodies[2].first_vertex;
-  contact.enable_self_pairs({sheet});
-  contact.cover(run.world->rest, VecX());
-  const size_t in_sheet = contact.candidates().size();
-  CHECK(in_sheet > none + 100);
-  CHECK(std::none_of(contact.candidates().edge_edge.begin(), contact.candidates().edge_edge.end(),
-                     [&](const auto& pair) { return contact.surface().mesh.edges[pair[0]][0] >= grain; }));
-  contact.enable_self_pairs({sheet, grain});
-  contact.cover(run.world->rest, VecX());
-  CHECK(contact.candidates().size() > in_sheet + 100);
-  contact.enable_self_pairs({});
-  contact.cover(run.world->rest, VecX());
-  CHECK(contact.candidates().size() == none);
 }
