@@ -114,7 +114,7 @@ bool Minimization::start(const Step& step, const VecX* guess, SolveResult& resul
     q = first_guess(step);
     return true;
   }
-  const PrescribedMotionSolver::Result start = motion_.solve(step, check_ ? &*check_ : nullptr, observers_.continuation);
+  const PrescribedMotionSolver::Result start = motion_.solve(step, check_ ? &*check_ : nullptr, observers_.motion);
   result.minimizer = start.solve;
   result.failure = start.failure;
   if (!start.failure.empty() || start.solve.status != MinimizerStatus::converged) return false;
