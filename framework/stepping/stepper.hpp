@@ -79,8 +79,8 @@ struct Validation {
 
 // Observers of a solve.
 struct StepObservers {
-  MinimizerProblem::Observer minimizer;     // every iteration of the minimisation
-  MinimizerProblem::Observer motion;        // every iteration that moves prescribed vertices
+  MinimizerProblem::Observer minimizer;  // every iteration of the minimisation
+  MinimizerProblem::Observer motion;     // every iteration that moves prescribed vertices
   // Every step from x to x + p (3n) that a minimiser requests, and its feasible fraction.
   std::function<void(const VecX& x, const VecX& p, double feasible)> steps;
   bool true_residuals = false;  // MinimizerProblem::true_residuals
