@@ -18,7 +18,7 @@ constexpr double usable_fraction = 0.9;      // of a step that is cut by an obst
 constexpr double sufficient_decrease = 0.5;  // of the distance to the targets by a minimisation; beyond, the penalty grows (Nocedal and Wright, 17.4)
 constexpr double penalty_growth = 10;        // (Nocedal and Wright, algorithm 17.4)
 constexpr double penalty_ratio_max = 1e8;    // over the first penalty (Li et al. 2020)
-constexpr int max_idle_iterations = 30;      // without 1% less distance to the targets; then the motion is blocked
+constexpr int max_idle_iterations = 30;      // without 1% less distance to the targets or a larger K; then the motion is blocked
 constexpr int debonding_halvings = 6;        // of a step that debonds stencils: a peak is passed within a 64th of it
 
 }  // namespace
@@ -120,7 +120,7 @@ PrescribedMotionSolver::Result PrescribedMotionSolver::push(const VecX& x, const
     if (++idle > max_idle_iterations) return 0.0;
     return std::min(now / enough, own_step(p) / (sufficient_decrease * now));
   };
-  const double first = penalty_.stiffness * resistance(x, prediction);
+  const double first = first_penalty(x, prediction);
   for (double k = first; k <= penalty_ratio_max * first && idle <= max_idle_iterations; ++idle) {
     potential_->set_mass(masses(k, prediction.inertia));
     potential_->begin_step(result.x, goal, prediction.scales(), true);
@@ -142,7 +142,7 @@ PrescribedMotionSolver::Result PrescribedMotionSolver::push(const VecX& x, const
       else multiplier += vertex(targets, v) - vertex(result.x, v);
       vertex(goal, v) = vertex(targets, v) + multiplier;
     }
-    if (grows) k *= penalty_growth;
+    if (grows) k *= penalty_growth, idle = 0;
     left = now;
   }
   result.failure = failure(result.x, targets);
@@ -233,25 +233,25 @@ VecX PrescribedMotionSolver::masses(double stiffness, bool inertia) const {
   return mass;
 }
 
-// Returns the unit of K: the mean diagonal of the Hessian at V without the penalty, which is the stiffness of what V touches
-// and belongs to. If V touches nothing at the start of the step, that of all unknowns.
-double PrescribedMotionSolver::resistance(const VecX& x, const TimeIntegrator::Prediction& prediction) {
+// Returns the first K: a multiple of the mean diagonal of the Hessian at V without the penalty, which is the stiffness of what V touches
+// and belongs to, but at least the mean diagonal of all unknowns. If V touches nothing at the start of the step: that multiple of the latter.
+double PrescribedMotionSolver::first_penalty(const VecX& x, const TimeIntegrator::Prediction& prediction) {
   VecX q;
   dofs_.gather(x, q);
   potential_->set_mass(masses(0, prediction.inertia));
   potential_->begin_step(x, prediction.x, prediction.scales(), true);
   potential_->move_to(q);
   const BlockMatrix& matrix = potential_->hessian({Projection::clamp});
-  double own = 0, shares = 0;
+  double touched = 0, shares = 0, sum = 0;
   for (const int v : moving_) {
     if (!dofs_.owns(v)) continue;
-    own += matrix.block(matrix.column_start[dofs_.block(v)]).trace();
+    touched += matrix.block(matrix.column_start[dofs_.block(v)]).trace();
     shares += 3 * share_[v];
   }
-  if (own > 0) return own / shares;
-  double sum = 0;
   for (int c = 0; c < matrix.columns(); ++c) sum += matrix.block(matrix.column_start[c]).trace();
-  return sum > 0 ? sum / matrix.size() : 1.0;  // any K, without resistance
+  if (!(sum > 0)) return penalty_.stiffness;  // any K, without resistance
+  const double mean = sum / matrix.size();
+  return touched > 0 ? std::max(penalty_.stiffness * touched / shares, mean) : penalty_.stiffness * mean;
 }
 
 double PrescribedMotionSolver::distance(const VecX& x, const VecX& targets) const {

@@ -76,7 +76,7 @@ class PrescribedMotionSolver {
                                 const VecX& x, const VecX& targets) const;
   std::vector<FixedDirections> fixed_directions() const;
   VecX masses(double stiffness, bool inertia) const;
-  double resistance(const VecX& x, const TimeIntegrator::Prediction& prediction);
+  double first_penalty(const VecX& x, const TimeIntegrator::Prediction& prediction);
   double distance(const VecX& x, const VecX& targets) const;
   double feasible_step(const VecX& q, const VecX& p);
   double own_step(const VecX& p) const;
