@@ -18,7 +18,8 @@ list(APPEND TACK_COLD_FOLDERS ${TACK_STUDY_FOLDERS})
 
 # Further: components that most first scenes do without. The program loads the library tack_further when a scene names one
 # (framework/plugin/further_components.cpp). TACK_FURTHER_EXCEPT: files of these folders that are hot, because first scenes name their components.
-set(TACK_FURTHER_FOLDERS energies/interactions energies/loads energies/particle energies/plasticity energies/rod energies/shell solvers/lcp)
+set(TACK_FURTHER_FOLDERS energies/interactions energies/loads energies/particle energies/plasticity energies/rod energies/shell solvers/lcp
+    solvers/path_following)
 set(TACK_FURTHER_EXCEPT energies/loads/loads.cpp energies/loads/pressure.cpp)
 
 # Hot: all other folders, with -O3. TACK_UNITY_FOLDERS: hot folders that are compiled a few files at a time, because their headers are mostly the same.
@@ -26,7 +27,8 @@ set(TACK_FURTHER_EXCEPT energies/loads/loads.cpp energies/loads/pressure.cpp)
 # rounding at small gaps depends on inlining.
 set(TACK_UNITY_FOLDERS
     geometry/broad_phase geometry/exact framework/assembly framework/bond framework/core framework/stepping
-    energies/adhesion solvers/filters solvers/lcp solvers/linear solvers/minimizers solvers/steps)
+    energies/adhesion solvers/filters solvers/lcp solvers/linear solvers/minimizers solvers/path_following
+    solvers/steps)
 
 # Files that are compiled alone: those with CGAL take long to compile, two are hot files of other folders, one changes with every commit.
 set(TACK_UNITY_EXCEPT

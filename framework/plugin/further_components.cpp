@@ -26,7 +26,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> further_names
     {"interaction", {"ball", "chamber", "hinge", "rope", "slider", "spring", "weld"}},
     {"load", {"chamber", "field", "torque", "wind"}},
     {"probe", {"intact_springs", "joint_angle", "joint_way", "motor_force", "motor_torque", "rope_force", "spring_force"}},
-    {"stepper", {"lcp_pgs"}}};
+    {"stepper", {"lcp_pgs", "path_following"}}};
 
 bool linked() {
   for (const Kind* kind : registered_kinds())

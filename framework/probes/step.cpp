@@ -15,7 +15,7 @@ class StepProbe : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("figure", metric_, "column of the stepper in steps.csv; lcp_pgs: sweeps, rows, row_residual [m/s], penetration [m] or crossing_pairs").required();
+    f.text("figure", metric_, "column of the stepper in steps.csv; lcp_pgs: sweeps, rows, row_residual [m/s], penetration [m] or crossing_pairs; path_following: load_time [s], path_work [J], load_steps or negative_pivots").required();
   }
   void prepare(const World& world) override {
     std::vector<std::string> names;
@@ -33,7 +33,7 @@ class StepProbe : public Probe {
   size_t at_ = 0;
 };
 
-TACK_REGISTER(Probe, StepProbe, "step", "A metric that the stepper reports of the last step (lcp_pgs: number of crossing surfaces, penetration) "
+TACK_REGISTER(Probe, StepProbe, "step", "A metric that the stepper reports of the last step (lcp_pgs: number of crossing surfaces, penetration; path_following: load time) "
                                         "[SI]; 0 before the first step.", "");
 
 }  // namespace

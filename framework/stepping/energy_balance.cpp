@@ -165,10 +165,10 @@ void EnergyBalance::end(const VecX& x) {
   }
 }
 
-double EnergyBalance::load_work(const State& state, const VecX& displacement, double h) {
+double EnergyBalance::load_work(const Stepper::LoadTimes& times, const VecX& displacement) {
   if (world_.load_term.empty()) return 0;
   const VecX both =
-      world_.load_term.forces_at(state.time - h, displacement.size()) + world_.load_term.forces_at(state.time, displacement.size());
+      world_.load_term.forces_at(times.from, displacement.size()) + world_.load_term.forces_at(times.to, displacement.size());
   double work = 0;
   for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
     if (!world_.dofs.moves(v)) continue;
@@ -213,12 +213,12 @@ double EnergyBalance::prescribed_work(const VecX& displacement, const VecX& grad
   return work;
 }
 
-EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double h, bool motion_prescribed,
-                                 IncrementalPotential& potential) {
+EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double h, const Stepper::LoadTimes& load_times,
+                                 bool motion_prescribed, IncrementalPotential& potential) {
   const VecX displacement = state.x - state.x_before;
   EnergyAccount end = account_of(energies);
   EnergyFlows flows = dissipated_;
-  flows.loads += load_work(state, displacement, h);
+  flows.loads += load_work(load_times, displacement);
   flows.prescribed_motion = released_;
   jerk_ = 0;
   if (motion_prescribed) {

@@ -36,6 +36,7 @@
 
 #include "framework/stepping/energy_flows.hpp"
 #include "framework/stepping/group_balance.hpp"
+#include "framework/stepping/stepper.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
@@ -56,8 +57,10 @@ class EnergyBalance {
   // Ends the step at x, before it is accepted; the terms must still be in the state of the step.
   void end(const VecX& x);
   // Accepts the step from the state of begin() to `state`, which has these energies, after end().
-  // motion_prescribed: whether a prescribed motion may move vertices, in this or another step.
-  EnergyFlows close(State& state, const Energies& energies, double h, bool motion_prescribed,
+  // load_times: at which the loads of both ends are taken. motion_prescribed: whether a prescribed
+  // motion may move vertices, in this or another step.
+  EnergyFlows close(State& state, const Energies& energies, double h,
+                    const Stepper::LoadTimes& load_times, bool motion_prescribed,
                     IncrementalPotential& potential);
   // Returns the warning of the step, or "". It is given once in a run, for a numerical energy gain
   // above a tenth of the reference energy in consecutive steps. Smaller or temporary gains are
@@ -72,7 +75,7 @@ class EnergyBalance {
   double contact_at_start(const VecX& start, const VecX& end,
                           const IncrementalPotential& potential) const;
   void add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const;
-  double load_work(const State& state, const VecX& displacement, double h);
+  double load_work(const Stepper::LoadTimes& times, const VecX& displacement);
   void add_inertia_and_weight(const State& state, VecX& gradient) const;
   double prescribed_work(const VecX& displacement, const VecX& gradient, const VecX& x);
   void track_gain(EnergyAccount& account, EnergyFlows& flows) const;

@@ -114,7 +114,7 @@ Step StepStages::open(double h) {
   if (velocities_matter()) velocity = integrator_->end_velocity(stage);
   world_.participants.begin_step({state_.x, state_.time, stage.h, velocity ? &*velocity : nullptr, step.prediction.inertia ? &state_.v : nullptr});
   lag_impulses(step, stage);
-  fixed_.set_positions(step_start().time + stage_end() * h, step.targets);
+  fixed_.set_positions(stepper_->load_times(step_start(), step_start().h_before).to + stage_end() * h, step.targets);
   if (accounts_) balance_.begin(state_, step.has_prescribed_motion());
   potential_->begin_step(step.targets, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
   return step;

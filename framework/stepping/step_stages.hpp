@@ -60,7 +60,9 @@ class StepStages {
  protected:
   // Returns the energy flows of the committed stage, which ended with these energies.
   EnergyFlows close_account(const EnergyBalance::Energies& energies) {
-    return balance_.close(state_, energies, state_.h_before, fixed_.may_move(), *potential_);
+    const double h = state_.h_before;
+    return balance_.close(state_, energies, h, stepper_->load_times(state_, h), fixed_.may_move(),
+                          *potential_);
   }
   // Returns the next stage of a step of size h.
   StepStage stage(double h) const;

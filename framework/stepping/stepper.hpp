@@ -96,6 +96,15 @@ class Stepper : public Component {
                      const TimeConfig& /*time*/) const {}
   // Returns the step metrics of the last solve; zeros before the first solve.
   virtual std::vector<StepMetric> metrics() const { return {}; }
+  // Load times, at which prescribed motion and dead loads are taken, at the ends of a step [s].
+  struct LoadTimes {
+    double from, to;
+  };
+  // Returns the load times of the step of size h that led to a state: the times of the state,
+  // unless the stepper finds the load of a step.
+  virtual LoadTimes load_times(const State& state, double h) const {
+    return {state.time - h, state.time};
+  }
   // Prepares a run. Called once, before all functions below.
   virtual void prepare(const StepperContext& context) = 0;
   // Called before a step is opened. new_unknowns: the unknowns of the world have changed.
