@@ -108,6 +108,43 @@ TEST_CASE("a shallow truss snaps through along its load path by arc length", "[p
   CHECK(unstable >= 8);
 }
 
+// The law is a triangle: its traction falls from 1 kPa at a gap of 1 mm to none at 2 mm, beyond the barrier.
+TEST_CASE("a dead load that may fall traces the law of contact adhesion beyond its peak", "[path_following]") {
+  TestRun run(
+      "gravity: [0, 0, 0]\n"
+      "objects:\n"
+      "  - {name: upper, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [3, 1, 3]}, place: {translate: [0, 0.005125, 0]}, motion: [fixed]}\n"
+      "  - {name: lower, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [4, 1, 4]}, place: {translate: [0, -0.005125, 0]}, "
+      "energies: [{type: neo_hookean, young: 10 MPa, poisson: 0.3, density: 1000}], motion: [{type: fixed, along: [1, 0, 0]}, {type: fixed, along: [0, 0, 1]}], "
+      "loads: [{type: traction, value: [0, -1000, 0], ramp: [[0, 0], [2, 2]], select: {type: face, direction: [0, -1, 0]}}]}\n"
+      "contact: {distance: 1 mm, pairs: [{between: [lower, upper], adhesion: {type: fang, young: 10 kPa, critical_strain: 0.1}}]}\n"
+      "time: {step: 0.05, duration: 2.2, integrator: quasi_static, stepper: {type: path_following, dissipation_rate: 4.6e-3}}\n"
+      "probes:\n  - {name: gap, type: separation, from: {object: lower, select: {type: face, direction: [0, 1, 0]}}, "
+      "to: {object: upper, select: {type: face, direction: [0, -1, 0]}}, direction: [0, 1, 0]}\n");
+  double peak = 0, work = 0, first_gap = 0, gap = 0;
+  int beyond = 0;
+  while (!run.stepper.finished()) {
+    const StepReport report = run.step();
+    gap = run.sample(0)[0];
+    peak = std::max(peak, metric(run, "load_time"));
+    if (gap < 1.01e-3) continue;
+    INFO(run.state().time << " " << gap);
+    if (++beyond == 1) {
+      first_gap = gap;
+      continue;
+    }
+    CHECK(metric(run, "load_time") == Approx(2 - gap / 1e-3).margin(2e-3));
+    CHECK(metric(run, "path_work") == Approx(4.6e-3 * 0.05).epsilon(1e-3));
+    CHECK(std::abs(report.flows.numerics) < 1e-6 * metric(run, "path_work"));
+    work += report.flows.loads;
+  }
+  CHECK(beyond >= 15);
+  CHECK(peak == Approx(1).epsilon(0.01));
+  // 10 N times the integral of 2 - gap / 1 mm.
+  const auto integral = [](double d) { return 10 * (2 * d - d * d / 2e-3); };
+  CHECK(work == Approx(integral(gap) - integral(first_gap)).epsilon(2e-3));
+}
+
 TEST_CASE("path following refuses what time drives", "[path_following]") {
   const auto scene = [](const std::string& time, const std::string& contact, const std::string& block) {
     return "time: {step: 0.1, duration: 1, " + time +
