@@ -27,9 +27,9 @@ double EnergyFlows::of(std::string_view column) const {
 double& EnergyFlows::amount(const std::string& column, FlowKind kind) {
   for (Published& f : published)
     if (f.column == column) return f.amount;
-  const bool lost = kind == FlowKind::dissipated;
+  const bool dissipates = kind == FlowKind::dissipated;
   const auto first_lost = std::find_if(published.begin(), published.end(), [](const Published& f) { return f.kind == FlowKind::dissipated; });
-  return published.insert(lost ? published.end() : first_lost, {column, kind, lost ? column : ""})->amount;
+  return published.insert(dissipates ? published.end() : first_lost, {column, kind, dissipates ? column : ""})->amount;
 }
 
 double EnergyFlows::sum(FlowKind kind) const {
