@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/stepping/time_config.hpp"
+
 namespace tack {
 namespace {
 
@@ -29,7 +31,7 @@ PathNewton::PathNewton(const StepperContext& context, const StepObservers& obser
 PathPoint PathNewton::truncated(const PathEquations& equations, const PathPoint& from, const PathPoint& to) {
   const VecX x = equations.configuration(from);
   for (double t = 1; t > feasible_fraction_min;) {
-    const PathPoint end = between(from, to, t);
+    PathPoint end = between(from, to, t);
     const double feasible = steps_.largest_requested(x, equations.configuration(end) - x);
     if (feasible >= 1) return end;
     t *= usable_fraction * feasible;
