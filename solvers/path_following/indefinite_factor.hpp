@@ -3,10 +3,7 @@
 // pivoting; a zero pivot, as at a limit point that is met exactly, is a failed factorisation.
 #pragma once
 
-#include <Eigen/SparseCholesky>
-
-#include "framework/core/phase_clock.hpp"
-#include "solvers/linear/scalar_csc.hpp"
+#include "solvers/linear/simplicial_factor.hpp"
 
 namespace tack {
 
@@ -15,13 +12,11 @@ class IndefiniteFactor {
   // Factorises A. Returns false if a pivot is zero. Throws SimulationError if A has global modes.
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock);
   // Returns A^-1 b with the last factor.
-  VecX solve(const VecX& b, PhaseClock& clock) const;
+  VecX solve(const VecX& b, PhaseClock& clock) const { return factor_.solve(b, clock); }
   int negative_pivots() const { return negative_pivots_; }
 
  private:
-  ScalarCsc csc_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver_;
-  std::uint64_t version_ = 0;
+  SimplicialFactor factor_;
   int negative_pivots_ = 0;
 };
 
