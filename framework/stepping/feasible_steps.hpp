@@ -16,6 +16,10 @@ namespace tack {
 
 class LocalPotential;
 
+// Fraction of a feasible step that prescribed motion and path following take: all of it would
+// leave no gap.
+inline constexpr double usable_fraction = 0.9;
+
 class FeasibleSteps {
  public:
   // Makes the filters that apply to the world. check: is given every state from which a step is

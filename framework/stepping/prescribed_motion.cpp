@@ -14,7 +14,6 @@
 namespace tack {
 namespace {
 
-constexpr double usable_fraction = 0.9;      // of a step that is cut by an obstacle: the rest would leave no gap
 constexpr double sufficient_decrease = 0.5;  // of the distance to the targets by a minimisation; beyond, the penalty grows (Nocedal and Wright, 17.4)
 constexpr double penalty_growth = 10;        // (Nocedal and Wright, algorithm 17.4)
 constexpr double penalty_ratio_max = 1e8;    // over the first penalty (Li et al. 2020)

@@ -10,7 +10,6 @@ namespace {
 
 constexpr int max_iterations = 30;             // quadratic convergence takes fewer than ten; damage that starts or ends takes some more
 constexpr double length_tolerance = 1e-4;      // of the length of the step
-constexpr double usable_fraction = 0.9;        // of a feasible step: the rest would leave no gap
 constexpr double feasible_fraction_min = 1e-4; // smaller steps count as blocked
 
 PathPoint between(const PathPoint& from, const PathPoint& to, double t) {

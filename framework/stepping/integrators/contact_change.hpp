@@ -52,5 +52,9 @@ inline VecX without_contact(const VecX& a, const VecX& contact) {
 
 // Returns advice on a numerical energy gain.
 std::string energy_gain_advice(bool contact);
+// Advice on a numerical energy loss in contact, by integrators that take contact as an impulse.
+inline constexpr const char* short_contact_advice =
+    "contact that comes and goes within a few steps gives back a part of the energy only: "
+    "refine time.step until it lasts for many";
 
 }  // namespace tack

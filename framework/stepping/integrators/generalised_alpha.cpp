@@ -80,7 +80,7 @@ class GeneralisedAlpha : public TimeIntegrator {
   bool damps() const override { return rho_ < 1; }
   std::string energy_advice(bool gain, bool contact) const override {
     if (gain) return energy_gain_advice(contact);
-    return contact ? "contact that comes and goes within a few steps gives back a part of the energy only: refine time.step until it lasts for many"
+    return contact ? short_contact_advice
                    : "generalised-alpha damps what is fast for its steps: refine time.step, or raise rho_inf";
   }
   void update_fixed(const StepStage& stage, const VecX& x, const std::vector<int>& fixed, VecX& v, VecX& a) const override {

@@ -55,7 +55,7 @@ class Newmark : public TimeIntegrator {
   const TimeIntegrator* fallback() const override { return &euler_; }
   std::string energy_advice(bool gain, bool contact) const override {
     if (gain) return energy_gain_advice(contact);
-    return contact ? "contact that comes and goes within a few steps gives back a part of the energy only: refine time.step until it lasts for many"
+    return contact ? short_contact_advice
                    : "what turns or vibrates is too fast for the step: refine time.step";
   }
   // After a jump in the velocity of a prescribed motion, the trapezoidal rule would oscillate without end.

@@ -100,7 +100,7 @@ TimeIntegrator::LocalError RungeKutta::local_error(const StepStage& stage, const
 
 std::string RungeKutta::energy_advice(bool gain, bool contact) const {
   if (gain) return energy_gain_advice(contact);
-  return contact ? "contact that comes and goes within a few steps gives back a part of the energy only: refine time.step until it lasts for many"
+  return contact ? short_contact_advice
                  : std::string(type()) + " damps what is fast for its steps: refine time.step, or time.integrator: newmark";
 }
 
