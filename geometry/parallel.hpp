@@ -1,11 +1,15 @@
 // Parallel loops. Work is cut into chunks of a fixed size for any number of threads, and partial
-// sums are added in chunk order: the same input gives the same bits.
+// sums are added in chunk order: the same input gives the same bits. `loop` is the position in the
+// source that starts the loop, for observers (loop_observer.hpp).
 #pragma once
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <source_location>
 #include <vector>
+
+#include "geometry/loop_observer.hpp"
 
 namespace tack {
 
@@ -27,8 +31,14 @@ template <class Body>
 
 // Calls body(chunk index, first, last) for each chunk of [0, n).
 template <class Body>
-void for_each_chunk(int n, const Body& body, int chunk = chunk_size) {
+void for_each_chunk(int n, const Body& body, int chunk = chunk_size,
+                    std::source_location loop = std::source_location::current()) {
   const int chunks = chunk_count(n, chunk);
+  if (loop_observer) [[unlikely]] {
+    const auto run = [&](int c) { detail::run_chunks(c, c + 1, n, chunk, body); };
+    loop_observer->run(loop, chunks, ChunkCall(run));
+    return;
+  }
   if (chunks <= 1) {
     detail::run_chunks(0, chunks, n, chunk, body);
     return;
@@ -40,21 +50,23 @@ void for_each_chunk(int n, const Body& body, int chunk = chunk_size) {
 
 // Calls body(i) for each i of [0, n).
 template <class Body>
-void for_each(int n, const Body& body, int chunk = chunk_size) {
+void for_each(int n, const Body& body, int chunk = chunk_size,
+              std::source_location loop = std::source_location::current()) {
   for_each_chunk(
       n,
       [&](int, int first, int last) {
         for (int i = first; i < last; ++i) body(i);
       },
-      chunk);
+      chunk, loop);
 }
 
 // Returns the sum over chunks of body(first, last), in chunk order.
 template <class Body>
-double sum_chunks(int n, const Body& body, int chunk = chunk_size) {
+double sum_chunks(int n, const Body& body, int chunk = chunk_size,
+                  std::source_location loop = std::source_location::current()) {
   std::vector<double> partial(chunk_count(n, chunk), 0.0);
   for_each_chunk(
-      n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk);
+      n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk, loop);
   double sum = 0;
   for (const double s : partial) sum += s;
   return sum;
@@ -62,10 +74,11 @@ double sum_chunks(int n, const Body& body, int chunk = chunk_size) {
 
 // Returns the minimum of `start` and body(first, last) over all chunks.
 template <class Body>
-double min_chunks(int n, double start, const Body& body, int chunk = chunk_size) {
+double min_chunks(int n, double start, const Body& body, int chunk = chunk_size,
+                  std::source_location loop = std::source_location::current()) {
   std::vector<double> partial(chunk_count(n, chunk), start);
   for_each_chunk(
-      n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk);
+      n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk, loop);
   double smallest = start;
   for (const double s : partial) smallest = s < smallest ? s : smallest;
   return smallest;

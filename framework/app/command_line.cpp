@@ -140,6 +140,8 @@ class CommandLine {
   void add_profile() {
     CLI::App* profile = app_.add_subcommand("profile", "Run a scene and report the cost of each phase, and which keys change it");
     add_run_options(*profile, profile_);
+    profile->add_option("--cores", profile_.cores, "predict the speed-up on this many cores (N or N,N,...) from a run with one thread, and list what limits it")
+        ->delimiter(',')->allow_extra_args(false)->check(core_count);
     profile->callback([this] {
       settle(profile_.scene);
       profile_.profile = true;

@@ -19,6 +19,19 @@ inline const CLI::Validator whole_number_above_zero(
     },
     "POSITIVE");
 
+// Largest number of cores for which the speed-up is predicted.
+inline constexpr int cores_max = 4096;
+inline const CLI::Validator core_count(
+    [](std::string& text) {
+      int number = 0;
+      const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+      const bool good = status == std::errc() && stop == text.data() + text.size() && number > 1 &&
+                        number <= cores_max;
+      return good ? std::string()
+                  : fmt::format("expects a whole number of 2 to {}, got '{}'", cores_max, text);
+    },
+    "CORES");
+
 inline const CLI::Validator number_above_zero(
     [](std::string& text) {
       double number = 0;

@@ -7,6 +7,7 @@
 #include "framework/app/interrupt_signals.hpp"
 #include "framework/app/memory_limit.hpp"
 #include "framework/app/thread_limit.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
 
@@ -42,7 +43,9 @@ std::vector<std::string> overrides_of(const RunOptions& options) {
 
 int run_command(const RunOptions& options) {
   let_signals_interrupt();
-  const ThreadLimit threads(options.threads);
+  if (!options.cores.empty() && options.threads > 1)
+    throw InputError("--cores predicts from a run with one thread: take --threads away");
+  const ThreadLimit threads(options.cores.empty() ? options.threads : 1);
   check_address_space(threads.count());
   if (options.memory > 0) limit_memory(options.memory * 1e9, threads.count());
   RecordedRun run(load_experiment(options.scene.file, overrides_of(options)), options,

@@ -1,13 +1,12 @@
 #include "framework/assembly/local_sums.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "framework/assembly/stencil_clamp.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/parallel_sort.hpp"
 
 namespace tack {
 namespace {
@@ -52,7 +51,7 @@ void LocalSums::build(const std::vector<const StencilRanges*>& ranges, const std
   }
   sums_.resize(9 * all.size());
 
-  tbb::parallel_sort(all);
+  parallel_sort(all);
   targets_.clear();
   start_.clear();
   source_.clear();

@@ -59,6 +59,7 @@ class PhaseClock {
     enter(current_);
     return seconds_;
   }
+  Phase current() const { return current_; }
   /// Excludes the time since the last change from all phases.
   void skip() { start_ = Clock::now(); }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/profile/core_scaling.hpp"
 #include "framework/profile/isolated_pair.hpp"
 
 namespace tack {
@@ -78,6 +79,7 @@ struct Profile {
   TruncatedSteps cuts;
   Nearness nearness;
   std::vector<ContactRange> contact_ranges;  // of objects that move, longest in edges first
+  CoreScaling scaling;                       // empty unless asked for
 
   double seconds() const;
   double contact_seconds() const;  // of all pairs, and uncharged
@@ -89,6 +91,8 @@ std::vector<std::string> remarks_on(const Profile& profile);
 
 // Returns the profile as text for a terminal.
 std::string profile_tables(const Profile& profile);
+// Returns the tables of the prediction for several cores; "" if it is empty.
+std::string scaling_tables(const CoreScaling& scaling);
 // Heading of the table of pairs, if there are any.
 inline constexpr const char* contact_heading = "contact, counts per step";
 

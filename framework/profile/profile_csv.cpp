@@ -56,6 +56,28 @@ void add_terms(Table& t, const Profile& p) {
   t.add("term", "gather", "seconds", p.gather_seconds);
 }
 
+void add_scaling(Table& t, const CoreScaling& s) {
+  if (s.empty()) return;
+  for (size_t k = 0; k < s.cores.size(); ++k) {
+    t.add("cores", std::to_string(s.cores[k]), "speed_up", s.speed_up(k));
+    t.add("cores", std::to_string(s.cores[k]), "speed_up_of_loops", s.speed_up_of_loops(k));
+  }
+  for (int i = 0; i < phase_count; ++i) {
+    const Phase phase = static_cast<Phase>(i);
+    t.add("serial", std::string(phase_names[i]), "seconds", s.serial_seconds(phase));
+    t.add("serial", std::string(phase_names[i]), "seconds_all", s.seconds(phase));
+  }
+  for (const LoopCost& cost : s.costs) {
+    const std::string row = fmt::format("{}: {}", phase_names[static_cast<int>(cost.phase)], cost.name);
+    const char* table = cost.serial ? "between_loops" : "loop";
+    t.add(table, row, "runs", cost.runs);
+    if (!cost.serial) t.add(table, row, "pieces", cost.pieces);
+    t.add(table, row, "seconds", cost.seconds);
+    if (cost.serial) continue;
+    for (size_t k = 0; k < s.cores.size(); ++k) t.add(table, row, fmt::format("seconds_{}", s.cores[k]), cost.on_cores[k]);
+  }
+}
+
 }  // namespace
 
 void write_profile(const std::filesystem::path& path, const Profile& p) {
@@ -78,6 +100,7 @@ void write_profile(const std::filesystem::path& path, const Profile& p) {
     t.add("hardest", std::to_string(step.step), "blocker", step.blocker);
   }
   for (const ContactRange& r : p.contact_ranges) t.add("reach", r.object, "edges", r.range / r.edge);
+  add_scaling(t, p.scaling);
   const std::vector<std::string> remarks = remarks_on(p);
   for (size_t i = 0; i < remarks.size(); ++i) t.add("remark", std::to_string(i + 1), "text", remarks[i]);
   replace_file(path, t.text());

@@ -26,6 +26,7 @@ constexpr double many_iterations = 30;    // of conjugate gradients for a system
 constexpr double many_evaluations = 1.5;  // of the line search for an iteration
 constexpr double many_lags = 2;           // solves of a step
 constexpr double io_matters = 0.15;       // of the run's time
+constexpr double idle_cores = 0.5;        // of the cores asked for
 
 struct Remark {
   double weight;  // part of the run that it is about
@@ -49,6 +50,7 @@ class Remarks {
     line_search();
     lagging();
     output();
+    cores();
     std::stable_sort(remarks_.begin(), remarks_.end(), [](const Remark& a, const Remark& b) { return a.weight > b.weight; });
     std::vector<std::string> lines;
     for (size_t i = 0; i < std::min(most, remarks_.size()); ++i) lines.push_back(std::move(remarks_[i].text));
@@ -163,6 +165,20 @@ class Remarks {
     if (seconds < io_matters * all_) return;
     add(seconds, "writing and probes take {:.0f}% of the run: a longer `output.frame_interval`, or fewer probes",
         percent(seconds, all_));
+  }
+
+  void cores() {
+    const CoreScaling& s = p_.scaling;
+    if (s.empty()) return;
+    const size_t k = s.index_of_asked();
+    const double speed_up = s.speed_up(k);
+    if (speed_up >= idle_cores * s.asked) return;
+    add(all_ * (1 - speed_up / s.asked), "{} cores would run the steps at most {:.2g} times as fast as one, because {:.0f}% of their time is serial and loops have few pieces: "
+        "run several scenes at once (`tack batch`), or refine the mesh; {}",
+        s.asked, speed_up, percent(s.serial_seconds(), s.seconds()), s.costs.empty() ? "" : largest_loss(s));
+  }
+  static std::string largest_loss(const CoreScaling& s) {
+    return fmt::format("{:.0f}% of the loss is {}{}", 100 * s.share_lost(s.costs[0]), s.costs[0].serial ? "serial code from " : "", s.costs[0].name);
   }
 
   const Profile& p_;

@@ -23,6 +23,7 @@ class Text {
     terms();
     linear();
     iterations();
+    text_ += scaling_tables(p_.scaling);
     remarks();
     return std::move(text_);
   }

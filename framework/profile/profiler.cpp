@@ -28,13 +28,14 @@ std::string label(const World& world, const Term& term) {
 
 }  // namespace
 
-Profiler::Profiler(const World& world, const Minimizer& solver, PhaseClock& clock, double contact_distance)
+Profiler::Profiler(const World& world, const Minimizer& solver, PhaseClock& clock, double contact_distance, const std::vector<int>& cores)
     : world_(world), solver_(solver), clock_(clock), contact_distance_(contact_distance) {
   clock_.time_terms(&times_);
+  if (!cores.empty()) loops_.emplace(clock, cores);
 }
 
 void Profiler::tried(const VecX& x, const VecX& p, double feasible) {
-  const ClockPause pause(clock_);
+  const Pause pause(*this);
   ++cuts_.tried;
   if (feasible >= hardly_cut) return;
   ++cuts_.cut;
@@ -43,7 +44,7 @@ void Profiler::tried(const VecX& x, const VecX& p, double feasible) {
 }
 
 void Profiler::step(const State& state, const StepReport& report) {
-  const ClockPause pause(clock_);
+  const Pause pause(*this);
   totals_.most_iterations = std::max(totals_.most_iterations, report.solve.iterations);
   totals_.lag_iterations += report.lag_iterations;
   if (report.contacts > 0 && report.min_distance < contact_distance_) {
@@ -185,6 +186,8 @@ LinearCost Profiler::linear(const RunSummary& summary) const {
 }
 
 Profile Profiler::finish(const State& state, const RunSummary& summary) {
+  if (loops_) totals_.scaling = loops_->finish();
+  loops_.reset();
   totals_.steps = summary.steps;
   totals_.iterations = summary.newton_iterations;
   totals_.line_search_evaluations = summary.line_search_evaluations;
@@ -192,7 +195,7 @@ Profile Profiler::finish(const State& state, const RunSummary& summary) {
   totals_.failed_solves = summary.failed_solves;
   totals_.phases = summary.phases;
   if (world_.contact && state.h_before > 0) {
-    const ClockPause pause(clock_);
+    const Pause pause(*this);
     charge_pairs(state);
   }
   Profile profile = totals_;

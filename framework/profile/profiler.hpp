@@ -10,6 +10,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "framework/output/summary.hpp"
+#include "framework/profile/loop_profiler.hpp"
 #include "framework/profile/profile.hpp"
 #include "framework/world/world.hpp"
 
@@ -18,8 +19,10 @@ namespace tack {
 class Profiler {
  public:
   // `solver`: as specified. All three must outlive it. contact_distance: the scene's [m]; 0:
-  // without contact.
-  Profiler(const World& world, const Minimizer& solver, PhaseClock& clock, double contact_distance);
+  // without contact. cores: numbers of cores to predict for, the first is the one to explain;
+  // empty: none.
+  Profiler(const World& world, const Minimizer& solver, PhaseClock& clock, double contact_distance,
+           const std::vector<int>& cores);
   ~Profiler() { clock_.time_terms(nullptr); }
   Profiler(const Profiler&) = delete;
   Profiler& operator=(const Profiler&) = delete;
@@ -32,6 +35,16 @@ class Profiler {
   Profile finish(const State& state, const RunSummary& summary);
 
  private:
+  // Excludes the lifetime of a scope from phases and loops.
+  class Pause {
+   public:
+    explicit Pause(Profiler& profiler)
+        : loops_(profiler.loops_ ? &*profiler.loops_ : nullptr), clock_(profiler.clock_) {}
+
+   private:
+    LoopProfiler::Pause loops_;
+    ClockPause clock_;
+  };
   struct CutStep {
     VecX x, p;  // 3n; empty: nothing was cut
     double feasible = 1;
@@ -68,6 +81,7 @@ class Profiler {
   CutStep cut_;  // the most truncated one of the present step
   std::vector<Hard> hardest_;
   Profile totals_;
+  std::optional<LoopProfiler> loops_;
 };
 
 }  // namespace tack

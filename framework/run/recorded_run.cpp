@@ -65,7 +65,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   summary_.adhesion = world().adhesion;
   summary_.stiffness = used_stiffness(world());
   summary_.meeting_groups = meeting_names(world());
-  if (settings.profile) profiler_.emplace(world(), *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0);
+  if (settings.profile) profiler_.emplace(world(), *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0, settings.cores);
   const auto report_iteration = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
     if (settings_.control) settings_.control->iteration(iteration, residual);

@@ -31,6 +31,7 @@ struct RunSettings {
   bool resume = false;                     // from the newest checkpoint of the folder
   std::vector<std::string> dump_problems;  // "step=K", "hardest=N"
   bool profile = false;                    // print the cost of the run
+  std::vector<int> cores;                  // with `profile`: numbers of cores to predict for
   RunControl* control = nullptr;           // observer that may pause or stop the run; null: none
 };
 

@@ -1,10 +1,9 @@
 #include "geometry/broad_phase/broad_phase.hpp"
 
 #include <fmt/core.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -22,14 +21,12 @@ constexpr double tight_margin_per_skin = 0.05;       // inflation of tight boxes
 
 template <class Predicate>
 bool all_of(const std::vector<int>& vertices, const Predicate& predicate) {
-  using Range = tbb::blocked_range<std::size_t>;
-  return tbb::parallel_reduce(
-      Range(0, vertices.size(), vertices_per_task), true,
-      [&](const Range& range, bool so_far) {
-        return so_far && std::all_of(vertices.begin() + range.begin(),
-                                     vertices.begin() + range.end(), predicate);
-      },
-      [](bool a, bool b) { return a && b; });
+  std::atomic<bool> all = true;
+  for_each_chunk(static_cast<int>(vertices.size()), [&](int, int first, int last) {
+    if (all.load(std::memory_order_relaxed) && !std::all_of(vertices.begin() + first, vertices.begin() + last, predicate))
+      all.store(false, std::memory_order_relaxed);
+  }, vertices_per_task);
+  return all;
 }
 
 // Returns the largest absolute value, 0 for an empty vector.

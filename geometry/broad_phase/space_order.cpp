@@ -1,12 +1,11 @@
 #include "geometry/broad_phase/space_order.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <tuple>
 
 #include "geometry/parallel.hpp"
+#include "geometry/parallel_sort.hpp"
 
 namespace tack {
 namespace {
@@ -50,7 +49,7 @@ std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<i
     const int of = rigid_group.empty() ? -1 : rigid_group[i];
     keys[i] = {of >= 0 ? first_of[of] : own, of, own, i};
   }, 4096);
-  tbb::parallel_sort(keys.begin(), keys.end());
+  parallel_sort(keys);
 
   std::vector<int> order(boxes.size());
   std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& key) { return std::get<3>(key); });

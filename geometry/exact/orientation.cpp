@@ -1,10 +1,11 @@
 #include "geometry/exact/orientation.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <vector>
+
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
@@ -36,17 +37,15 @@ bool tet_contains(const Tet& tet, const VecX& x, const Vec3& point) {
 }
 
 int first_inverted_tet(const std::vector<Tet>& tets, const VecX& x) {
-  using Range = tbb::blocked_range<int>;
+  constexpr int tets_per_chunk = 1024;
   const int count = static_cast<int>(tets.size());
-  const int first = tbb::parallel_reduce(
-      Range(0, count, 1024), count,
-      [&](const Range& range, int lowest) {
-        for (int i = range.begin(); i < std::min(range.end(), lowest); ++i)
-          if (!positive_volume(tets[i], x)) return i;
-        return lowest;
-      },
-      [](int a, int b) { return std::min(a, b); });
-  return first == count ? -1 : first;
+  std::vector<int> inverted(chunk_count(count, tets_per_chunk), -1);  // first one of each chunk
+  for_each_chunk(count, [&](int chunk, int begin, int end) {
+    for (int i = begin; i < end && inverted[chunk] < 0; ++i)
+      if (!positive_volume(tets[i], x)) inverted[chunk] = i;
+  }, tets_per_chunk);
+  const auto first = std::find_if(inverted.begin(), inverted.end(), [](int i) { return i >= 0; });
+  return first == inverted.end() ? -1 : *first;
 }
 
 }  // namespace tack

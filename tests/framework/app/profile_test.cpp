@@ -156,6 +156,41 @@ TEST_CASE("a truncated step is reported with its blocker") {
   CHECK(contains(profiled.out, " of 'floor' and "));
 }
 
+TEST_CASE("the speed-up on several cores is predicted, without a change of bits") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene());
+  const ProgramResult run = run_tack(folder.path(), {"run", "scene.yaml", "-o", "run", "--threads", "2"});
+  const ProgramResult profiled = run_tack(folder.path(), {"profile", "scene.yaml", "-o", "profile", "--cores", "12,64"});
+  INFO(run.err << profiled.out << profiled.err);
+  REQUIRE(run.exit_code == 0);
+  REQUIRE(profiled.exit_code == 0);
+  CHECK(file_text(folder.path() / "run/probes.csv") == file_text(folder.path() / "profile/probes.csv"));
+  CHECK(without_seconds(read_csv(folder.path() / "run/steps.csv")) == without_seconds(read_csv(folder.path() / "profile/steps.csv")));
+  CHECK(contains(profiled.out, "what holds 12 cores back"));
+  CHECK(contains(profiled.out, "SolidTerm<NeoHookean>::value, solid_term.hpp"));
+
+  // Loops and the code between them are all of the steps. Other processes may take time of the wall.
+  const Rows rows(folder.path() / "profile/profile.csv");
+  const double all = rows.sum("loop", "seconds") + rows.sum("between_loops", "seconds");
+  CHECK(all == Approx(rows.sum("serial", "seconds_all")).epsilon(1e-4));
+  CHECK(all > 0);
+  CHECK(all < 1.05 * rows.sum("phase", "seconds"));
+  CHECK(rows.sum("serial", "seconds") >= rows.sum("between_loops", "seconds") * (1 - 1e-4));
+  double bound = 1;
+  for (const int cores : {2, 4, 12, 64}) {
+    CAPTURE(cores);
+    const double speed_up = rows.number(fmt::format("cores,{},speed_up", cores));
+    CHECK(speed_up == Approx(all / (rows.sum("between_loops", "seconds") + rows.sum("loop", fmt::format("seconds_{}", cores)))).epsilon(1e-4));
+    CHECK(speed_up >= bound - 1e-6);
+    CHECK(speed_up <= 1 / (rows.sum("serial", "seconds") / all + (1 - rows.sum("serial", "seconds") / all) / cores) + 1e-3);
+    bound = speed_up;
+  }
+  const ProgramResult refused = run_tack(folder.path(), {"profile", "scene.yaml", "-o", "no", "--cores", "4", "--threads", "2"});
+  CHECK(refused.exit_code != 0);
+  CHECK(contains(refused.err, "--cores predicts from a run with one thread"));
+  CHECK(!fs::exists(folder.path() / "no"));
+}
+
 TEST_CASE("a scene without contact is profiled too") {
   const TemporaryFolder folder;
   std::string text = tiny_scene;

@@ -1,0 +1,174 @@
+#include "framework/profile/loop_profiler.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <numeric>
+#include <string>
+
+#include "framework/profile/loop_label.hpp"
+
+namespace tack {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Pieces of a loop whose times exceed the processor time by this were interrupted [s]. Shorter
+// differences come from reading the clocks.
+constexpr double interruption_min = 20e-6;
+
+// Returns the processor time of this thread [s].
+double thread_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+// Returns the processor time of one call of `read` [s].
+template <class Read>
+double cost_of(const Read& read) {
+  constexpr int calls = 1000;
+  const double begun = thread_seconds();
+  for (int i = 0; i < calls; ++i) read();
+  return (thread_seconds() - begun) / calls;
+}
+
+std::string file_and_line(const std::string& label) { return label.substr(label.rfind(", ") + 2); }
+
+// Returns the name of the code between two loops; null: the begin or the end of the run.
+std::string name_between(const std::source_location* first, const std::source_location* second) {
+  const std::string from = first ? loop_label(*first) : "the start", to = second ? loop_label(*second) : "the end";
+  const bool one_function = first && second && function_label(first->function_name()) == function_label(second->function_name());
+  return fmt::format("{} to {}", from, one_function ? file_and_line(to) : to);
+}
+
+}  // namespace
+
+LoopProfiler::LoopProfiler(PhaseClock& clock, const std::vector<int>& cores)
+    : clock_(clock), asked_(cores.at(0)), cores_(cores), read_cost_(cost_of([] { return Clock::now(); })),
+      thread_read_cost_(cost_of(thread_seconds)) {
+  cores_.insert(cores_.end(), {2, 4});
+  std::sort(cores_.begin(), cores_.end());
+  cores_.erase(std::unique(cores_.begin(), cores_.end()), cores_.end());
+  active_.emplace(this);
+  mark();
+}
+
+void LoopProfiler::run(const std::source_location& loop, int chunks, const ChunkCall& chunk) {
+  if (chunks <= 0) return;
+  charge_serial();
+  const LoopObserverScope inner(nullptr);
+  Loop& entry = loop_at(loop);
+  for (int i = 0; i < phase_count; ++i)
+    if (serial_[i] > 0) {
+      LoopCost& cost = between_[{last_, &entry.position, static_cast<Phase>(i)}];
+      cost.phase = static_cast<Phase>(i);
+      ++cost.runs;
+      cost.seconds += std::exchange(serial_[i], 0.0);
+    }
+  pieces_.resize(chunks);
+  clock_.skip();
+  const double begun = thread_seconds();
+  Clock::time_point before = Clock::now();
+  for (int c = 0; c < chunks; ++c) {
+    chunk(c);
+    const Clock::time_point after = Clock::now();
+    pieces_[c] = std::max(0.0, seconds_between(before, after) - read_cost_);
+    before = after;
+  }
+  const double total = thread_seconds() - begun - thread_read_cost_ - (chunks + 1) * read_cost_;
+  clock_.seconds();
+  const double sum = std::accumulate(pieces_.begin(), pieces_.end(), 0.0);
+  if (sum - total > interruption_min) lower_longest(pieces_, total);
+  LoopCost& cost = entry.cost;
+  ++cost.runs;
+  cost.pieces += chunks;
+  const double seconds = std::accumulate(pieces_.begin(), pieces_.end(), 0.0);
+  cost.seconds += seconds;
+  if (chunks == 1) cost.undivided += seconds;
+  else ++cost.divided_runs;
+  for (size_t k = 0; k < cores_.size(); ++k) cost.on_cores[k] += scheduled(pieces_, cores_[k]);
+  last_ = &entry.position;
+  mark();
+}
+
+LoopProfiler::Loop& LoopProfiler::loop_at(const std::source_location& position) {
+  const Phase phase = clock_.current();
+  const Position key{position.file_name(), position.function_name(), position.line()};
+  Loop& loop = loops_.try_emplace({key, phase}, Loop{position, {}}).first->second;
+  loop.cost.phase = phase;
+  loop.cost.on_cores.resize(cores_.size());
+  return loop;
+}
+
+// Charges the processor time since mark() to the phases since then, in proportion to their time on
+// the wall.
+void LoopProfiler::charge_serial() {
+  const double seconds = std::max(0.0, thread_seconds() - mark_ - thread_read_cost_);
+  const PhaseClock::Seconds& phases = clock_.seconds();
+  double wall = 0;
+  for (int i = 0; i < phase_count; ++i) wall += phases[i] - phases_[i];
+  if (wall <= 0) return;
+  for (int i = 0; i < phase_count; ++i) serial_[i] += seconds * (phases[i] - phases_[i]) / wall;
+}
+
+void LoopProfiler::mark() {
+  clock_.skip();
+  phases_ = clock_.seconds();
+  mark_ = thread_seconds();
+}
+
+CoreScaling LoopProfiler::finish() {
+  charge_serial();
+  active_.reset();
+  CoreScaling scaling{cores_, asked_, {}};
+  std::map<std::pair<std::string, Phase>, LoopCost> loops, serial;
+  const auto add = [&](LoopCost& sum, const LoopCost& cost) {
+    sum.phase = cost.phase;
+    sum.runs += cost.runs;
+    sum.pieces += cost.pieces;
+    sum.divided_runs += cost.divided_runs;
+    sum.seconds += cost.seconds;
+    sum.undivided += cost.undivided;
+    sum.on_cores.resize(cores_.size());
+    for (size_t k = 0; k < cost.on_cores.size(); ++k) sum.on_cores[k] += cost.on_cores[k];
+  };
+  for (const auto& [key, loop] : loops_) add(loops[{loop_label(loop.position), loop.cost.phase}], loop.cost);
+  for (int i = 0; i < phase_count; ++i)
+    if (serial_[i] > 0) {
+      LoopCost& cost = between_[{last_, nullptr, static_cast<Phase>(i)}];
+      cost.phase = static_cast<Phase>(i);
+      ++cost.runs;
+      cost.seconds += serial_[i];
+    }
+  for (const auto& [key, cost] : between_)
+    add(serial[{name_between(std::get<0>(key), std::get<1>(key)), cost.phase}], cost);
+  for (auto& [key, cost] : serial) {
+    cost.serial = true;
+    cost.undivided = cost.seconds;
+    std::fill(cost.on_cores.begin(), cost.on_cores.end(), cost.seconds);
+  }
+  for (auto* all : {&loops, &serial})
+    for (auto& [key, cost] : *all) {
+      cost.name = key.first;
+      scaling.costs.push_back(std::move(cost));
+    }
+  scaling.sort();
+  return scaling;
+}
+
+LoopProfiler::Pause::Pause(LoopProfiler* profiler) : profiler_(profiler) {
+  if (profiler_) profiler_->charge_serial();
+}
+
+LoopProfiler::Pause::~Pause() {
+  if (profiler_) profiler_->mark();
+}
+
+}  // namespace tack

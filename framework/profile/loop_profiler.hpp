@@ -1,0 +1,66 @@
+// Times the pieces of all parallel loops of a run with one thread, and the serial code between
+// loops, by phase. A loop inside a piece of another one is part of that piece. Seconds are
+// processor time of the thread; time that measuring takes is in no phase.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "framework/core/phase_clock.hpp"
+#include "framework/profile/core_scaling.hpp"
+#include "geometry/loop_observer.hpp"
+
+namespace tack {
+
+class LoopProfiler final : public LoopObserver {
+ public:
+  // Observes the loops of this thread from now on. cores: numbers of cores to predict for, at least
+  // one; the first is the one that losses refer to. `clock` must outlive it.
+  LoopProfiler(PhaseClock& clock, const std::vector<int>& cores);
+
+  void run(const std::source_location& loop, int chunks, const ChunkCall& chunk) override;
+  // Ends the measurement.
+  CoreScaling finish();
+
+  // Measures nothing during the lifetime of a scope. profiler: may be null.
+  class Pause {
+   public:
+    explicit Pause(LoopProfiler* profiler);
+    ~Pause();
+    Pause(const Pause&) = delete;
+    Pause& operator=(const Pause&) = delete;
+
+   private:
+    LoopProfiler* profiler_;
+    LoopObserverScope scope_{nullptr};
+  };
+
+ private:
+  // A position in the source. Strings are compared by address: equal ones are added up at the end.
+  using Position = std::tuple<const char*, const char*, unsigned>;  // file, function, line
+  struct Loop {
+    std::source_location position;
+    LoopCost cost;
+  };
+  void charge_serial();
+  void mark();
+  Loop& loop_at(const std::source_location& position);
+
+  PhaseClock& clock_;
+  int asked_;
+  std::vector<int> cores_;
+  double read_cost_, thread_read_cost_;  // s, of reading a clock
+  double mark_ = 0;                      // processor time at which serial code began [s]
+  PhaseClock::Seconds phases_{};         // at that time
+  PhaseClock::Seconds serial_{};         // by phase, since the last loop
+  std::map<std::pair<Position, Phase>, Loop> loops_;
+  const std::source_location* last_ = nullptr;  // loop
+  std::map<std::tuple<const std::source_location*, const std::source_location*, Phase>, LoopCost>
+      between_;
+  std::vector<double> pieces_;  // scratch
+  std::optional<LoopObserverScope> active_;
+};
+
+}  // namespace tack
