@@ -66,7 +66,9 @@ std::vector<Warning> EnergyLosses::warnings(const TimeIntegrator& rule, const st
                                        advice(gained, cause)), group}});
   };
   const auto of_areas = [](bool, const Cause&) { return areas_advice; };
-  const auto of_repeats = [](bool, const Cause&) { return repeats_advice; };
+  const auto of_repeats = [&](bool, const Cause&) {
+    return fmt::format("steps with a numerical energy gain were repeated with {}: refine time.step", rule.fallback() ? rule.fallback()->type() : rule.type());
+  };
   const auto of_rule = [&](bool gained, const Cause& cause) { return rule.energy_advice(gained, 2 * std::abs(cause.in_contact) > std::abs(cause.sum)); };
   const bool by_groups = !groups.empty() && groups.size() == group_names.size() && std::none_of(groups.begin(), groups.end(), [](const Group& g) { return g.met_another; });
   if (by_groups) {

@@ -303,10 +303,12 @@ void RecordedRun::store_problem(const State& state, double h, int iterations) {
   file.step_size = h;
   std::filesystem::create_directories(folder_.problems());
   const std::string name = RunFolder::default_root(experiment_.name).filename();
-  const auto path = folder_.problems() / fmt::format("{}.step{}.problem", name, state.step + 1);
+  const size_t stages = experiment_.time.integrator->stages().size();
+  const auto path = folder_.problems() / fmt::format("{}.step{}{}.problem", name, state.step + 1, stages > 1 ? ".stage1" : "");
   write_state_file(path, file);
-  const std::string effort = iterations < 0 ? "" : fmt::format(" ({} iterations)", iterations);
-  progress_.message(fmt::format("step {}{} stored as {}", state.step + 1, effort, path.string()));
+  const std::string effort = iterations < 0 ? "" : fmt::format(" ({} iterations{})", iterations, stages > 1 ? " in all stages" : "");
+  const std::string stage = stages > 1 ? fmt::format(", the first of {} stages,", stages) : "";
+  progress_.message(fmt::format("step {}{}{} stored as {}", state.step + 1, effort, stage, path.string()));
 }
 
 double RecordedRun::next_checkpoint_after(double time) const {

@@ -1,5 +1,5 @@
-// Advice on numerical energy gain or loss of steps. TimeIntegrator::energy_advice has that on time
-// integration.
+// Advice on numerical energy gain or loss by areas of contact. For that of time integration, see
+// TimeIntegrator::energy_advice.
 #pragma once
 
 namespace tack {
@@ -7,8 +7,5 @@ namespace tack {
 inline constexpr const char* areas_advice =
     "overlap areas are re-evaluated in every step; if half the time.step does not help, they jump "
     "where regions of surfaces change their nearest ones: refine the meshes there, or add damping";
-inline constexpr const char* repeats_advice =
-    "steps with a numerical energy gain were repeated with implicit Euler, which damps: refine "
-    "time.step";
 
 }  // namespace tack

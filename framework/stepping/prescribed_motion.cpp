@@ -8,17 +8,14 @@
 #include "framework/stepping/affine_controls.hpp"
 #include "framework/stepping/fixed_vertices.hpp"
 #include "framework/stepping/obstacle.hpp"
+#include "framework/stepping/penalty_rule.hpp"
 #include "framework/stepping/predicted_motion.hpp"
 #include "framework/stepping/step_retraction.hpp"
 
 namespace tack {
 namespace {
 
-constexpr double sufficient_decrease = 0.5;  // of the distance to the targets by a minimisation; beyond, the penalty grows (Nocedal and Wright, 17.4)
-constexpr double penalty_growth = 10;        // (Nocedal and Wright, algorithm 17.4)
-constexpr double penalty_ratio_max = 1e8;    // over the first penalty (Li et al. 2020)
-constexpr int max_idle_iterations = 30;      // without 1% less distance to the targets or a larger K; then the motion is blocked
-constexpr int debonding_halvings = 6;        // of a step that debonds stencils: a peak is passed within a 64th of it
+constexpr int debonding_halvings = 6;  // of a step that debonds stencils: a peak is passed within a 64th of it
 
 }  // namespace
 
@@ -110,39 +107,29 @@ PrescribedMotionSolver::Result PrescribedMotionSolver::push(const VecX& x, const
   VecX goal = prediction.x;  // of free vertices the prediction, of V t + lambda / K
   for (const int v : moving_) vertex(goal, v) = vertex(targets, v);
   Result result{{}, x, ""};
-  double left = distance(x, targets), smallest = left;
-  double enough = penalty_.remainder * left;  // distance at which targets are set
-  int idle = 0;                               // iterations without progress
-  const auto norm = [&](const VecX& p) {
-    const double now = distance(potential_->configuration(), targets);
-    if (now < 0.99 * smallest) smallest = now, idle = 0;
-    if (++idle > max_idle_iterations) return 0.0;
-    return std::min(now / enough, own_step(p) / (sufficient_decrease * now));
-  };
-  const double first = first_penalty(x, prediction);
-  for (double k = first; k <= penalty_ratio_max * first && idle <= max_idle_iterations; ++idle) {
-    potential_->set_mass(masses(k, prediction.inertia));
+  PenaltyRule rule(first_penalty(x, prediction), distance(x, targets), penalty_.remainder);
+  const auto norm = [&](const VecX& p) { return rule.norm(distance(potential_->configuration(), targets), own_step(p)); };
+  while (!rule.blocked()) {
+    potential_->set_mass(masses(rule.stiffness(), prediction.inertia));
     potential_->begin_step(result.x, goal, prediction.scales(), true);
     minimize(result, norm, context.observer);
     if (result.solve.status == MinimizerStatus::interrupted || result.solve.status == MinimizerStatus::time_limit) return result;
     if (result.solve.status == MinimizerStatus::iteration_limit) break;
     const double now = distance(result.x, targets);
-    if (now <= enough) {
+    if (rule.reached(now)) {
       if (set_targets(targets, result.x)) {
         result.solve.status = MinimizerStatus::converged;
         return result;
       }
-      enough = sufficient_decrease * now;
+      rule.come_closer(now);
     }
-    const bool grows = now > sufficient_decrease * left;
+    const double growth = rule.next(now);
     for (const int v : moving_) {
-      Vec3 multiplier = vertex(goal, v) - vertex(targets, v);  // over k
-      if (grows) multiplier /= penalty_growth;
+      Vec3 multiplier = vertex(goal, v) - vertex(targets, v);  // over K
+      if (growth > 1) multiplier /= growth;
       else multiplier += vertex(targets, v) - vertex(result.x, v);
       vertex(goal, v) = vertex(targets, v) + multiplier;
     }
-    if (grows) k *= penalty_growth, idle = 0;
-    left = now;
   }
   result.failure = failure(result.x, targets);
   return result;

@@ -8,9 +8,8 @@
 //        L(x) = E(x) + K/2 sum_V |x_v - t_v|^2 - sum_V lambda_v . (x_v - t_v),
 //    with targets t, a penalty K and multipliers lambda. L equals E with masses K and predictions
 //    t + lambda / K at V, so that any minimiser minimises it as it does E, by feasible steps. The
-//    multipliers are updated after each minimisation, or K grows tenfold if it brought less than a
-//    half of the remaining displacement. Close to their targets the vertices are set to them
-//    exactly, if that is feasible.
+//    multipliers are updated after each minimisation, or K grows (penalty_rule.hpp). Close to their
+//    targets the vertices are set to them exactly, if that is feasible.
 //
 // The vertices of a rigid motion move as one affine body of up to four control vertices
 // (affine_controls.hpp): they cannot intersect each other on the way, and pairs among them are not

@@ -59,6 +59,7 @@ TEST_CASE("experiment debonding/peel") { check_experiment("debonding/peel.yaml")
 TEST_CASE("experiment debonding/snap_back") { check_experiment("debonding/snap_back.yaml"); }
 TEST_CASE("experiment meshing/turned") { check_experiment("meshing/turned.yaml"); }
 TEST_CASE("experiment integrators/beam") { check_experiment("integrators/beam.yaml"); }
+TEST_CASE("experiment integrators/bounce") { check_experiment("integrators/bounce.yaml"); }
 TEST_CASE("experiment integrators/impact") { check_experiment("integrators/impact.yaml"); }
 TEST_CASE("experiment integrators/resting") { check_experiment("integrators/resting.yaml"); }
 TEST_CASE("experiment integrators/top") { check_experiment("integrators/top.yaml"); }

@@ -84,7 +84,8 @@ block '## A cohesive law with history variables' "$source/docs/extending.md" >fa
 block '## Add an interaction' "$source/docs/extending.md" >tether.cpp
 block '## Ask for unknowns' "$source/docs/extending.md" >moisture.cpp
 block '## Add a contact model' "$source/docs/extending.md" >penalty.cpp
-cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DTETHER="$PWD/tether.cpp" -DMOISTURE="$PWD/moisture.cpp" -DPENALTY="$PWD/penalty.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-1.0" >/dev/null
+block '## Add a time integrator' "$source/docs/extending.md" >sdirk3.cpp
+cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DTETHER="$PWD/tether.cpp" -DMOISTURE="$PWD/moisture.cpp" -DPENALTY="$PWD/penalty.cpp" -DSDIRK3="$PWD/sdirk3.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-1.0" >/dev/null
 cmake --build build >/dev/null
 scene=$scratch/elsewhere/scene.yaml
 refused() {
@@ -165,6 +166,27 @@ tack run hoist.yaml -q -o hoist || fail "a run with interactions from outside"
 block 'A scene that shows it' "$source/docs/extending.md" >resting.yaml
 echo "plugins: [build/libpenalty.so]" >>resting.yaml
 tack run resting.yaml -q -o resting || fail "a contact model from outside"
+
+# Integrators of several stages: a bar vibrates, with an error that falls by 2^order where steps are halved, and a block rebounds without gaining energy.
+cat >bar.yaml <<'END'
+name: bar
+plugins: [build/libsdirk3.so, build/librho_bathe.so]
+time: {step: 1 ms, duration: 20 ms}
+solver: {type: projected_newton, tolerance: 1e-10, force_tolerance: 1e-10}
+objects:
+  - {name: bar, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 2e4}], velocity: [1 mm/s, 0, 0],
+     motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}
+probes: [{name: position, type: centre_of_mass, object: bar, direction: [1, 0, 0]}]
+output: {frames: false}
+END
+for name in sdirk3:3 rho_bathe:2; do
+  for step in 0.4 0.2 0.1; do
+    tack run bar.yaml -q -o "bar_$step" --set "time.integrator=${name%:*}" "time.step=$step ms" || fail "a bar with ${name%:*}"
+    tail -1 "bar_$step/probes.csv" | cut -d , -f 2
+  done | awk -v expected="${name#*:}" '{ x[NR] = $1 } END { order = log((x[1] - x[2]) / (x[2] - x[3])) / log(2); print order; exit !((order - expected)^2 < 0.04) }' >order.txt ||
+    fail "the order of ${name%:*} is $(cat order.txt)"
+done
+tack run "$source/experiments/integrators/impact.yaml" -q -o rebound --set "plugins=[build/librho_bathe.so]" "time.integrator={type: rho_bathe, rho_inf: 0.3}" || fail "an impact with an integrator from outside"
 
 # A plugin without optimisation, with assertions; a plugin named twice.
 sed "s|\[build/libmine.so\]|[build/libunoptimised.so, $scratch/elsewhere/build/../build/libunoptimised.so]|" "$scratch/guide/mine/pull.yaml" >"$scene"

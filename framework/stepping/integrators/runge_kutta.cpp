@@ -1,15 +1,65 @@
 #include "framework/stepping/integrators/runge_kutta.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <numeric>
+
+#include "geometry/errors.hpp"
+
 namespace tack {
 namespace {
 
+constexpr double tableau_round_off = 1e-9;  // of sums of entries and of amplification factors; digits that publications give
+
 double entry(const std::vector<double>& row, size_t j) { return j < row.size() ? row[j] : 0; }
+
+double sum(const std::vector<double>& row) { return std::accumulate(row.begin(), row.end(), 0.0); }
+
+// Returns the amplification of y' = i omega y in a step, |y| after it over that before. theta: omega h.
+double amplification(const std::vector<std::vector<double>>& rows, double theta) {
+  std::vector<std::complex<double>> nodes;
+  for (const std::vector<double>& row : rows) {
+    std::complex<double> known = 1;
+    for (size_t j = 0; j < nodes.size(); ++j) known += std::complex<double>(0, theta * row[j]) * nodes[j];
+    nodes.push_back(known / std::complex<double>(1, nodes.empty() ? 0 : -theta * row.back()));
+  }
+  return std::abs(nodes.back());
+}
+
+void refuse_tableau(bool refused, const std::string& fault) {
+  if (refused) throw InputError("Runge-Kutta tableau: " + fault);
+}
 
 }  // namespace
 
-RungeKutta::RungeKutta(std::vector<double> ends, Matrix rows, std::vector<double> embedded)
-    : ends_(std::move(ends)), rows_(std::move(rows)), embedded_(std::move(embedded)) {
+// rows_[0] is the start of the step.
+void RungeKutta::check_tableau() const {
+  refuse_tableau(ends_.empty() || ends_.size() + 1 != rows_.size(), "expects a row per stage");
+  for (size_t i = 1; i < rows_.size(); ++i) {
+    const std::vector<double>& row = rows_[i];
+    refuse_tableau(!(length_fraction(i) > 0), "ends of stages must be positive and ascend");
+    refuse_tableau(row.size() != i + 1, fmt::format("row {} has {} entries instead of {}, from column 0, the start of the step, to its own stage", i, row.size(), i + 1));
+    refuse_tableau(!(row.back() > 0), fmt::format("the diagonal of row {} must be positive: each stage is a minimisation", i));
+    refuse_tableau(!(std::abs(sum(row) - ends_[i - 1]) <= tableau_round_off), fmt::format("row {} adds up to {}, and its stage ends at {} of the step", i, sum(row), ends_[i - 1]));
+  }
+  refuse_tableau(ends_.back() != 1, "the last stage must end at 1");
+  refuse_tableau(!embedded_.empty() && (embedded_.size() != rows_.size() || !(std::abs(sum(embedded_) - 1) <= tableau_round_off)),
+                 fmt::format("embedded weights must be {} numbers that add up to 1", rows_.size()));
+  double largest = 0, at = 0;
+  for (double decades = -2; decades <= 4; decades += 1.0 / 32)
+    if (const double theta = std::pow(10, decades), factor = amplification(rows_, theta); !(factor <= largest)) largest = factor, at = theta;
+  refuse_tableau(!(largest <= 1 + tableau_round_off), fmt::format("the method is not A-stable: an oscillation of omega h = {:.3g} grows by a factor of {:.4g} per step", at, largest));
+}
+
+void RungeKutta::set_tableau(std::vector<double> ends, Matrix rows, std::vector<double> embedded) {
+  ends_ = std::move(ends);
+  rows_ = std::move(rows);
+  embedded_ = std::move(embedded);
   rows_.insert(rows_.begin(), std::vector<double>{});
+  check_tableau();
+  squares_.clear();
   for (const std::vector<double>& row : rows_) {
     std::vector<double> square(row.size());
     for (size_t k = 0; k < row.size(); ++k)

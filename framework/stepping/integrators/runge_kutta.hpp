@@ -46,9 +46,17 @@ class RungeKutta : public TimeIntegrator {
   // ends: c_1 ... c_s = 1. rows: A_ij of the nodes i = 1 ... s, j = 0 ... i. embedded: weights of
   // all nodes of a formula of order three, which estimates the error; empty: the error is that of
   // the acceleration at the start, kept, scaled to the error constant of the method.
-  RungeKutta(std::vector<double> ends, Matrix rows, std::vector<double> embedded = {});
+  // Throws InputError for ends that do not ascend to 1, rows of another length or sum,
+  // diagonals that are not positive, and methods that are not A-stable.
+  RungeKutta(std::vector<double> ends, Matrix rows, std::vector<double> embedded = {}) {
+    set_tableau(std::move(ends), std::move(rows), std::move(embedded));
+  }
+  // Replaces the tableau, e.g. by one that depends on a parameter of the scene: to be called from a
+  // check of fields(). Throws as the constructor does.
+  void set_tableau(std::vector<double> ends, Matrix rows, std::vector<double> embedded = {});
 
  private:
+  void check_tableau() const;
   double length_fraction(size_t node) const;  // H_i / h
   double position_weight(size_t node, size_t j) const;
   // Returns r and k.

@@ -330,6 +330,10 @@ TEST_CASE("steps that --dump-problem names are stored, and the hardest") {
   const auto entries = fs::directory_iterator(folder.path() / "results/tiny/problems");
   const auto count = std::distance(begin(entries), end(entries));
   CHECK((count == 2 || count == 3));  // step 4 may be one of the hardest
+  // A step of several stages: its first one.
+  const ProgramResult staged = run(folder.path(), {"-o", "staged", "--steps", "3", "--dump-problem", "step=2", "--set", "time.integrator=tr_bdf2"});
+  CHECK(contains(staged.out, "step 2, the first of 2 stages, stored as "));
+  CHECK(fs::is_regular_file(folder.path() / "staged/problems/tiny.step2.stage1.problem"));
   const ProgramResult wrong = run(folder.path(), {"--dump-problem", "last"});
   CHECK(wrong.exit_code == 2);
   CHECK(contains(wrong.err, "--dump-problem last: expects step=K, counted from 1, or hardest=N"));

@@ -68,3 +68,23 @@ TEST_CASE("dependences hold far from the origin, and those of a line hold for an
   const Points line(1, 5, 1, turned(0.2));
   CHECK(hold(affine_dependences(line.all, line.x), Points(1, 5, 1, turned(3)).x));
 }
+
+TEST_CASE("round-off of dependences is 1e-9 of the size of the vertices") {
+  // The distance from the plane of other control vertices counts from there on.
+  const auto controls = [](double lifted) {
+    Points plate(4, 3, 1, Mat3::Identity());  // 0.6 m wide
+    vertex(plate.x, 5).z() += lifted;
+    return plate.all.size() - affine_dependences(plate.all, plate.x).size();
+  };
+  CHECK(controls(2e-10) == 3);
+  CHECK(controls(2e-9) == 4);
+  // So does the position of a dependent vertex.
+  const auto holds = [](double off) {
+    Points p(4, 3, 5, Mat3::Identity());  // 0.94 m from corner to corner
+    const Dependences found = affine_dependences(p.all, p.x);
+    vertex(p.x, found.front().vertex).y() += off;
+    return hold(found, p.x);
+  };
+  CHECK(holds(2e-10));
+  CHECK_FALSE(holds(2e-9));
+}

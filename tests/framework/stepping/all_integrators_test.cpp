@@ -1,16 +1,15 @@
 // Properties that every registered integrator has, those of plugins included: order, rest, same
-// bits, resumption, adaptive steps, prescribed motion, failed steps.
+// bits, adaptive steps, prescribed motion, failed steps. Resumption: resumption_test.cpp.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <tbb/global_control.h>
 
-#include "framework/output/state_file.hpp"
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/component_variants.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/same_state.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;
@@ -39,16 +38,6 @@ std::string sliding(const std::string& integrator, double h, const std::string& 
          "     energies: [{type: neo_hookean, young: 1e5}], damping: {stiffness: 0.2 ms}}\n"
          "contact: {distance: 1 mm, friction: {mu: 0.3},\n"
          "  pairs: [{between: [block, floor], adhesion: {type: bilinear, peak_traction: 1 kPa, work_of_adhesion: 0.2 J/m^2}, bond: on_contact}]}\n";
-}
-
-// Returns the first part of two states that differs, or "".
-std::string difference(const State& a, const State& b) {
-  if (a.time != b.time || a.step != b.step || a.h_before != b.h_before || a.step_size.h_next != b.step_size.h_next) return "steps";
-  for (const auto& [name, field] : std::map<std::string, VecX State::*>{{"x", &State::x}, {"v", &State::v}, {"a", &State::a}, {"contact", &State::contact}, {"x_before", &State::x_before}})
-    if (a.*field != b.*field) return fmt::format("{} by {}", name, (a.*field).size() == (b.*field).size() ? (a.*field - b.*field).lpNorm<Eigen::Infinity>() : -1);
-  for (const auto& [name, array] : a.history)
-    if (!b.history.contains(name) || b.history.at(name) != array) return "history " + name;
-  return a.history.size() == b.history.size() ? "" : "histories";
 }
 
 }  // namespace
@@ -80,35 +69,8 @@ TEST_CASE("every integrator gives the same bits for any number of threads", "[in
   };
   for (const std::string& integrator : dynamic_integrators()) {
     INFO(integrator);
-    CHECK(difference(end(integrator, 1), end(integrator, 2)) == "");
+    CHECK(first_difference(end(integrator, 1), end(integrator, 2)) == "");
   }
-}
-
-TEST_CASE("every integrator resumes from a checkpoint to the bit", "[integrators]") {
-  const TemporaryFolder folder;
-  for (const std::string& integrator : dynamic_integrators())
-    for (const std::string adaptive : {"", ", adaptive: {error: 0.05 mm}"}) {
-      INFO(integrator << adaptive);
-      const auto scene = [&] {
-        std::string text = sliding(integrator, 2e-3);
-        return text.replace(text.find("}\n"), 0, adaptive);
-      }();
-      TestRun whole(scene);
-      for (int i = 0; i < 16; ++i) {
-        whole.step();
-        if (i % 5 != 2) continue;
-        StateFile file;
-        file.kind = StateFile::Kind::checkpoint;
-        file.state = whole.state();
-        write_state_file(folder.path() / fmt::format("{}", i), file);
-      }
-      for (const int i : {2, 7, 12}) {
-        TestRun resumed(scene);
-        resumed.simulation.start_from(read_state_file(folder.path() / fmt::format("{}", i), StateFile::Kind::checkpoint).state);
-        while (resumed.state().step < 16) resumed.step();
-        CHECK(difference(resumed.state(), whole.state()) == "");
-      }
-    }
 }
 
 TEST_CASE("a step that fails in any stage leaves the state at its start", "[integrators]") {
@@ -127,7 +89,7 @@ TEST_CASE("a step that fails in any stage leaves the state at its start", "[inte
       } catch (const SimulationError&) {
         ++thrown;
         before.step_size = run.state().step_size;
-        CHECK(difference(run.state(), before) == "");
+        CHECK(first_difference(run.state(), before) == "");
       }
       // The next step is that of a run that begins there.
       TestRun fresh(sliding(integrator, 4e-3)), after(sliding(integrator, 4e-3));
@@ -135,7 +97,7 @@ TEST_CASE("a step that fails in any stage leaves the state at its start", "[inte
       after.simulation.start_from(run.state());
       if (run.state().step == before.step) {
         fresh.step(), after.step();
-        CHECK(difference(fresh.state(), after.state()) == "");
+        CHECK(first_difference(fresh.state(), after.state()) == "");
       }
     }
     INFO(integrator);
