@@ -12,6 +12,7 @@
 #include "framework/assembly/assembler.hpp"
 #include "framework/assembly/mixed_inertia.hpp"
 #include "framework/core/objective.hpp"
+#include "framework/core/term_values.hpp"
 
 namespace tack {
 
@@ -92,6 +93,7 @@ class IncrementalPotential : public Objective {
   std::function<void(const VecX&)> on_move_;
   PhaseClock& clock_;
   Assembler assembler_;
+  TermValues term_values_;  // of terms_
 
   VecX x_, prediction_, q_;
   TermScales scales_;

@@ -4,8 +4,14 @@
 #include <cmath>
 
 #include "framework/core/independent_vertices.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
+namespace {
+
+constexpr int blocks_per_chunk = 2048;  // copying that many takes 5 to 10 us
+
+}  // namespace
 
 DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, const std::vector<FixedDirections>& fixed)
     : block_of_(movable.size(), -1) {
@@ -47,13 +53,13 @@ DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, co
 
 void DofMap::gather(const VecX& x, VecX& q) const {
   q.resize(size());
-  for (int b = 0; b < block_count(); ++b) q.segment<3>(3 * b) = vertex(x, vertex_of_[b]);
+  for_each(block_count(), [&](int b) { q.segment<3>(3 * b) = vertex(x, vertex_of_[b]); }, blocks_per_chunk);
 }
 
 void DofMap::scatter(const VecX& q, VecX& x) const {
   std::vector<Vec3> fixed;
   for (const PartlyFixedBlock& h : partly_fixed_blocks_) fixed.emplace_back(h.projection * (vertex(x, vertex_of_[h.block]) - q.segment<3>(3 * h.block)));
-  for (int b = 0; b < block_count(); ++b) vertex(x, vertex_of_[b]) = q.segment<3>(3 * b);
+  for_each(block_count(), [&](int b) { vertex(x, vertex_of_[b]) = q.segment<3>(3 * b); }, blocks_per_chunk);
   for (size_t i = 0; i < fixed.size(); ++i) vertex(x, vertex_of_[partly_fixed_blocks_[i].block]) += fixed[i];
   update_dependents(x);
 }

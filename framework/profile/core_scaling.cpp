@@ -1,8 +1,6 @@
 #include "framework/profile/core_scaling.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
 
 namespace tack {
 namespace {
@@ -17,31 +15,6 @@ double sum_of(const std::vector<LoopCost>& costs, const Take& take) {
 double ratio(double one, double many) { return many > 0 ? one / many : 1; }
 
 }  // namespace
-
-double scheduled(const std::vector<double>& pieces, int cores) {
-  if (pieces.empty()) return 0;
-  if (pieces.size() <= static_cast<size_t>(cores)) return *std::max_element(pieces.begin(), pieces.end());
-  std::vector<double> idle_at(cores, 0.0);  // heap, earliest first
-  for (const double piece : pieces) {
-    std::pop_heap(idle_at.begin(), idle_at.end(), std::greater<>());
-    idle_at.back() += piece;
-    std::push_heap(idle_at.begin(), idle_at.end(), std::greater<>());
-  }
-  return *std::max_element(idle_at.begin(), idle_at.end());
-}
-
-void lower_longest(std::vector<double>& pieces, double total) {
-  if (std::accumulate(pieces.begin(), pieces.end(), 0.0) <= total) return;
-  std::vector<double> ascending = pieces;
-  std::sort(ascending.begin(), ascending.end());
-  double left = std::max(total, 0.0), limit = 0;
-  for (size_t i = 0; i < ascending.size(); ++i) {
-    limit = left / static_cast<double>(ascending.size() - i);
-    if (ascending[i] >= limit) break;
-    left -= ascending[i];
-  }
-  for (double& piece : pieces) piece = std::min(piece, limit);
-}
 
 size_t CoreScaling::index_of_asked() const {
   return std::find(cores.begin(), cores.end(), asked) - cores.begin();

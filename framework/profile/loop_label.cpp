@@ -50,6 +50,20 @@ std::string qualified_name(std::string_view signature) {
   return std::string(signature.substr(begin, end - begin));
 }
 
+// Replaces long lists of template arguments by dots.
+std::string with_short_arguments(const std::string& name) {
+  constexpr int length_max = 40;
+  std::string text;
+  int depth = 0;
+  size_t begin = 0;  // of the outermost list, in `text`
+  for (const char c : name) {
+    if (c == '<' && depth++ == 0) begin = text.size();
+    text += c;
+    if (c == '>' && depth > 0 && --depth == 0 && text.size() - begin > length_max) text.replace(begin, std::string::npos, "<...>");
+  }
+  return text;
+}
+
 struct Parameter {
   std::string name, value;
 };
@@ -86,7 +100,8 @@ std::string function_label(std::string signature) {
     if (parameter.value.find("<lambda") != std::string::npos) made_by = qualified_name(parameter.value);
     else replace_word(label, parameter.name, parameter.value);
   }
-  return made_by.empty() || made_by == label ? label : label + " of " + made_by;
+  label = with_short_arguments(label);
+  return made_by.empty() || made_by == label ? label : label + " of " + with_short_arguments(made_by);
 }
 
 std::string loop_label(const std::source_location& loop) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
-#include <numeric>
 #include <string>
+#include <utility>
 
 #include "framework/profile/loop_label.hpp"
 
@@ -18,6 +18,20 @@ using Clock = std::chrono::steady_clock;
 // Pieces of a loop whose times exceed the processor time by this were interrupted [s]. Shorter
 // differences come from reading the clocks.
 constexpr double interruption_min = 20e-6;
+
+// Sets a value for the lifetime of a scope.
+template <class T>
+class SetFor {
+ public:
+  SetFor(T& value, T during) : value_(value), before_(std::exchange(value, during)) {}
+  ~SetFor() { value_ = before_; }
+  SetFor(const SetFor&) = delete;
+  SetFor& operator=(const SetFor&) = delete;
+
+ private:
+  T& value_;
+  T before_;
+};
 
 // Returns the processor time of this thread [s].
 double thread_seconds() {
@@ -62,8 +76,16 @@ LoopProfiler::LoopProfiler(PhaseClock& clock, const std::vector<int>& cores)
 
 void LoopProfiler::run(const std::source_location& loop, int chunks, const ChunkCall& chunk) {
   if (chunks <= 0) return;
+  if (!in_loop_) return run_outermost(loop, chunks, chunk);
+  if (chunks == 1) return chunk(0);
+  end_segment();
+  trace_.begin_loop();
+  run_chunks(chunks, chunk);
+  trace_.end_loop();
+}
+
+void LoopProfiler::run_outermost(const std::source_location& loop, int chunks, const ChunkCall& chunk) {
   charge_serial();
-  const LoopObserverScope inner(nullptr);
   Loop& entry = loop_at(loop);
   for (int i = 0; i < phase_count; ++i)
     if (serial_[i] > 0) {
@@ -72,30 +94,40 @@ void LoopProfiler::run(const std::source_location& loop, int chunks, const Chunk
       ++cost.runs;
       cost.seconds += std::exchange(serial_[i], 0.0);
     }
-  pieces_.resize(chunks);
+  trace_.clear();
+  const SetFor<bool> inside(in_loop_, true);
   clock_.skip();
   const double begun = thread_seconds();
-  Clock::time_point before = Clock::now();
-  for (int c = 0; c < chunks; ++c) {
-    chunk(c);
-    const Clock::time_point after = Clock::now();
-    pieces_[c] = std::max(0.0, seconds_between(before, after) - read_cost_);
-    before = after;
-  }
-  const double total = thread_seconds() - begun - thread_read_cost_ - (chunks + 1) * read_cost_;
+  segment_ = Clock::now();
+  run_chunks(chunks, chunk);
+  const double total = thread_seconds() - begun - thread_read_cost_ - static_cast<double>(trace_.segments() + 1) * read_cost_;
   clock_.seconds();
-  const double sum = std::accumulate(pieces_.begin(), pieces_.end(), 0.0);
-  if (sum - total > interruption_min) lower_longest(pieces_, total);
+  if (trace_.seconds() - total > interruption_min) trace_.lower_longest(total);
   LoopCost& cost = entry.cost;
+  const double seconds = trace_.seconds();
+  const bool divided = chunks > 1 || trace_.nested();
   ++cost.runs;
-  cost.pieces += chunks;
-  const double seconds = std::accumulate(pieces_.begin(), pieces_.end(), 0.0);
+  cost.chunks += chunks;
   cost.seconds += seconds;
-  if (chunks == 1) cost.undivided += seconds;
-  else ++cost.divided_runs;
-  for (size_t k = 0; k < cores_.size(); ++k) cost.on_cores[k] += scheduled(pieces_, cores_[k]);
+  cost.divided_runs += divided ? 1 : 0;
+  cost.undivided += divided ? 0 : seconds;
+  for (size_t k = 0; k < cores_.size(); ++k) cost.on_cores[k] += trace_.scheduled(cores_[k]);
   last_ = &entry.position;
   mark();
+}
+
+void LoopProfiler::run_chunks(int chunks, const ChunkCall& chunk) {
+  for (int c = 0; c < chunks; ++c) {
+    chunk(c);
+    end_segment();
+    trace_.end_chunk();
+  }
+}
+
+void LoopProfiler::end_segment() {
+  const Clock::time_point now = Clock::now();
+  trace_.add_segment(std::max(0.0, seconds_between(segment_, now) - read_cost_));
+  segment_ = now;
 }
 
 LoopProfiler::Loop& LoopProfiler::loop_at(const std::source_location& position) {
@@ -132,7 +164,7 @@ CoreScaling LoopProfiler::finish() {
   const auto add = [&](LoopCost& sum, const LoopCost& cost) {
     sum.phase = cost.phase;
     sum.runs += cost.runs;
-    sum.pieces += cost.pieces;
+    sum.chunks += cost.chunks;
     sum.divided_runs += cost.divided_runs;
     sum.seconds += cost.seconds;
     sum.undivided += cost.undivided;

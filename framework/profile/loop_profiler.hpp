@@ -1,8 +1,9 @@
-// Times the pieces of all parallel loops of a run with one thread, and the serial code between
-// loops, by phase. A loop inside a piece of another one is part of that piece. Seconds are
-// processor time of the thread; time that measuring takes is in no phase.
+// Times the chunks of all parallel loops of a run with one thread, and the serial code between
+// loops, by phase. Loops inside a chunk of another one are scheduled with it and belong to its
+// cost. Seconds are processor time of the thread; time that measuring takes is in no phase.
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -10,6 +11,7 @@
 
 #include "framework/core/phase_clock.hpp"
 #include "framework/profile/core_scaling.hpp"
+#include "framework/profile/loop_trace.hpp"
 #include "geometry/loop_observer.hpp"
 
 namespace tack {
@@ -44,6 +46,9 @@ class LoopProfiler final : public LoopObserver {
     std::source_location position;
     LoopCost cost;
   };
+  void run_outermost(const std::source_location& loop, int chunks, const ChunkCall& chunk);
+  void run_chunks(int chunks, const ChunkCall& chunk);
+  void end_segment();
   void charge_serial();
   void mark();
   Loop& loop_at(const std::source_location& position);
@@ -59,7 +64,9 @@ class LoopProfiler final : public LoopObserver {
   const std::source_location* last_ = nullptr;  // loop
   std::map<std::tuple<const std::source_location*, const std::source_location*, Phase>, LoopCost>
       between_;
-  std::vector<double> pieces_;  // scratch
+  LoopTrace trace_;  // of the outermost loop that runs
+  bool in_loop_ = false;
+  std::chrono::steady_clock::time_point segment_;  // begin of the segment that runs
   std::optional<LoopObserverScope> active_;
 };
 

@@ -71,7 +71,7 @@ void add_scaling(Table& t, const CoreScaling& s) {
     const std::string row = fmt::format("{}: {}", phase_names[static_cast<int>(cost.phase)], cost.name);
     const char* table = cost.serial ? "between_loops" : "loop";
     t.add(table, row, "runs", cost.runs);
-    if (!cost.serial) t.add(table, row, "pieces", cost.pieces);
+    if (!cost.serial) t.add(table, row, "chunks", cost.chunks);
     t.add(table, row, "seconds", cost.seconds);
     if (cost.serial) continue;
     for (size_t k = 0; k < s.cores.size(); ++k) t.add(table, row, fmt::format("seconds_{}", s.cores[k]), cost.on_cores[k]);

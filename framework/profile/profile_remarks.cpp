@@ -173,7 +173,7 @@ class Remarks {
     const size_t k = s.index_of_asked();
     const double speed_up = s.speed_up(k);
     if (speed_up >= idle_cores * s.asked) return;
-    add(all_ * (1 - speed_up / s.asked), "{} cores would run the steps at most {:.2g} times as fast as one, because {:.0f}% of their time is serial and loops have few pieces: "
+    add(all_ * (1 - speed_up / s.asked), "{} cores would run the steps at most {:.2g} times as fast as one, because {:.0f}% of their time is serial and loops have few chunks: "
         "run several scenes at once (`tack batch`), or refine the mesh; {}",
         s.asked, speed_up, percent(s.serial_seconds(), s.seconds()), s.costs.empty() ? "" : largest_loss(s));
   }

@@ -51,11 +51,11 @@ std::string phases(const CoreScaling& s) {
 std::string losses(const CoreScaling& s) {
   const size_t k = s.index_of_asked();
   std::string text = fmt::format("\n{:<{}}{:<14}{:>10}{:>10}{:>10}{:>12}{:>8}\n", fmt::format("what holds {} cores back", s.asked), name_width + 1,
-                                 "phase", "runs", "pieces", "1 core s", fmt::format("{} cores s", s.asked), "loss %");
+                                 "phase", "runs", "chunks", "1 core s", fmt::format("{} cores s", s.asked), "loss %");
   for (size_t i = 0; i < std::min(costs_shown, s.costs.size()); ++i) {
     const LoopCost& c = s.costs[i];
-    const std::string pieces = c.serial ? "serial" : fmt::format("{:.1f}", double(c.pieces) / double(std::max(c.runs, 1L)));
-    text += fmt::format("{:<{}}{:<14}{:>10}{:>10}{:>10.3f}{:>12.3f}{:>8.1f}\n", fitted(c.name), name_width + 1, name_of(c.phase), c.runs, pieces,
+    const std::string chunks = c.serial ? "serial" : fmt::format("{:.1f}", double(c.chunks) / double(std::max(c.runs, 1L)));
+    text += fmt::format("{:<{}}{:<14}{:>10}{:>10}{:>10.3f}{:>12.3f}{:>8.1f}\n", fitted(c.name), name_width + 1, name_of(c.phase), c.runs, chunks,
                         c.seconds, c.on_cores[k], 100 * s.share_lost(c));
   }
   if (s.costs.size() <= costs_shown) return text;

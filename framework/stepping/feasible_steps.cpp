@@ -14,12 +14,19 @@
 namespace tack {
 namespace {
 
-// Returns the configuration of unknowns q and the displacements of all vertices by p (3n).
-std::pair<VecX, VecX> at_vertices(const StepPotential& potential, const VecX& q, const VecX& p) {
-  VecX x = potential.configuration(), displacement = VecX::Zero(x.size());
+// Writes the configuration of unknowns q and the displacements of all vertices by p (3n).
+void scatter_step(const StepPotential& potential, const VecX& q, const VecX& p, VecX& x, VecX& displacement) {
+  x = potential.configuration();
+  displacement.setZero(x.size());
   potential.dofs().scatter(q, x);
   potential.dofs().scatter(p, displacement);
-  return {std::move(x), std::move(displacement)};
+}
+
+// Returns the configuration of unknowns q and the displacements of all vertices by p (3n).
+std::pair<VecX, VecX> at_vertices(const StepPotential& potential, const VecX& q, const VecX& p) {
+  std::pair<VecX, VecX> step;
+  scatter_step(potential, q, p, step.first, step.second);
+  return step;
 }
 
 [[noreturn]] void throw_no_bounds(const StepFilter& filter) {
@@ -45,14 +52,18 @@ double FeasibleSteps::largest(const VecX& x, const VecX& p) {
 double FeasibleSteps::largest_requested(const VecX& x, const VecX& p) {
   x_ = x;
   p_ = p;
+  return largest_of_stored();
+}
+
+double FeasibleSteps::largest_of_stored() {
   const double feasible = largest(x_, p_);
   if (observer_) observer_(x_, p_, feasible);
   return feasible;
 }
 
 double FeasibleSteps::largest_requested(const StepPotential& potential, const VecX& q, const VecX& p) {
-  const auto [x, displacement] = at_vertices(potential, q, p);
-  return largest_requested(x, displacement);
+  scatter_step(potential, q, p, x_, p_);
+  return largest_of_stored();
 }
 
 double FeasibleSteps::largest_local(LocalPotential& potential, const VecX& q, const VecX& p) {

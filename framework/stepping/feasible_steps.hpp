@@ -61,6 +61,9 @@ class FeasibleSteps {
   MotionUnits units(const DofMap& dofs) const;
 
  private:
+  // Returns largest() for the stored step, and notifies the observer.
+  double largest_of_stored();
+
   World& world_;
   PhaseClock& clock_;
   IterateCheck* check_;

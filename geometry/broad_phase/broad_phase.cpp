@@ -15,7 +15,7 @@
 namespace tack {
 namespace {
 
-constexpr int vertices_per_task = 4096;
+constexpr int vertices_per_task = 1024;
 constexpr double partial_search_fraction_max = 0.4;  // of vertices outside their boxes: above it, all pairs are searched
 constexpr double tight_margin_per_skin = 0.05;       // inflation of tight boxes over the skin
 

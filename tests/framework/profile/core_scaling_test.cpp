@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "framework/profile/loop_trace.hpp"
 #include "framework/profile/profile.hpp"
 
 using namespace tack;
@@ -10,13 +11,13 @@ using Catch::Contains;
 
 namespace {
 
-LoopCost loop_of(const std::string& name, const std::vector<double>& pieces, const std::vector<int>& cores) {
+LoopCost loop_of(const std::string& name, const std::vector<double>& chunks, const std::vector<int>& cores) {
   LoopCost cost;
   cost.name = name;
   cost.runs = cost.divided_runs = 1;
-  cost.pieces = static_cast<long>(pieces.size());
-  cost.seconds = std::accumulate(pieces.begin(), pieces.end(), 0.0);
-  for (const int p : cores) cost.on_cores.push_back(scheduled(pieces, p));
+  cost.chunks = static_cast<long>(chunks.size());
+  cost.seconds = std::accumulate(chunks.begin(), chunks.end(), 0.0);
+  for (const int p : cores) cost.on_cores.push_back(scheduled(chunks, p));
   return cost;
 }
 
@@ -32,39 +33,90 @@ LoopCost serial_of(const std::string& name, double seconds, const std::vector<in
 
 }  // namespace
 
-TEST_CASE("equal pieces take as many rounds as they need") {
-  const std::vector<double> pieces(10, 0.5);
+TEST_CASE("equal chunks take as many rounds as they need") {
+  const std::vector<double> chunks(10, 0.5);
   for (const int cores : {1, 2, 3, 4, 9, 10, 11, 64}) {
     CAPTURE(cores);
-    CHECK(scheduled(pieces, cores) == Approx(0.5 * ((10 + cores - 1) / cores)));
+    CHECK(scheduled(chunks, cores) == Approx(0.5 * ((10 + cores - 1) / cores)));
   }
   CHECK(scheduled({}, 4) == 0);
 }
 
-TEST_CASE("a large piece bounds the time, wherever it stands") {
-  std::vector<double> pieces(12, 1.0);
-  pieces.front() = 20;
-  for (const int cores : {2, 4, 12}) CHECK(scheduled(pieces, cores) == Approx(20));
-  std::swap(pieces.front(), pieces.back());
-  CHECK(scheduled(pieces, 2) == Approx(25));  // eleven of the others before it: the sixth ends at 5 on one core
-  CHECK(scheduled(pieces, 64) == Approx(20));
+TEST_CASE("a large chunk bounds the time, wherever it stands") {
+  std::vector<double> chunks(12, 1.0);
+  chunks.front() = 20;
+  for (const int cores : {2, 4, 12}) CHECK(scheduled(chunks, cores) == Approx(20));
+  std::swap(chunks.front(), chunks.back());
+  CHECK(scheduled(chunks, 2) == Approx(25));  // eleven of the others before it: the sixth ends at 5 on one core
+  CHECK(scheduled(chunks, 64) == Approx(20));
 }
 
-TEST_CASE("cores take pieces in order as they get idle") {
+TEST_CASE("cores take chunks in order as they get idle") {
   CHECK(scheduled({3, 1, 1, 1, 2}, 2) == Approx(5));
   CHECK(scheduled({1, 2, 3}, 1) == Approx(6));
 }
 
-TEST_CASE("interrupted pieces are lowered to the processor time") {
-  std::vector<double> pieces = {1, 5, 2, 9};
-  lower_longest(pieces, 9);
-  CHECK(pieces == std::vector<double>{1, 3, 2, 3});
-  lower_longest(pieces, 20);
-  CHECK(pieces == std::vector<double>{1, 3, 2, 3});
-  lower_longest(pieces, 2);
-  CHECK(pieces == std::vector<double>(4, 0.5));
-  lower_longest(pieces, -1);
-  CHECK(pieces == std::vector<double>(4, 0.0));
+TEST_CASE("interrupted chunks are lowered to the processor time") {
+  std::vector<double> chunks = {1, 5, 2, 9};
+  lower_longest(chunks, 9);
+  CHECK(chunks == std::vector<double>{1, 3, 2, 3});
+  lower_longest(chunks, 20);
+  CHECK(chunks == std::vector<double>{1, 3, 2, 3});
+  lower_longest(chunks, 2);
+  CHECK(chunks == std::vector<double>(4, 0.5));
+  lower_longest(chunks, -1);
+  CHECK(chunks == std::vector<double>(4, 0.0));
+}
+
+TEST_CASE("loops inside chunks are divided too") {
+  LoopTrace trace;
+  CHECK(trace.scheduled(4) == 0);
+  // One chunk: 1 s, a loop of four chunks of 2 s, 3 s.
+  trace.add_segment(1);
+  trace.begin_loop();
+  for (int i = 0; i < 4; ++i) trace.add_segment(2), trace.end_chunk();
+  trace.end_loop();
+  trace.add_segment(3);
+  trace.end_chunk();
+  CHECK(trace.nested());
+  CHECK(trace.seconds() == 12);
+  CHECK(trace.segments() == 6);
+  CHECK(trace.scheduled(1) == Approx(12));
+  CHECK(trace.scheduled(2) == Approx(8));
+  CHECK(trace.scheduled(3) == Approx(8));
+  CHECK(trace.scheduled(4) == Approx(6));
+  CHECK(trace.scheduled(64) == Approx(6));
+  // A second chunk of 5 s: it fills the cores that the loop leaves idle.
+  trace.add_segment(5);
+  trace.end_chunk();
+  CHECK(trace.scheduled(1) == Approx(17));
+  CHECK(trace.scheduled(2) == Approx(10));  // 1 s beside the second chunk, which ends at 5; the loop at 7
+  CHECK(trace.scheduled(5) == Approx(6));
+  trace.clear();
+  trace.add_segment(2), trace.end_chunk(), trace.add_segment(1), trace.end_chunk();
+  CHECK_FALSE(trace.nested());
+  CHECK(trace.scheduled(2) == Approx(2));
+}
+
+TEST_CASE("loops inside loops inside loops") {
+  // Two chunks, each with a loop of two chunks, each with a loop of two chunks of 1 s.
+  LoopTrace trace;
+  for (int i = 0; i < 2; ++i) {
+    trace.add_segment(0);
+    trace.begin_loop();
+    for (int k = 0; k < 2; ++k) {
+      trace.add_segment(0);
+      trace.begin_loop();
+      for (int m = 0; m < 2; ++m) trace.add_segment(1), trace.end_chunk();
+      trace.end_loop();
+      trace.add_segment(0);
+      trace.end_chunk();
+    }
+    trace.end_loop();
+    trace.add_segment(0);
+    trace.end_chunk();
+  }
+  for (const int cores : {1, 2, 4, 8}) CHECK(trace.scheduled(cores) == Approx(8.0 / cores));
 }
 
 TEST_CASE("serial code bounds the speed-up by Amdahl's law") {
@@ -85,16 +137,16 @@ TEST_CASE("serial code bounds the speed-up by Amdahl's law") {
 TEST_CASE("losses are those of the cores asked for, the largest first") {
   const std::vector<int> cores = {2, 12};
   CoreScaling scaling{cores, 12, {}};
-  scaling.costs = {serial_of("short", 1, cores), loop_of("two pieces", {2, 2}, cores), loop_of("many", std::vector<double>(240, 0.1), cores)};
+  scaling.costs = {serial_of("short", 1, cores), loop_of("two chunks", {2, 2}, cores), loop_of("many", std::vector<double>(240, 0.1), cores)};
   scaling.sort();
-  CHECK(scaling.costs[0].name == "two pieces");  // loses 2 - 4 / 12 s
+  CHECK(scaling.costs[0].name == "two chunks");  // loses 2 - 4 / 12 s
   CHECK(scaling.costs[1].name == "short");       // loses 1 - 1 / 12 s
   CHECK(scaling.costs[2].name == "many");
   CHECK(scaling.share_lost(scaling.costs[0]) == Approx((2 - 4. / 12) / (2 - 4. / 12 + 1 - 1. / 12)));
   CHECK(scaling.divided_runs() == 2);
 }
 
-TEST_CASE("runs of one piece count as serial") {
+TEST_CASE("runs of one chunk count as serial") {
   const std::vector<int> cores = {2};
   LoopCost cost = loop_of("small", {3}, cores);
   cost.undivided = 3;

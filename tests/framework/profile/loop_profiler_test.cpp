@@ -42,6 +42,7 @@ TEST_CASE("labels of loops are short") {
   CHECK(function_label("std::vector<int> tack::Bvh::pairs(const std::vector<double>&, int) const") == "Bvh::pairs");
   CHECK(function_label("void tack::Factor::for_each_part(const Body&) const [with Body = tack::Factor::apply(const VecX&)::<lambda(int)>; T = int]") ==
         "Factor::for_each_part of Factor::apply");
+  CHECK(function_label("void tack::f(int) [with Body = tack::g<tack::Long<int, double>, tack::Longer<tack::LongestOfAllNames, double> >(int)::<lambda(int)>]") == "f of g<...>");
   CHECK(function_label("int main()") == "main");
 }
 
@@ -68,7 +69,7 @@ TEST_CASE("the seconds of loops and serial code add up to the time of the thread
   CHECK(loop.phase == Phase::assembly);
   CHECK(loop.name.find("loop_profiler_test.cpp:") != std::string::npos);
   CHECK(loop.runs == 20);
-  CHECK(loop.pieces == 20 * 391);
+  CHECK(loop.chunks == 20 * 391);
   CHECK(loop.undivided == 0);
   // Processor seconds may be fewer than those on the wall, never more but for the clocks' errors.
   const auto of = [&](Phase phase) { return wall[static_cast<int>(phase)]; };
@@ -85,7 +86,7 @@ TEST_CASE("the seconds of loops and serial code add up to the time of the thread
   CHECK(cost_named(scaling, "", true).seconds > 0);
 }
 
-TEST_CASE("loops inside pieces belong to the piece, and those of other scopes are not timed") {
+TEST_CASE("loops inside chunks belong to the outermost one, and those of other scopes are not timed") {
   PhaseClock clock;
   LoopProfiler profiler(clock, {2});
   std::vector<double> out(4);
@@ -106,6 +107,21 @@ TEST_CASE("loops inside pieces belong to the piece, and those of other scopes ar
   CHECK(undivided == 1);
   CHECK(out == std::vector<double>(4, sum_chunks(1000, work)));
   CHECK(scaling.cores == std::vector<int>{2, 4});
+}
+
+TEST_CASE("a single chunk with a loop inside is divided") {
+  PhaseClock clock;
+  LoopProfiler profiler(clock, {64});
+  double sum = 0;
+  for_each(1, [&](int) { sum = sum_chunks(100000, work); });
+  const CoreScaling scaling = profiler.finish();
+  CHECK(sum == sum_chunks(100000, work));
+  const LoopCost& loop = cost_named(scaling, "", false);
+  CHECK(loop.runs == 1);
+  CHECK(loop.chunks == 1);
+  CHECK(loop.divided_runs == 1);
+  CHECK(loop.undivided == 0);
+  CHECK(loop.on_cores[0] < 0.75 * loop.seconds);  // 2 cores
 }
 
 TEST_CASE("an error in a loop passes through its observer") {
