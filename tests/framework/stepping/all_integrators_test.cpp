@@ -10,6 +10,7 @@
 #include "geometry/errors.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/same_state.hpp"
+#include "tests/support/sliding_block.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;
@@ -28,16 +29,8 @@ std::string time_of(const std::string& integrator, double h, const std::string& 
 }
 const std::string precise = "solver: {type: projected_newton, tolerance: 1e-9, force_tolerance: 1e-9}\n";
 
-// A block slides, turns and sticks on a floor; it hardens, so that stages have history.
 std::string sliding(const std::string& integrator, double h, const std::string& solver = "solver: {type: projected_newton, linear: cholmod, tolerance: 1e-6}\n") {
-  return time_of(integrator, h) + solver +
-         "gravity: [0, -9.81, 0]\n"
-         "objects:\n"
-         "  - {name: floor, shape: {type: box, size: [1, 0.02, 0.5]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n"
-         "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.052, 0]}, velocity: [0.4, -0.5, 0.1],\n"
-         "     energies: [{type: neo_hookean, young: 1e5}], damping: {stiffness: 0.2 ms}}\n"
-         "contact: {distance: 1 mm, friction: {mu: 0.3},\n"
-         "  pairs: [{between: [block, floor], adhesion: {type: bilinear, peak_traction: 1 kPa, work_of_adhesion: 0.2 J/m^2}, bond: on_contact}]}\n";
+  return time_of(integrator, h) + solver + sliding_block;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "framework/stepping/stepper.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/same_state.hpp"
+#include "tests/support/sliding_block.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;
@@ -52,15 +53,7 @@ std::string difference_after_resumption(const std::string& scene, const std::fun
 
 const std::string solver = "solver: {type: projected_newton, linear: cholmod, tolerance: 1e-6}\n";
 
-// A block slides, turns and sticks on a floor, bonds to it, and is damped.
-const std::string sliding = solver +
-                            "gravity: [0, -9.81, 0]\n"
-                            "objects:\n"
-                            "  - {name: floor, shape: {type: box, size: [1, 0.02, 0.5]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n"
-                            "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.052, 0]}, velocity: [0.4, -0.5, 0.1],\n"
-                            "     energies: [{type: neo_hookean, young: 1e5}], damping: {stiffness: 0.2 ms}}\n"
-                            "contact: {distance: 1 mm, friction: {mu: 0.3},\n"
-                            "  pairs: [{between: [block, floor], adhesion: {type: bilinear, peak_traction: 1 kPa, work_of_adhesion: 0.2 J/m^2}, bond: on_contact}]}\n";
+const std::string sliding = solver + sliding_block;
 
 // A plate moves two contact distances per step into a block, which is fixed at its far side.
 const std::string pressed = solver +
