@@ -11,10 +11,6 @@ find_package(CLI11 REQUIRED)
 find_package(CGAL REQUIRED)
 find_package(Boost 1.70 REQUIRED)
 find_package(ZLIB REQUIRED)
-# Debian ships no CMake config for OpenVDB.
-find_path(OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)
-find_library(OPENVDB_LIBRARY openvdb REQUIRED)
-find_library(IMATH_LIBRARY NAMES Imath-3_1 Imath REQUIRED)  # half numbers in its headers, for processors that have none
 # VTK: the development package if it is installed. It depends on 360 packages that tack does not need; without it, VTK's libraries are used with the
 # headers that the `tack` script unpacks into VTK_HEADERS.
 set(VTK_PARTS CommonCore CommonDataModel CommonExecutionModel IOCore IOXML IOGeometry IOLegacy)
@@ -32,17 +28,8 @@ else()
   endforeach()
   set(TACK_VTK TACK::vtk)
 endif()
-find_library(TACK_GMSH gmsh REQUIRED)
 find_library(TACK_UDUNITS udunits2 REQUIRED)
 find_library(TACK_MUPARSER muparser REQUIRED)
-
-# External minimisers, found by their files: the packages' CMake configurations would add include folders to every target.
-find_path(CERES_INCLUDE ceres/ceres.h REQUIRED)
-find_library(CERES_LIBRARY ceres REQUIRED)
-find_library(GLOG_LIBRARY glog REQUIRED)
-find_path(NLOPT_INCLUDE nlopt.h REQUIRED)
-find_library(NLOPT_LIBRARY nlopt REQUIRED)
-set(TACK_EXTERNAL_MINIMISERS ${CERES_LIBRARY} ${GLOG_LIBRARY} ${NLOPT_LIBRARY})
 
 # Debian ships no CMake config for SuiteSparse 5.12.
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
@@ -53,3 +40,22 @@ add_library(TACK::cholmod INTERFACE IMPORTED)
 target_include_directories(TACK::cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
 target_link_libraries(TACK::cholmod INTERFACE ${CHOLMOD_LIBRARY} ${METIS_LIBRARY} ${OPENBLAS_LIBRARY}
                       ${OpenMP_CXX_LIBRARIES})
+
+# What the program tack needs for first scenes ends here: all else belongs to libraries that are opened on demand, other programs and tests.
+if(TACK_FIRST)
+  return()
+endif()
+
+# Debian ships no CMake config for OpenVDB.
+find_path(OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)
+find_library(OPENVDB_LIBRARY openvdb REQUIRED)
+find_library(IMATH_LIBRARY NAMES Imath-3_1 Imath REQUIRED)  # half numbers in its headers, for processors that have none
+find_library(TACK_GMSH gmsh REQUIRED)
+
+# External minimisers, found by their files: the packages' CMake configurations would add include folders to every target.
+find_path(CERES_INCLUDE ceres/ceres.h REQUIRED)
+find_library(CERES_LIBRARY ceres REQUIRED)
+find_library(GLOG_LIBRARY glog REQUIRED)
+find_path(NLOPT_INCLUDE nlopt.h REQUIRED)
+find_library(NLOPT_LIBRARY nlopt REQUIRED)
+set(TACK_EXTERNAL_MINIMISERS ${CERES_LIBRARY} ${GLOG_LIBRARY} ${NLOPT_LIBRARY})

@@ -65,8 +65,11 @@ function(tack_layer NAME)
     endif()
   endforeach()
 
-  # 3. Libraries of the layer.
+  # 3. Libraries of the layer. With TACK_FIRST nothing takes those of the other two kinds.
   foreach(TARGET ${TARGETS})
+    if(TACK_FIRST AND "${TARGET}" MATCHES "_(further|studies)$")
+      set_target_properties(${TARGET} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
     target_link_libraries(${TARGET} PUBLIC tack_options ${L_LINKS} PRIVATE ${L_PRIVATE_LINKS})
   endforeach()
   set_property(GLOBAL APPEND PROPERTY TACK_LINKS ${L_PRIVATE_LINKS})
@@ -102,4 +105,5 @@ endfunction()
 # tack_link_all(TARGET): the objects of tack_studies, libtack.so and the tests.
 function(tack_link_all TARGET)
   tack_link_objects(${TARGET} HOT FURTHER COLD STUDIES)
+  target_link_libraries(${TARGET} PRIVATE ${TACK_EXTERNAL_MINIMISERS})
 endfunction()

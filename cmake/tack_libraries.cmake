@@ -3,14 +3,17 @@ include_guard()
 
 # tack_own_library(NAME SOURCES ... HEADERS ... LINKS ...): libtack_NAME.so beside the program. geometry/NAME/functions.hpp has the table of its
 # functions, geometry/NAME_library.cpp calls them. The program refuses a library that was built from other HEADERS, or in another way.
+# With TACK_FIRST there is the program's side alone.
 function(tack_own_library NAME)
   cmake_parse_arguments(L "" "" "SOURCES;HEADERS;LINKS" ${ARGN})
-  add_library(tack_${NAME} MODULE ${L_SOURCES})
-  tack_compile_cold(tack_${NAME})
-  # Hidden, because the program has functions of the same names.
-  set_target_properties(tack_${NAME} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin CXX_VISIBILITY_PRESET hidden)
-  target_link_libraries(tack_${NAME} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt ${L_LINKS})
-  target_link_options(tack_${NAME} PRIVATE $<$<NOT:$<BOOL:${TACK_SANITIZE}>>:-Wl,--no-undefined>)
+  if(NOT TACK_FIRST)
+    add_library(tack_${NAME} MODULE ${L_SOURCES})
+    tack_compile_cold(tack_${NAME})
+    # Hidden, because the program has functions of the same names.
+    set_target_properties(tack_${NAME} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin CXX_VISIBILITY_PRESET hidden)
+    target_link_libraries(tack_${NAME} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt ${L_LINKS})
+    target_link_options(tack_${NAME} PRIVATE $<$<NOT:$<BOOL:${TACK_SANITIZE}>>:-Wl,--no-undefined>)
+  endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${L_HEADERS})
   set(ALL "${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${TACK_NATIVE} ${TACK_SANITIZE}")
   foreach(HEADER ${L_HEADERS})
@@ -48,6 +51,7 @@ endfunction()
 function(tack_further_library)
   add_library(tack_further MODULE ${CMAKE_SOURCE_DIR}/cmake/plugin_note.cpp)
   tack_add_objects(tack_further FURTHER)
+  target_link_libraries(tack_further PRIVATE ${TACK_EXTERNAL_MINIMISERS})
   set_target_properties(tack_further PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
   target_include_directories(tack_further PRIVATE ${CMAKE_BINARY_DIR}/generated)
   add_dependencies(tack_further tack_build_info)

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <filesystem>
 
 #include "geometry/errors.hpp"
@@ -15,27 +14,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr OwnLibrary own{"libtack_meshing.so", "tack_meshing_functions", TACK_MESHING_INTERFACE, "tack_meshing", "meshes cannot be made"};
-std::atomic<bool> failed{false};
-
-const MeshingFunctions& opened() {
-  try {
-    return *static_cast<const MeshingFunctions*>(open_library(own));
-  } catch (const InputError&) {
-    failed = true;
-    throw;
-  }
-}
 
 const MeshingFunctions& library() {
-  static const MeshingFunctions& functions = opened();
+  static const MeshingFunctions& functions = *static_cast<const MeshingFunctions*>(open_library(own));
   return functions;
 }
 
 }  // namespace
 
 void open_meshing_library() { library(); }
-
-bool meshing_library_failed() { return failed; }
 
 std::string meshing_library_stamp() {
   std::error_code none;

@@ -10,9 +10,6 @@ namespace tack {
 // Opens the library now. Call it before a fork, so that the program itself reports the error.
 void open_meshing_library();
 
-// Returns true if the library could not be opened.
-bool meshing_library_failed();
-
 // Returns size and time of its file, which identify its build; empty: it is missing.
 std::string meshing_library_stamp();
 

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cstring>
 
 #include "geometry/errors.hpp"
@@ -37,6 +38,8 @@ fs::path own_library_path(const std::string& name) {
 
 namespace {
 
+std::atomic<const char*> missing{""};
+
 const void* functions_of(const OwnLibrary& library) {
   const std::string path = own_library_path(library.file).string();
   void* opened = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -53,9 +56,12 @@ const void* open_library(const OwnLibrary& library) {
   try {
     return functions_of(library);
   } catch (const InputError& error) {
+    missing = library.target;
     throw InputError(fmt::format("{}: {}; run `./tack`, which builds it, or `cmake --build --preset release --target {}`", library.without,
                                  error.what(), library.target));
   }
 }
+
+const char* missing_library() { return missing; }
 
 }  // namespace tack

@@ -29,4 +29,7 @@ struct OwnLibrary {
 // with the remedy, if it is not built, broken, or of another build.
 const void* open_library(const OwnLibrary& library);
 
+// Returns the CMake target of the library that could not be opened; "": none.
+const char* missing_library();
+
 }  // namespace tack

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <string>
 
 #include "framework/app/command_line.hpp"
 #include "framework/app/commands.hpp"
@@ -18,7 +19,7 @@
 #include "framework/shapes/mesh_cache.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
-#include "geometry/meshing_library.hpp"
+#include "geometry/own_library.hpp"
 
 namespace tack {
 namespace {
@@ -44,15 +45,16 @@ void unblock_signals() {
 void restart_to_build_libraries(char** argv) {
   const char* script = std::getenv("TACK_SCRIPT");
   if (!script) return;
+  const char* asked = std::getenv("TACK_LIBRARIES");
+  std::string targets = asked ? asked : "";
   bool missing = false;
-  const auto ask_for = [&](const char* library, bool failed) {
-    if (!failed || std::getenv(library)) return;  // once
-    ::setenv(library, "1", 1);
+  for (const std::string target : {further_components_failed() ? "tack_further" : "", missing_library()}) {
+    if (target.empty() || targets.find(target) != targets.npos) continue;  // asks once
+    targets += (targets.empty() ? "" : " ") + target;
     missing = true;
-  };
-  ask_for("TACK_MESHING", meshing_library_failed());
-  ask_for("TACK_FURTHER", further_components_failed());
+  }
   if (!missing) return;
+  ::setenv("TACK_LIBRARIES", targets.c_str(), 1);
   std::fflush(nullptr);
   unblock_signals();
   ::execv(script, argv);

@@ -20,11 +20,13 @@ enum class Further { here, elsewhere, failed };
 Further further = Further::here;
 
 const std::map<std::string, std::vector<std::string>, std::less<>> further_names = {
+    {"contact_model", {"clipped", "gcp", "ipc", "ogc"}},
     {"energy", {"elastic_rod", "hinge_bending", "neo_hookean_membrane", "particle", "string", "stvk_membrane", "von_mises", "von_mises_membrane"}},
     {"field", {"plastic_strain"}},
     {"filling", {"gas", "liquid"}},
     {"interaction", {"ball", "chamber", "hinge", "rope", "slider", "spring", "weld"}},
     {"load", {"chamber", "field", "torque", "wind"}},
+    {"minimizer", {"ceres_line_search", "ceres_trust_region", "nlopt"}},
     {"probe", {"intact_springs", "joint_angle", "joint_way", "motor_force", "motor_torque", "rope_force", "spring_force"}},
     {"stepper", {"lcp_pgs", "path_following"}}};
 

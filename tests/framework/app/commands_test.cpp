@@ -107,16 +107,16 @@ TEST_CASE("the script that started the program builds missing libraries, and can
   const TemporaryFolder folder;
   const fs::path alone = folder.path() / "tack", script = folder.path() / "script";
   fs::copy_file(TACK_PROGRAM, alone);
-  write_file(script, "#!/bin/sh\necho \"asked for: $TACK_FURTHER$TACK_MESHING with $*\"\ngrep SigBlk /proc/self/status\n");
+  write_file(script, "#!/bin/sh\necho \"asked for: $TACK_LIBRARIES with $*\"\ngrep SigBlk /proc/self/status\n");
   fs::permissions(script, fs::perms::owner_all);
   write_file(folder.path() / "scene.yaml", tiny_scene_with("type: neo_hookean", "type: von_mises, yield_stress: 1 MPa"));
   ::setenv("TACK_SCRIPT", script.c_str(), 1);
   const ProgramResult asked = run_tack(folder.path(), {"run", "scene.yaml"}, alone);
-  ::setenv("TACK_FURTHER", "1", 1);
+  ::setenv("TACK_LIBRARIES", "tack_further", 1);
   const ProgramResult again = run_tack(folder.path(), {"run", "scene.yaml"}, alone);
-  ::unsetenv("TACK_FURTHER");
+  ::unsetenv("TACK_LIBRARIES");
   ::unsetenv("TACK_SCRIPT");
-  CHECK(contains(asked.out, "asked for: 1 with run scene.yaml"));
+  CHECK(contains(asked.out, "asked for: tack_further with run scene.yaml"));
   CHECK(contains(asked.out, "SigBlk:\t0000000000000000"));
   CHECK(again.exit_code == 2);  // not for ever
   CHECK(contains(again.err, "scene.yaml:"));

@@ -10,7 +10,7 @@
 
 #include "framework/config/field.hpp"
 #include "geometry/errors.hpp"
-#include "solvers/minimizers/ceres_common.hpp"
+#include "solvers/minimizers/external/ceres_common.hpp"
 #include "solvers/minimizers/guarded_problem.hpp"
 
 namespace tack {

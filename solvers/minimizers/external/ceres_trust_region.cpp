@@ -14,8 +14,8 @@
 #include "framework/config/field.hpp"
 #include "framework/core/term.hpp"
 #include "solvers/linear/dense_kernels.hpp"
-#include "solvers/minimizers/ceres_common.hpp"
-#include "solvers/minimizers/ceres_residuals.hpp"
+#include "solvers/minimizers/external/ceres_common.hpp"
+#include "solvers/minimizers/external/ceres_residuals.hpp"
 #include "solvers/minimizers/descent_minimizer.hpp"
 
 namespace tack {
