@@ -1,7 +1,8 @@
 // Chooses between a reused Cholesky factor and conjugate gradients with an incomplete factor, by
-// predicted reads and operations: entries and operations of the factor by its symbolic analysis,
-// against blocks of the matrix and iterations needed so far. The decision counts operations, not
-// seconds, so that runs repeat bit for bit. The constants are measured:
+// predicted reads and operations: entries and operations of the factor, against blocks of the
+// matrix and iterations needed so far. Bounds of the factor's cost decide where they suffice; the
+// symbolic analysis, which takes ten times as long, where they do not. The decision counts
+// operations, not seconds, so that runs repeat bit for bit. The constants are measured:
 // docs/log/performance_linear_solvers.md.
 #include <fmt/format.h>
 
@@ -66,39 +67,68 @@ class AutomaticSolver : public LinearSolver {
     needed_ = expected;
     experience_.clear();
     reason_ = direct_->describe();
-    weigh(direct_->predict(*matrix_, clock));
+    const std::optional<FactorCost> bound = direct_->bound(*matrix_, clock);
+    if (bound && worth_iterating(budget(least(*bound)))) {
+      weigh(least(*bound), false);
+    } else {
+      weigh(direct_->predict(*matrix_, clock), true);
+    }
     iterating_ = next_iterates_;
   }
 
-  // Predicts the cost of the factor again after each new analysis, because contacts fill it.
-  void weigh_anew(PhaseClock& clock) {
-    if (direct_->analyses() != analyses_ && direct_->analyses() > 0) weigh(direct_->predict(*matrix_, clock));
+  // Returns the least cost of the best ordering, for the cost of a minimum-degree ordering.
+  static FactorCost least(const FactorCost& bound) {
+    return {bound.operations / operations_saved, bound.entries / entries_saved};
   }
 
-  void weigh(const std::optional<FactorCost>& cost) {
+  // Returns the iterations that cost as much as a factor.
+  double budget(const FactorCost& cost) const {
+    const double blocks = matrix_->blocks(), pass = cost.entries + per_unknown * matrix_->size() + product * blocks;
+    return std::max(0.0, (operation * cost.operations + passes * pass) / (per_block * blocks) - incomplete_factor);
+  }
+  bool worth_iterating(double budget) const { return budget > needed_ && matrix_->size() > smallest; }
+
+  // Predicts the cost of the factor again after each new analysis, because contacts fill it.
+  void weigh_anew(PhaseClock& clock) {
+    if (direct_->analyses() != analyses_ && direct_->analyses() > 0) weigh(direct_->predict(*matrix_, clock), true);
+  }
+
+  // exact: the cost is that of the symbolic analysis, not a lower bound.
+  void weigh(const std::optional<FactorCost>& cost, bool exact) {
     analyses_ = direct_->analyses();
     next_iterates_ = false;
     if (!cost) return;
-    const double blocks = matrix_->blocks(), pass = cost->entries + per_unknown * matrix_->size() + product * blocks;
-    budget_ = std::max(0.0, (operation * cost->operations + passes * pass) / (per_block * blocks) - incomplete_factor);
-    next_iterates_ = budget_ > needed_ && matrix_->size() > smallest;
+    budget_ = budget(*cost);
+    exact_ = exact;
+    next_iterates_ = worth_iterating(budget_);
     solves_ = 0;
     average_ = 0;
     if (!next_iterates_ && !experience_.empty()) return;  // the reason of the last decision holds
-    reason_ = fmt::format("{} ({} unknowns; a factor has {:.2g} entries and takes {:.2g} operations, as much as "
+    reason_ = fmt::format("{} ({} unknowns; a factor has {}{:.2g} entries and takes {:.2g} operations, as much as "
                           "{:.0f} iterations of {}{})",
                           next_iterates_ ? iterative_->describe() : direct_->describe(), matrix_->size(),
-                          cost->entries, cost->operations, budget_, iterative_->describe(), experience_);
+                          exact ? "" : "at least ", cost->entries, cost->operations, budget_, iterative_->describe(), experience_);
+  }
+
+  // Returns true if iterations exceed a multiple of the budget. Analyses the matrix only if the
+  // lower bound of the budget is exceeded.
+  bool exceeds(double iterations, double multiple, PhaseClock& clock) {
+    if (iterations > multiple * budget_ && !exact_) {
+      if (const auto cost = direct_->predict(*matrix_, clock)) budget_ = budget(*cost);
+      analyses_ = direct_->analyses();
+      exact_ = true;
+    }
+    return iterations > multiple * budget_;
   }
 
   // Records the iterations that finding x took, and whether they were too many.
   void judge(const VecX& b, VecX& x, PhaseClock& clock) {
     const bool unsolved = !x.allFinite();
-    if (unsolved && maybe_indefinite_ && iterative_->iterations() <= hopeless * budget_) return;
+    if (unsolved && maybe_indefinite_ && !exceeds(iterative_->iterations(), hopeless, clock)) return;
     if (unsolved) return give_up(b, x, clock);
     solves_ = std::min(solves_ + 1, memory);
     average_ += (iterative_->iterations() - average_) / solves_;
-    if ((solves_ >= trial && average_ > patience * budget_) || iterative_->iterations() > hopeless * budget_) tire();
+    if ((solves_ >= trial && exceeds(average_, patience, clock)) || exceeds(iterative_->iterations(), hopeless, clock)) tire();
   }
 
   // Switches the next system to the direct solver; this system may still need a correction.
@@ -134,6 +164,9 @@ class AutomaticSolver : public LinearSolver {
   // Iterations that cost as much as the incomplete factor.
   static constexpr double incomplete_factor = 5.5;
   static constexpr double expected = 9;       // iterations that a system is assumed to take
+  // Largest ratios of a minimum-degree factor's cost to that of the best ordering: of a box of 64^3
+  // cells 3.7 and 1.9, of smaller boxes and of sheets less.
+  static constexpr double operations_saved = 4, entries_saved = 2;
   static constexpr int smallest = 1000;       // unknowns, below which any solver will do
   // Factor on the budget: the cost of a reused factor is uncertain.
   static constexpr double patience = 1.6;
@@ -155,7 +188,8 @@ class AutomaticSolver : public LinearSolver {
   std::string experience_;      // reason why iterating was stopped, if it was
   bool maybe_indefinite_ = false;  // systems from now on may be indefinite
   double decided_for_ = 0;  // unknowns
-  double budget_ = 0;       // iterations that cost as much as the factor
+  double budget_ = 0;       // iterations that cost as much as the factor, or fewer
+  bool exact_ = false;      // the budget is predicted by the symbolic analysis
   double average_ = 0;      // average iterations of recent systems
   int solves_ = 0;
   std::string reason_ = "auto";

@@ -1,6 +1,15 @@
 #include "solvers/linear/cholmod_analysis.hpp"
 
 namespace tack {
+namespace {
+
+// Returns the graph of the blocks; CHOLMOD only reads its arrays.
+cholmod_sparse graph_of(const BlockMatrix& matrix) {
+  return lower_view(matrix.columns(), const_cast<std::vector<int>&>(matrix.column_start),
+                    const_cast<std::vector<int>&>(matrix.row), nullptr);
+}
+
+}  // namespace
 
 void CholmodAnalysis::fields(Fields& f) {
   f.choice("ordering", ordering_,
@@ -33,7 +42,7 @@ bool CholmodAnalysis::update(const BlockMatrix& matrix, Kind kind) {
   if (kind != Kind::supernodal_blocks) csc_.set_structure(matrix);
   const bool same_size = block_order_.size() == static_cast<size_t>(matrix.columns());
   factor_ = same_size ? analyze_with(matrix, block_order_) : nullptr;
-  cost_ = last_cost();
+  cost_ = last_cost(kind_);
   constexpr double tolerated_growth = 1.3;
   if (!factor_ || session_->fl > tolerated_growth * operations_) order(matrix);
   version_ = matrix.version;
@@ -42,18 +51,23 @@ bool CholmodAnalysis::update(const BlockMatrix& matrix, Kind kind) {
 }
 
 // Returns the predicted cost in scalars; a product of blocks is 27 scalar products.
-FactorCost CholmodAnalysis::last_cost() const {
-  const bool blocks = kind_ == Kind::supernodal_blocks;
+FactorCost CholmodAnalysis::last_cost(Kind kind) const {
+  const bool blocks = kind == Kind::supernodal_blocks;
   return {session_.get()->fl * (blocks ? 27 : 1), session_.get()->lnz * (blocks ? 9 : 1)};
+}
+
+FactorCost CholmodAnalysis::bound(const BlockMatrix& matrix) {
+  cholmod_sparse graph = graph_of(matrix);
+  std::vector<int> block_order(matrix.columns());
+  cholmod_amd(&graph, nullptr, 0, block_order.data(), session_.get());
+  return last_cost(Kind::supernodal_blocks);
 }
 
 FactorPtr CholmodAnalysis::analyze_with(const BlockMatrix& matrix, std::vector<int>& block_order) {
   const FactorDeleter deleter{session_.get()};
   const int n = matrix.columns();
   if (kind_ == Kind::supernodal_blocks) {
-    // CHOLMOD only reads these arrays.
-    cholmod_sparse graph = lower_view(n, const_cast<std::vector<int>&>(matrix.column_start),
-                                      const_cast<std::vector<int>&>(matrix.row), nullptr);
+    cholmod_sparse graph = graph_of(matrix);
     return {cholmod_analyze_p(&graph, block_order.data(), nullptr, 0, session_.get()), deleter};
   }
   std::vector<int> order(3 * n);
@@ -65,9 +79,7 @@ FactorPtr CholmodAnalysis::analyze_with(const BlockMatrix& matrix, std::vector<i
 // Orders the graph of blocks and keeps the cheapest ordering.
 void CholmodAnalysis::order(const BlockMatrix& matrix) {
   const int n = matrix.columns();
-  auto start = matrix.column_start;
-  auto rows = matrix.row;
-  cholmod_sparse graph = lower_view(n, start, rows, nullptr);
+  cholmod_sparse graph = graph_of(matrix);
   factor_ = nullptr;
   for (const Ordering choice : {Ordering::amd, Ordering::metis}) {
     if (ordering_ != Ordering::best && ordering_ != choice) continue;
@@ -79,7 +91,7 @@ void CholmodAnalysis::order(const BlockMatrix& matrix) {
     FactorPtr factor = analyze_with(matrix, block_order);
     if (!factor || (factor_ && session_->fl >= operations_)) continue;
     operations_ = session_->fl;
-    cost_ = last_cost();
+    cost_ = last_cost(kind_);
     block_order_ = std::move(block_order);
     factor_ = std::move(factor);
   }

@@ -42,6 +42,9 @@ class LaggedCholesky : public LinearSolver {
   std::optional<FactorCost> predict(const BlockMatrix& matrix, PhaseClock& clock) override {
     return direct_->predict(matrix, clock);
   }
+  std::optional<FactorCost> bound(const BlockMatrix& matrix, PhaseClock& clock) override {
+    return direct_->bound(matrix, clock);
+  }
 
  private:
   // Returns true if conjugate gradients solved the system.

@@ -61,6 +61,11 @@ class Multifrontal : public DirectSolver {
     analyze(matrix);
     return analysis_.cost();
   }
+  std::optional<FactorCost> bound(const BlockMatrix& matrix, PhaseClock& clock) override {
+    if (!analysis_.compares_amd()) return predict(matrix, clock);
+    const PhaseScope scope(clock, Phase::factorize);
+    return analysis_.bound(matrix);
+  }
 
  private:
   // Updates the analysis. The tree belongs to the present factor and is rebuilt with the next one.

@@ -55,6 +55,33 @@ TEST_CASE("pins the sizes at which auto changes: small systems are factorised, l
   CHECK(starts_with(chosen(*solver, random_spd(70, random, 8), random), "lagged_cholesky (210 unknowns"));
 }
 
+TEST_CASE("auto analyses the factor only where its bounds do not decide", "[linear]") {
+  RandomMotions random(5);
+  const BlockMatrix solid = grid(14, random);
+  const auto solver = component<LinearSolver>("auto");
+  CHECK(chosen(*solver, solid, random, 6).find("at least") != std::string::npos);
+  CHECK(solver->analyses() == 0);
+  // Iterations above the lower bound of the budget call for the analysis, not for the factor.
+  const auto slow = component<LinearSolver>("{type: auto, iterative: {type: pcg, preconditioner: block_jacobi, tolerance: 1e-9}}");
+  CHECK(starts_with(chosen(*slow, grid(14, random, 30), random, 4), "pcg"));
+  CHECK(slow->analyses() == 1);
+}
+
+TEST_CASE("the minimum-degree bound lies between the cost of the best ordering and a few times that", "[linear]") {
+  RandomMotions random(6);
+  PhaseClock clock;
+  for (const int cells : {4, 9, 20}) {
+    const BlockMatrix solid = grid(cells, random);
+    const auto solver = component<LinearSolver>("multifrontal");
+    const FactorCost bound = solver->bound(solid, clock).value(), best = solver->predict(solid, clock).value();
+    CHECK(bound.operations >= best.operations);
+    CHECK(bound.operations <= 4 * best.operations);
+    CHECK(bound.entries <= 2 * best.entries);
+    const auto metis = component<LinearSolver>("{type: multifrontal, ordering: metis}");
+    CHECK(metis->bound(solid, clock)->operations == metis->predict(solid, clock)->operations);
+  }
+}
+
 TEST_CASE("auto switches from iterations that fail or are too many", "[linear]") {
   RandomMotions random(2);
   const BlockMatrix mild = grid(14, random), stiff = grid(14, random, 1e6);
