@@ -41,7 +41,7 @@ class BondTerm : public Term {
   bool lagged_stencils() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
-  void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;
+  void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& marks) const override;
 
   /// Sets the contact pressure at each bond of the list in this step [Pa], for steppers that know
   /// it; otherwise the barrier gives it.
@@ -103,8 +103,7 @@ class BondTerm : public Term {
   bool directed(const Block& block) const { return directs_ && law_of(block.first).directed(); }
   Vec3 jump_of(int bond, const Opening& o) const;  // opening and components of the slip
   DirectedSample directed_sample(int bond, const Opening& o) const;
-  void mark_directed(const Block& block, const VecX& from, const VecX& to,
-                     std::vector<char>& vertices) const;
+  char directed_marks(int bond, const VecX& from, const VecX& to) const;
   SiteState site_at(const Bond& bond, double time, const VecX& x) const;
   void find_environment_work(const VecX& x);
   BondStepStates step_of(int first) const { return {h_, site(first)}; }

@@ -1,4 +1,4 @@
-// Bonds that a motion takes past the peak of their traction. The traction is taken along the
+// Marks bonds by how far a motion takes their laws. The traction is taken along the
 // opening (d, u) of the bond, with length lambda:
 //     d phi / d lambda,   d^2 phi / d lambda^2   with d = lambda cos(theta), |u| = lambda
 //     sin(theta).
@@ -8,6 +8,7 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/core/concurrent_maximum.hpp"
+#include "framework/core/debonding.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -39,27 +40,50 @@ struct Path {
   }
 };
 
+// Returns whether a bond that is past its peak at the end was not at the start of a motion from the opening `start` to `end`.
+// at(opening): AlongOpening.
+template <class At>
+bool passes_from(double start, double end, const At& at) {
+  const double soon = std::min(at_limit * start, end);
+  return at(start).stiffness > 0 && !softens(at(soon), soon);
+}
+
+// Returns the work from the opening `start` to `end` by the trapezoidal rule, along the opening at the end [J/m^2].
+template <class At>
+double trapezoid(double start, double end, const At& at) {
+  return (std::max(at(start).traction, 0.0) + std::max(at(end).traction, 0.0)) / 2 * (end - start);
+}
+
 double length_of(const Opening& o) { return std::hypot(std::max(o.d, 0.0), std::sqrt(o.s)); }
 
 }  // namespace
 
-void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
+void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& marks) const {
   ensure_frames(from);
   constexpr int blocks_at_once = 8;
   for_each(static_cast<int>(blocks_.size()), [&](int k) {
     // No structured binding: the lambda below would capture it, which Clang 14 does not support.
     const int first = blocks_[k].first, last = blocks_[k].last;
-    if (directed(blocks_[k])) return mark_directed(blocks_[k], from, to, vertices);
-    std::array<double, most_in_block> length_before, d{}, s{};  // at the end
+    const auto add = [&](int i, char found) {
+      const Bond& bond = list_.bonds()[i];
+      for (int v = 0; v < bond.count(); ++v) mark(marks[bond.vertices[v]], found);
+    };
+    for (int i = first; i < last; ++i) add(i, adheres);
+    if (directed(blocks_[k])) {
+      for (int i = first; i < last; ++i) add(i, directed_marks(i, from, to));
+      return;
+    }
+    std::array<double, most_in_block> d{}, s{};  // at the end
+    std::array<Opening, most_in_block> before;
     std::array<Path, most_in_block> paths;
     std::array<BondSample, most_in_block> ends{};
-    const auto widens = [&](int i) { return paths[i].length > length_before[i]; };
+    const auto widens = [&](int i) { return paths[i].length > length_of(before[i]); };
     for (int i = 0; i < last - first; ++i) {
       const Bond& bond = list_.bonds()[first + i];
       const Opening after = opening_of(bond, to);
       const double length = length_of(after);
       paths[i] = {length, std::max(after.d, 0.0) / length};
-      length_before[i] = length_of(opening_of(bond, from));
+      before[i] = opening_of(bond, from);
       if (widens(i)) d[i] = paths[i].d(length), s[i] = paths[i].s(length);
     }
     const BondLaw& law = law_of(first);
@@ -69,40 +93,43 @@ void BondTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char
       const Path& path = paths[i];
       const AlongOpening end = path.along(ends[i], path.length);
       if (end.traction > 0 && !softens(end, path.length)) continue;
-      // Few bonds are past their peak. Bonds that were past it at the start are not marked.
-      const auto at = [&](double opening) { return path.along(law.at(path.d(opening), path.s(opening), list_.variables(first + i), step_of(first + i)), opening); };
-      const double soon = std::min(at_limit * length_before[i], path.length);
-      if (!(at(length_before[i]).stiffness > 0) || softens(at(soon), soon)) continue;
-      const Bond& bond = list_.bonds()[first + i];
-      for (int v = 0; v < bond.count(); ++v) mark(vertices[bond.vertices[v]]);
+      // Few bonds are past their peak.
+      const auto sample = [&](double opening_d, double opening_s) { return law.at(opening_d, opening_s, list_.variables(first + i), step_of(first + i)); };
+      const auto at = [&](double opening) { return path.along(sample(path.d(opening), path.s(opening)), opening); };
+      const double start = length_of(before[i]);
+      if (passes_from(start, path.length, at)) add(first + i, passes_peak);
+      const double taken = ends[i].value - sample(std::max(before[i].d, 0.0), before[i].s).value;
+      if (std::max(taken, trapezoid(start, path.length, at)) > debonding_work_max * law.work_of_adhesion()) add(first + i, passes_over);
     }
   }, blocks_at_once);
 }
 
-void BondTerm::mark_directed(const Block& block, const VecX& from, const VecX& to, std::vector<char>& vertices) const {
-  for (int i = block.first; i < block.last; ++i) {
-    const Bond& bond = list_.bonds()[i];
-    const auto jump_at = [&](const VecX& x) {
-      Vec3 jump = jump_of(i, opening_of(bond, x));
-      jump[0] = std::max(jump[0], 0.0);
-      return jump;
-    };
-    const Vec3 end = jump_at(to);
-    const double length = end.norm(), before = jump_at(from).norm();
-    if (!(length > before)) continue;
-    const Vec3 along = end / length;
-    const auto at = [&](double opening) {
-      DirectedSample sample;
-      const Vec3 jump = opening * along;
-      law_of(i).add_directed_samples(1, &jump, list_.variables(i), step_of(i), &sample);
-      return AlongOpening{sample.gradient.dot(along), along.dot(sample.hessian * along)};
-    };
-    const AlongOpening there = at(length);
-    if (there.traction > 0 && !softens(there, length)) continue;
-    const double soon = std::min(at_limit * before, length);
-    if (!(at(before).stiffness > 0) || softens(at(soon), soon)) continue;
-    for (int v = 0; v < bond.count(); ++v) mark(vertices[bond.vertices[v]]);
-  }
+// Returns the marks of a bond with a directed law, but for `adheres`.
+char BondTerm::directed_marks(int bond, const VecX& from, const VecX& to) const {
+  const auto jump_at = [&](const VecX& x) {
+    Vec3 jump = jump_of(bond, opening_of(list_.bonds()[bond], x));
+    jump[0] = std::max(jump[0], 0.0);
+    return jump;
+  };
+  const Vec3 start = jump_at(from), end = jump_at(to);
+  const double length = end.norm(), before = start.norm();
+  if (!(length > before)) return 0;
+  const auto sample = [&](const Vec3& jump) {
+    DirectedSample s;
+    law_of(bond).add_directed_samples(1, &jump, list_.variables(bond), step_of(bond), &s);
+    return s;
+  };
+  const Vec3 along = end / length;
+  const auto at = [&](double opening) {
+    const DirectedSample s = sample(opening * along);
+    return AlongOpening{s.gradient.dot(along), along.dot(s.hessian * along)};
+  };
+  const AlongOpening there = at(length);
+  if (there.traction > 0 && !softens(there, length)) return 0;
+  char marks = passes_from(before, length, at) ? passes_peak : 0;
+  const double taken = std::max(sample(end).value - sample(start).value, trapezoid(before, length, at));
+  if (taken > debonding_work_max * law_of(bond).work_of_adhesion()) marks |= passes_over;
+  return marks;
 }
 
 }  // namespace tack

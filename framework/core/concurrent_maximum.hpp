@@ -19,4 +19,11 @@ inline void mark(char& flag) {
   if (!shared.load(std::memory_order_relaxed)) shared.store(1, std::memory_order_relaxed);
 }
 
+/// Sets these bits.
+inline void mark(char& bits, char set) {
+  const std::atomic_ref<char> shared(bits);
+  if ((shared.load(std::memory_order_relaxed) & set) != set)
+    shared.fetch_or(set, std::memory_order_relaxed);
+}
+
 }  // namespace tack

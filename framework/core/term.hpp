@@ -97,11 +97,11 @@ class Term : public StepParticipant {
   /// Returns the term as least squares (residual_view.hpp); null if it has no such form.
   virtual const ResidualView* residual_view() const { return nullptr; }
 
-  /// Marks the vertices (n) of every stencil that debonds between `from` and `to` (3n): its pull
-  /// grows with its opening at `from` and has passed its peak at `to`. The starting iterate of a
-  /// step does not go that far (predicted_motion.hpp). All participants of the step are at `from`.
+  /// Adds marks (DebondingMark, debonding.hpp) to the vertices (n) of every stencil that adheres at
+  /// `from`: how far a motion to `to` (3n) takes its law. They bound the starting iterate of a step
+  /// (predicted_motion.hpp), and the step (debonding_check.hpp). All participants are at `from`.
   virtual void mark_debonding(const VecX& /*from*/, const VecX& /*to*/,
-                              std::vector<char>& /*vertices*/) const {}
+                              std::vector<char>& /*marks*/) const {}
 
   /// Returns true if the value is a stored energy, false if it represents dissipation of a step.
   virtual bool stores() const { return true; }

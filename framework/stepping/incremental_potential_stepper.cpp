@@ -12,6 +12,7 @@
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/step_retraction.hpp"
 #include "framework/stepping/convergence.hpp"
+#include "framework/stepping/debonding_check.hpp"
 #include "framework/stepping/feasible_steps.hpp"
 #include "framework/stepping/free_bodies.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
@@ -44,6 +45,7 @@ class Minimization {
   void minimize_lagged(const MinimizerProblem& problem, const Step& step, VecX& q, SolveResult& result);
   std::string failure(const SolveResult& result) const;
   void check_tunnelling(const VecX& x, Validation& validation);
+  void check_debonding(const VecX& x, Validation& validation);
 
   World& world_;
   const SceneConfig& scene_;
@@ -55,7 +57,9 @@ class Minimization {
   FeasibleSteps steps_;
   PrescribedMotionSolver motion_;
   std::optional<TunnellingCheck> tunnelling_;
+  std::optional<DebondingCheck> debonding_;
   VecX x_start_;                // 3n [m]: start of the latest step
+  VecX drift_;                  // 3n [m]: displacement with the velocities of the start; empty: none
   double h_ = 0;                // s: size of the latest step
   bool has_free_body_ = false;  // the latest solve failed because a body is free
 };
@@ -67,6 +71,7 @@ Minimization::Minimization(const StepperContext& context, const StepObservers& o
       steps_(world_, clock_, check_ ? &*check_ : nullptr, solver_.step_filters()),
       motion_(world_, solver_, clock_, steps_, penalty) {
   if (world_.contact) tunnelling_.emplace(world_);
+  if (context.time.resolve_debonding) debonding_.emplace(world_);
   steps_.observe([this](const VecX& x, const VecX& p, double feasible) {
     if (observers_.steps) observers_.steps(x, p, feasible);
   });
@@ -83,6 +88,7 @@ void Minimization::begin(bool new_unknowns) {
 void Minimization::solve(const Step& step, const VecX* guess, SolveResult& result) {
   x_start_ = step.state.x;
   h_ = step.h;
+  if (debonding_ && step.prediction.inertia) drift_ = step.h * step.state.v;
   has_free_body_ = false;
   if (check_) check_->begin(step.state.step + 1, "the first guess");
   convergence_.begin_step(step.potential, step.h, step.prediction.inertia);
@@ -211,7 +217,25 @@ Validation Minimization::validate(const SolveResult& result) {
     if (hits.empty()) check_tunnelling(result.x, v);
     else v.fault = "the surfaces intersect", v.reason = Rejection::intersection;
   }
+  if (v.fault.empty() && debonding_) check_debonding(result.x, v);
   return v;
+}
+
+void Minimization::check_debonding(const VecX& x, Validation& validation) {
+  world_.participants.move_to(x_start_);
+  int body = debonding_->find(x_start_, x);
+  for (VecX drift = drift_; drift.size() > 0; drift /= 2) {
+    const int drifting = debonding_->find(x_start_, x_start_ + drift);
+    if (drifting < 0) break;
+    body = drifting;
+    if (drift != drift_) validation.substeps *= 2;
+  }
+  world_.participants.move_to(x);
+  if (body < 0) return;
+  validation.fault = fmt::format("'{}' debonds faster than steps of {:.3g} s resolve", world_.bodies[body].name, h_);
+  validation.reason = Rejection::debonding;
+  validation.remedy = "take a smaller time.step or a larger time.max_cutbacks";
+  validation.tolerable = true;
 }
 
 void Minimization::check_tunnelling(const VecX& x, Validation& validation) {
@@ -230,6 +254,7 @@ class IncrementalPotentialStepper : public Stepper {
  public:
   void fields(Fields& f) override { f.object("prescribed_motion", penalty_, "how vertices with prescribed motion push what is in their way"); }
   void prepare(const StepperContext& context) override { minimization_.emplace(context, observers_, penalty_); }
+  bool resolves_debonding() const override { return true; }
   void begin(bool new_unknowns) override { minimization_->begin(new_unknowns); }
   void solve(const Step& step, const VecX* guess, SolveResult& result) override {
     minimization_->solve(step, guess, result);

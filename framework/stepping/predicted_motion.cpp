@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "framework/core/debonding.hpp"
 #include "framework/core/dependent_sets.hpp"
 #include "framework/core/disjoint_sets.hpp"
 #include "framework/core/term.hpp"
@@ -14,6 +15,7 @@ namespace {
 std::vector<char> debonding(const World& world, const VecX& from, const VecX& to) {
   std::vector<char> marked(world.dofs.vertex_count(), 0);
   for (const Term* term : world.terms) term->mark_debonding(from, to, marked);
+  for (char& m : marked) m = (m & passes_peak) != 0;
   if (std::find(marked.begin(), marked.end(), 1) == marked.end()) marked.clear();
   return marked;
 }

@@ -10,13 +10,15 @@ enum class Rejection {
   inversion,       // an element is inverted
   intersection,    // surfaces intersect
   tunnelling,      // a body passed through another one
+  debonding,       // a body debonds faster than the step resolves
   error,           // the error of an adaptive step is too large
   energy_contact,  // numerical energy gain or loss in contact
   energy_free,     // numerical energy gain or loss without contact
 };
 /// Names of the reasons, in their order: columns `rejected_NAME` of steps.csv.
-inline constexpr std::array rejection_names = {
-    "solve", "inversion", "intersection", "tunnelling", "error", "energy_contact", "energy_free"};
+inline constexpr std::array rejection_names = {"solve",          "inversion",  "intersection",
+                                               "tunnelling",     "debonding",  "error",
+                                               "energy_contact", "energy_free"};
 
 /// Numbers of rejected tries of a step, by reason.
 struct RejectionCounts {
@@ -27,7 +29,8 @@ struct RejectionCounts {
   // Returns the number of tries whose result was faulty.
   int cutbacks() const {
     return (*this)[Rejection::solve] + (*this)[Rejection::inversion] +
-           (*this)[Rejection::intersection] + (*this)[Rejection::tunnelling];
+           (*this)[Rejection::intersection] + (*this)[Rejection::tunnelling] +
+           (*this)[Rejection::debonding];
   }
   int of_energy() const {
     return (*this)[Rejection::energy_contact] + (*this)[Rejection::energy_free];

@@ -94,6 +94,8 @@ class Stepper : public Component {
   // Throws InputError for a world that it cannot step. Called when a scene is loaded.
   virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/,
                      const TimeConfig& /*time*/) const {}
+  // Returns whether it checks how far steps debond bodies (time.resolve_debonding).
+  virtual bool resolves_debonding() const { return false; }
   // Returns the step metrics of the last solve; zeros before the first solve.
   virtual std::vector<StepMetric> metrics() const { return {}; }
   // Load times, at which prescribed motion and dead loads are taken, at the ends of a step [s].

@@ -35,6 +35,13 @@ void TimeConfig::fields(Fields& f) {
             {"always", EnergyRepeats::always, "with every integrator"},
             {"never", EnergyRepeats::never, "energy gain and loss are reported only"}},
            "whether steps with numerical energy gain or loss are repeated with smaller sizes, down to an eighth of `step`, or with the integrator's fallback");
+  f.flag("resolve_debonding", resolve_debonding,
+         "whether a step in which a body debonds at once (adhesion or bonds) is repeated in smaller ones, so that the adhesion takes its work of adhesion from the motion");
+  f.check("resolve_debonding", [this]() -> std::string {
+    if (!resolve_debonding) return "";
+    if (!stepper->resolves_debonding()) return fmt::format("the stepper {} does not check it", stepper->type());
+    return integrator->inertia() ? "" : fmt::format("{} has no inertia, and debonds at once whatever its steps; remove it", integrator->type());
+  });
   f.check("step", [this]() -> std::string {
     constexpr double least = 1e-100;  // s: incremental potentials are divided by the square of the step
     return step >= least ? "" : fmt::format("{:g} s is too short to compute with, its square is no number; take {:g} s or more", step, least);

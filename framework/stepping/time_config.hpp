@@ -26,6 +26,7 @@ struct TimeConfig {
   std::optional<double> wall_limit;  // s of wall time
   int max_cutbacks = 8;
   EnergyRepeats energy_repeats = EnergyRepeats::automatic;
+  bool resolve_debonding = false;  // rejects steps that pass over the adhesion of a body
   std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");
   std::unique_ptr<Stepper> stepper = Registry<Stepper>::make("incremental_potential");
   // Returns the smallest size of adaptive steps [s].

@@ -78,6 +78,7 @@ bool TimeStepper::rejects(const Validation& validation, double h) {
     if (validation.tolerable) return false;
     throw SimulationError(fmt::format("step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h, validation.fault, validation.remedy));
   }
+  if (validation.reason == Rejection::debonding) return true;  // asked for
   const double next = state_.step_size.h_next;
   reporter_.warn(WarningKind::step_cutback, state_.step + 1, state_.time,
                  fmt::format("{}; rolled back, h halved to {:.6g} s (1/{} of the step)", validation.fault, next, std::lround(sizes_.whole() / next)));

@@ -56,6 +56,7 @@ void check_experiment(const std::string& file) {
 TEST_CASE("experiment debonding/pull") { check_experiment("debonding/pull.yaml"); }
 TEST_CASE("experiment debonding/pull_squared") { check_experiment("debonding/pull_squared.yaml"); }
 TEST_CASE("experiment debonding/peel") { check_experiment("debonding/peel.yaml"); }
+TEST_CASE("experiment debonding/let_go") { check_experiment("debonding/let_go.yaml"); }
 TEST_CASE("experiment debonding/snap_back") { check_experiment("debonding/snap_back.yaml"); }
 TEST_CASE("experiment meshing/turned") { check_experiment("meshing/turned.yaml"); }
 TEST_CASE("experiment integrators/beam") { check_experiment("integrators/beam.yaml"); }

@@ -310,13 +310,16 @@ void ClippedAdhesionTerm::derivatives(const VecX& x, Projection projection, doub
   gradients_at_ = x;
 }
 
-void ClippedAdhesionTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
+void ClippedAdhesionTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& marks) const {
+  std::vector<AdhesionOfGap> adhesion;
+  for (const ClippedLaw& law : laws_.laws()) adhesion.emplace_back(law.law);
   for_each(pair_count(), [&](int i) {
     const ClosePair& close = close_[i];
     if (close.pair.whole < 0) return;
     const ClippedLaw& law = laws_.laws()[close.pair.whole];
-    if (!passes_peak(law.law, law.range, mean_gap(from, close), mean_gap(to, close)) || !ClipIntegrator().overlaps(geometry(from, close), law.range)) return;
-    for (const int v : close.vertices) mark(vertices[v]);
+    const char found = debonding_marks(law.law, adhesion[close.pair.whole], mean_gap(from, close), mean_gap(to, close));
+    if (found == 0 || !ClipIntegrator().overlaps(geometry(from, close), law.range)) return;
+    for (const int v : close.vertices) mark(marks[v], found);
   });
 }
 

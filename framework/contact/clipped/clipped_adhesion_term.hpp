@@ -43,7 +43,7 @@ class ClippedAdhesionTerm : public Term {
   // With Projection::none the Hessian is a difference of the gradient, of fourth order.
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
-  void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;
+  void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& marks) const override;
   bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override;
   void publish(Records& records) const override;
 

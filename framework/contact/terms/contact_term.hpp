@@ -28,7 +28,7 @@ class ContactTerm : public Term {
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
   const ResidualView* residual_view() const override { return &residuals_; }
-  void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;
+  void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& marks) const override;
   bool visit_energies(const VecX& x, const EnergyVisitor& visit) const override;
   void publish(Records& records) const override;
 

@@ -1,5 +1,6 @@
-// Marks surfaces that a motion takes past the peak of an adhesion of the gap, by the stencils of the
+// Marks surfaces by how far a motion takes their adhesion of the gap, by the stencils of the
 // configuration at the start of the motion.
+#include <algorithm>
 #include <cmath>
 
 #include "framework/contact/terms/contact_term.hpp"
@@ -10,22 +11,18 @@
 
 namespace tack {
 
-void ContactTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
-  std::vector<double> range;  // of the adhesion of each law; 0: none [m]
-  bool any = false;
-  for (const PairLaw& law : laws(LawTerm::adhesion)) {
-    range.push_back(law.laws().empty() ? 0 : law.range());
-    any = any || range.back() > 0;
-  }
-  if (!any) return;
+void ContactTerm::mark_debonding(const VecX& from, const VecX& to, std::vector<char>& marks) const {
+  std::vector<AdhesionOfGap> adhesion;  // of each law
+  for (const PairLaw& law : laws(LawTerm::adhesion)) adhesion.emplace_back(law);
+  if (std::none_of(adhesion.begin(), adhesion.end(), [](const AdhesionOfGap& a) { return a.range > 0; })) return;
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double*) {
     using K = decltype(kind);
     for_each(static_cast<int>(stencils.size()), [&](int i) {
       const auto& stencil = stencils[i];
-      if (!(range[stencil.law] > 0) || !(stencil.weight > 0)) return;
+      if (!(adhesion[stencil.law].range > 0) || !(stencil.weight > 0)) return;
       const auto distance_at = [&](const VecX& x) { return std::sqrt(stencil_distance<ValueKernels>(K{}, x, stencil)); };
-      if (!passes_peak(laws(LawTerm::all)[stencil.law], range[stencil.law], distance_at(from), distance_at(to))) return;
-      for (const int v : stencil.vertices) mark(vertices[v]);
+      const char found = debonding_marks(laws(LawTerm::all)[stencil.law], adhesion[stencil.law], distance_at(from), distance_at(to));
+      for (const int v : stencil.vertices) mark(marks[v], found);
     });
   });
 }

@@ -104,7 +104,7 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
       "unbalanced_force", "tolerated_force", "converged", "lag_iterations", "friction_residual", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_projection",
       "seconds_factorize", "seconds_solve", "seconds_broad_phase", "seconds_narrow_phase", "seconds_ccd",
       "seconds_line_search", "seconds_check", "seconds_io", "rejected_solve", "rejected_inversion", "rejected_intersection", "rejected_tunnelling",
-      "rejected_error", "rejected_energy_contact", "rejected_energy_free"};
+      "rejected_debonding", "rejected_error", "rejected_energy_contact", "rejected_energy_free"};
   CHECK(steps.columns == columns);
   REQUIRE(steps.rows.size() == 5);
   for (const auto& row : steps.rows) {

@@ -9,6 +9,7 @@
 #include "framework/stepping/predicted_motion.hpp"
 #include "tests/support/bond_laws.hpp"
 #include "tests/support/gap_law.hpp"
+#include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;
@@ -95,6 +96,12 @@ double opened(TestRun& run, int steps) {
 
 constexpr double apart = 3e-4;  // m
 
+// A minimiser that returns the first guess.
+class Rest : public Minimizer {
+ public:
+  MinimizerResult minimize(const MinimizerProblem&, VecX&) override { return {}; }
+};
+
 }  // namespace
 
 TEST_CASE("a cube hangs by an eighth of the strength of any adhesion in steps of 10 ms", "[bonds]") {
@@ -161,4 +168,26 @@ TEST_CASE("the start of steps without debonding is the inertial motion") {
   hung.world->participants.move_to(step.state.x);
   const VecX none = VecX::Zero(full.size());
   CHECK(predicted_motion(*hung.world, step.state.x, VecX::Zero(step.state.x.size()), full, none).displacements.front() == none);
+}
+
+TEST_CASE("no first guess takes an adhesion past its peak, with any integrator and any law", "[bonds]") {
+  std::vector<Law> laws = bond_laws();
+  for (const Law& law : gap_laws()) laws.push_back(law);
+  constexpr double h = 1e-2;  // s
+  int moved = 0;
+  for (const std::string& integrator : Registry<TimeIntegrator>::kind().names()) {
+    if (!Registry<TimeIntegrator>::make(integrator)->inertia()) continue;
+    for (const Law& law : laws)
+      for (const double gaps : {1e-3, 0.1, 100.0}) {  // that the cube would move in a step
+        INFO(law.yaml << ", " << integrator << ", " << gaps << " gaps in a step");
+        TestScene scene(hanging(law, integrator, h, 0, "motion: [fixed]", fmt::format(", velocity: [0, {}, 0]", -gaps * law.gap / h)));
+        Rest rest;
+        TimeStepper stepper(*scene.world, scene.config, scene.config.time, rest, scene.clock, [](const Warning&) {});
+        const VecX start = stepper.state().x, guess = stepper.solve(h).x;
+        moved += guess != start;
+        scene.world->participants.move_to(start);
+        CHECK_FALSE(anything_debonds(*scene.world, start, guess));
+      }
+  }
+  CHECK(moved > 0);
 }

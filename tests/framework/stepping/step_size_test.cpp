@@ -51,7 +51,7 @@ struct Run {
   StepSizeController sizes;
 };
 
-const Rejection cutbacks[] = {Rejection::solve, Rejection::inversion, Rejection::intersection, Rejection::tunnelling};
+const Rejection cutbacks[] = {Rejection::solve, Rejection::inversion, Rejection::intersection, Rejection::tunnelling, Rejection::debonding};
 
 }  // namespace
 
