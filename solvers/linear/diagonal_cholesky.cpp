@@ -8,7 +8,7 @@ namespace tack {
 class DiagonalCholesky : public Preconditioner {
  public:
   void fields(Fields& f) override {
-    f.integer("domain", domain_, "largest number of vertices of a domain, the unit of work of a thread").at_least(1);
+    f.integer("domain", domain_, "smallest number of vertices of a domain, the unit of work of a thread").at_least(1);
   }
   bool update(const BlockMatrix& matrix, const Deadline& deadline) override { return sweeps_.update(matrix, domain_, deadline); }
   void apply(const VecX& r, VecX& z) override {
@@ -21,7 +21,7 @@ class DiagonalCholesky : public Preconditioner {
   MatrixSweeps* sweeps() override { return &sweeps_; }
 
  private:
-  int domain_ = 512;
+  int domain_ = 2000;
   MatrixSweeps sweeps_;
   VecX rest_, none_;
 };

@@ -1,8 +1,8 @@
 // Incomplete Cholesky factorisation without fill, IC(0), on 3x3 blocks (Meijerink and van der Vorst
-// 1977); the domains of each colour run in parallel (domain_rows.hpp). If a pivot is indefinite,
-// factorisation restarts with a larger multiple of the diagonal blocks added (Manteuffel 1980);
-// large systems start with the final multiple of the last system. The factor is stored in single
-// precision: applying it takes as long as reading it.
+// 1977); domains run in parallel, then their separators. If a pivot is indefinite, factorisation
+// restarts with a larger multiple of the diagonal blocks added (Manteuffel 1980); large systems
+// start with the final multiple of the last system. The factor is stored in single precision:
+// applying it takes as long as reading it.
 #include <Eigen/Cholesky>
 
 #include <atomic>
@@ -10,7 +10,6 @@
 #include "framework/config/field.hpp"
 #include "framework/core/lanes.hpp"
 #include "geometry/parallel.hpp"
-#include "solvers/linear/buffer.hpp"
 #include "solvers/linear/domain_rows.hpp"
 #include "solvers/linear/preconditioner.hpp"
 
@@ -19,18 +18,16 @@ namespace tack {
 class IncompleteCholesky : public Preconditioner {
  public:
   void fields(Fields& f) override {
-    f.integer("domain", domain_, "largest number of vertices of a domain, the unit of work of a thread").at_least(1);
+    f.integer("domain", domain_, "smallest number of vertices of a domain, the unit of work of a thread").at_least(1);
   }
 
   bool update(const BlockMatrix& matrix, const Deadline& deadline) override {
     if (version_ != matrix.version || rows_.size() != matrix.columns()) {
       rows_.build(matrix, domain_);
       version_ = matrix.version;
-      const size_t size = matrix.values.size();
-      exact_.resize(size + 1);
-      lower_.resize(size + 1);
-      upper_.resize(size + 1);
-      exact_.data()[size] = lower_.data()[size] = upper_.data()[size] = 0;  // read, without effect
+      exact_.resize(matrix.values.size() + 1);
+      lower_.resize(matrix.values.size() + 1);
+      upper_.resize(matrix.values.size() + 1);
     }
     const bool as_before = rows_.size() >= many && rows_.size() == kept_size_;
     const int systems = as_before ? systems_ + 1 : 0;
@@ -50,7 +47,6 @@ class IncompleteCholesky : public Preconditioner {
   void apply(const VecX& r, VecX& z) override {
     x_.resize(stride * std::ptrdiff_t(rows_.size()));
     z.resize(r.size());
-    if (rows_.size() == 0) return;
     const auto forward = [&](int first, int last) {
       for (int i = first; i < last; ++i) store4(load3(r.data() + 3 * std::ptrdiff_t(rows_.vertex[i])), values_of(i));
       for (int i = first; i < last; ++i) solve_lower(i);
@@ -59,18 +55,21 @@ class IncompleteCholesky : public Preconditioner {
       for (int i = last - 1; i >= first; --i) solve_upper(i);
       for (int i = first; i < last; ++i) store3(load4(values_of(i)), z.data() + 3 * std::ptrdiff_t(rows_.vertex[i]));
     };
-    const int last_color = rows_.colors() - 1;
-    for (int color = 0; color < last_color; ++color) rows_.for_each_domain(color, [&](int, int first, int last) { forward(first, last); });
-    rows_.for_each_domain(last_color, [&](int, int first, int last) {
+    for_each_part(rows_.domain_start, forward);
+    for_each_part(rows_.group_start, [&](int first, int last) {
       forward(first, last);
       backward(first, last);
     });
-    for (int color = last_color - 1; color >= 0; --color) rows_.for_each_domain(color, [&](int, int first, int last) { backward(first, last); });
+    for_each_part(rows_.domain_start, backward);
   }
 
  private:
   static constexpr int stride = 4;  // numbers of x_ per row
 
+  template <class Body>
+  static void for_each_part(const std::vector<int>& start, const Body& body) {
+    for_each(static_cast<int>(start.size()) - 1, [&](int d) { body(start[d], start[d + 1]); }, 1);
+  }
   double* exact(int k) { return exact_.data() + 9 * std::ptrdiff_t(k); }
   double* values_of(int row) { return x_.data() + stride * std::ptrdiff_t(row); }
   // Returns row i of the transposed factor: its diagonal block, then the others.
@@ -78,13 +77,14 @@ class IncompleteCholesky : public Preconditioner {
 
   bool factorize(const BlockMatrix& matrix, double shift, const Deadline& deadline) {
     std::atomic<bool> definite = true, late = false;
-    const auto rows = [&](int, int first, int last) {
+    const auto rows = [&](int first, int last) {
       for (int i = first; i < last && definite && !late; ++i) {
         if ((i - first) % rows_per_look == 0 && deadline.passed()) late = true;
         else if (!eliminate(i, matrix, shift)) definite = false;
       }
     };
-    for (int color = 0; color < rows_.colors(); ++color) rows_.for_each_domain(color, rows);
+    for_each_part(rows_.domain_start, rows);
+    for_each_part(rows_.group_start, rows);
     if (late) throw OutOfTime();
     return definite;
   }
@@ -164,14 +164,14 @@ class IncompleteCholesky : public Preconditioner {
   static constexpr int many = 5000;  // vertices from which a shift is stored for the next system
   static constexpr int systems_per_look = 8;  // systems between trials of a smaller shift
 
-  int domain_ = 512;
+  int domain_ = 2000;
   DomainRows rows_;
   std::uint64_t version_ = 0;
   int kept_size_ = 0;      // vertices of the last system; 0: factorisation failed
   double kept_shift_ = 0;  // shift of the last system
   int systems_ = 0;        // consecutive systems of that size
-  Buffer<double> exact_;         // blocks of L, by rows
-  Buffer<float> lower_, upper_;  // blocks of L and of L^T, by rows
+  std::vector<double> exact_;         // blocks of L, by rows
+  std::vector<float> lower_, upper_;  // blocks of L and of L^T, by rows
   VecX x_;                            // by rows
 };
 

@@ -85,7 +85,7 @@ bool MatrixSweeps::update(const BlockMatrix& matrix, int domain, const Deadline&
 void MatrixSweeps::build(const BlockMatrix& matrix, int domain) {
   rows_.build(matrix, domain);
   version_ = matrix.version;
-  const int n = rows_.size();
+  const int n = rows_.size(), separators = rows_.domain_start.back();
   start_ = rows_.below_start;
   target_ = rows_.below_row;
   source_.resize(rows_.below_entry.size());
@@ -95,13 +95,13 @@ void MatrixSweeps::build(const BlockMatrix& matrix, int domain) {
     const DomainRows::Source& source = rows_.source[rows_.below_entry[e]];
     source_[e] = 2 * source.block + source.transposed;
   }
-  std::vector<int> slot_of(n, -1);
+  std::vector<int> slot_of(n - separators, -1);
   slot_start_.assign(1, 0);
   slot_row_.clear();
   for (int d = 0; d < rows_.domains(); ++d) {
     for (int e = start_[rows_.domain_start[d]]; e < start_[rows_.domain_start[d + 1]]; ++e) {
-      if (target_[e] < rows_.domain_start[d + 1]) continue;
-      int& slot = slot_of[target_[e]];
+      if (target_[e] < separators) continue;
+      int& slot = slot_of[target_[e] - separators];
       if (slot < slot_start_.back()) {
         slot = static_cast<int>(slot_row_.size());
         slot_row_.push_back(target_[e]);
@@ -110,30 +110,32 @@ void MatrixSweeps::build(const BlockMatrix& matrix, int domain) {
     }
     slot_start_.push_back(static_cast<int>(slot_row_.size()));
   }
-  later_start_.assign(n + 1, 0);
-  for (const int row : slot_row_) ++later_start_[row + 1];
-  for (int i = 0; i < n; ++i) later_start_[i + 1] += later_start_[i];
+  later_start_.assign(n - separators + 1, 0);
+  for (const int row : slot_row_) ++later_start_[row - separators + 1];
+  for (int i = 0; i < n - separators; ++i) later_start_[i + 1] += later_start_[i];
   later_slot_.resize(slot_row_.size());
   auto next = later_start_;
-  for (size_t s = 0; s < slot_row_.size(); ++s) later_slot_[next[slot_row_[s]]++] = n + static_cast<int>(s);
+  for (size_t s = 0; s < slot_row_.size(); ++s) later_slot_[next[slot_row_[s] - separators]++] = n + static_cast<int>(s);
   inverse_.resize(9 * static_cast<size_t>(n));
   const size_t size = 4 * (static_cast<size_t>(n) + slot_row_.size());
   for (auto* numbers : {&z_, &p_, &lower_, &product_}) numbers->assign(size, 0.0);
 }
 
 template <class Body>
-double MatrixSweeps::sum_over_domains(int color, const Body& body) {
-  partial_.resize(rows_.domains());
-  rows_.for_each_domain(color, [&](int d, int first, int last) { partial_[d] = body(d, first, last); });
+double MatrixSweeps::sum_over_parts(const std::vector<int>& start, const Body& body) {
+  const int domains = static_cast<int>(start.size()) - 1;
+  partial_.assign(domains, 0.0);
+  for_each(domains, [&](int d) { partial_[d] = body(d, start[d], start[d + 1]); }, 1);
   double sum = 0;
-  for (int d = rows_.color_start[color]; d < rows_.color_start[color + 1]; ++d) sum += partial_[d];
+  for (const double part : partial_) sum += part;
   return sum;
 }
 
 template <int width>
 void MatrixSweeps::collect(int first, int last, std::vector<double>& sums) const {
+  const int separators = rows_.domain_start.back();
   for (int i = first; i < last; ++i)
-    for (int l = later_start_[i]; l < later_start_[i + 1]; ++l) {
+    for (int l = later_start_[i - separators]; l < later_start_[i - separators + 1]; ++l) {
       double* const from = sums.data() + width * static_cast<std::ptrdiff_t>(later_slot_[l]);
       double* const to = sums.data() + width * static_cast<std::ptrdiff_t>(i);
       for (int d = 0; d < width; ++d) to[d] += std::exchange(from[d], 0.0);
@@ -159,11 +161,11 @@ bool MatrixSweeps::find_pivots(const Deadline& deadline) {
       }
     }
   };
-  for (int color = 0; color < rows_.colors(); ++color)
-    rows_.for_each_domain(color, [&](int, int first, int last) {
-      collect<9>(first, last, updates);
-      eliminate(first, last);
-    });
+  sum_over_parts(rows_.domain_start, [&](int, int first, int last) { return eliminate(first, last), 0.0; });
+  sum_over_parts(rows_.group_start, [&](int, int first, int last) {
+    collect<9>(first, last, updates);
+    return eliminate(first, last), 0.0;
+  });
   if (late) throw OutOfTime();
   return definite;
 }
@@ -240,7 +242,7 @@ double MatrixSweeps::backward_rows(int first, int last, double ratio, const VecX
   return sum3(sum);
 }
 
-// Copies the values of later rows to their slots of a domain.
+// Copies the values of separator rows to their slots of a domain.
 void MatrixSweeps::lend(int domain) {
   for (int s = slot_start_[domain]; s < slot_start_[domain + 1]; ++s) {
     store4(load4(row4(z_.data(), slot_row_[s])), row4(z_.data(), rows_.size() + s));
@@ -249,31 +251,28 @@ void MatrixSweeps::lend(int domain) {
 }
 
 double MatrixSweeps::forward(double step, VecX& x, VecX& r) {
-  double sum = 0;
-  for (int color = 0; color < rows_.colors(); ++color)
-    sum += sum_over_domains(color, [&](int, int first, int last) {
-      collect<4>(first, last, lower_);
-      collect<4>(first, last, product_);
-      return forward_rows(first, last, step, x, r);
-    });
-  return sum;
+  const double inside = sum_over_parts(rows_.domain_start, [&](int, int first, int last) { return forward_rows(first, last, step, x, r); });
+  return inside + sum_over_parts(rows_.group_start, [&](int, int first, int last) {
+    collect<4>(first, last, lower_);
+    collect<4>(first, last, product_);
+    return forward_rows(first, last, step, x, r);
+  });
 }
 
 template <bool multiply>
-double MatrixSweeps::backward_domains(double ratio, const VecX* more) {
-  double sum = 0;
-  for (int color = rows_.colors() - 1; color >= 0; --color)
-    sum += sum_over_domains(color, [&](int d, int first, int last) {
-      lend(d);
-      return backward_rows<multiply>(first, last, ratio, more);
-    });
-  return sum;
+double MatrixSweeps::backward_parts(double ratio, const VecX* more) {
+  const double between = sum_over_parts(
+      rows_.group_start, [&](int, int first, int last) { return backward_rows<multiply>(first, last, ratio, more); });
+  return between + sum_over_parts(rows_.domain_start, [&](int d, int first, int last) {
+    lend(d);
+    return backward_rows<multiply>(first, last, ratio, more);
+  });
 }
 
-double MatrixSweeps::backward(double ratio, const VecX& more) { return backward_domains<true>(ratio, &more); }
+double MatrixSweeps::backward(double ratio, const VecX& more) { return backward_parts<true>(ratio, &more); }
 
 void MatrixSweeps::backward(VecX& z) {
-  backward_domains<false>(0, nullptr);
+  backward_parts<false>(0, nullptr);
   z.resize(3 * static_cast<Eigen::Index>(rows_.size()));
   for_each(rows_.size(), [&](int i) { store3(load4(row4(z_.data(), i)), z.data() + 3 * static_cast<std::ptrdiff_t>(rows_.vertex[i])); }, 1024);
 }

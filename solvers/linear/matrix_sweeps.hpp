@@ -5,8 +5,8 @@
 // and w = 0 (Gauss-Seidel) in rows where the pivot would keep too little of A_ii. D >= 0.6 diag(A)
 // bounds the eigenvalues of M^-1 A by 3, as (D + L) + (D + L)^T - A = 2 D - diag(A).
 // No factor is stored. One iteration sweeps forwards to solve and backwards to solve and to
-// multiply by A, so that the product costs no pass of its own (Eisenstat 1981). The domains of each
-// colour run in parallel (domain_rows.hpp): the same bits for any number of threads.
+// multiply by A, so that the product costs no pass of its own (Eisenstat 1981). Domains run in
+// parallel, then their separators (domain_rows.hpp): the same bits for any number of threads.
 #pragma once
 
 #include <vector>
@@ -35,12 +35,12 @@ class MatrixSweeps {
   void build(const BlockMatrix& matrix, int domain);
   bool find_pivots(const Deadline& deadline);
   template <class Body>
-  double sum_over_domains(int color, const Body& body);
+  double sum_over_parts(const std::vector<int>& start, const Body& body);
   double forward_rows(int first, int last, double step, VecX& x, VecX& r);
   template <bool multiply>
   double backward_rows(int first, int last, double ratio, const VecX* more);
   template <bool multiply>
-  double backward_domains(double ratio, const VecX* more);
+  double backward_parts(double ratio, const VecX* more);
   template <int width>
   void collect(int first, int last, std::vector<double>& sums) const;
   void lend(int domain);
@@ -51,11 +51,11 @@ class MatrixSweeps {
   std::uint64_t version_ = 0;
   const double* values_ = nullptr;
   // Entries below the diagonal of each column, in the order of rows_. target_: a row, or a slot of
-  // the column's domain that stands for a row of a later domain. source_: twice the block's index
-  // in the matrix, plus one if it is transposed.
+  // the column's domain that stands for the row of a separator. source_: twice the block's index in
+  // the matrix, plus one if it is transposed.
   std::vector<int> start_, target_, source_, diagonal_;
   std::vector<int> slot_start_, slot_row_;     // of each domain
-  std::vector<int> later_start_, later_slot_;  // of each row
+  std::vector<int> later_start_, later_slot_;  // of each separator
   std::vector<double> inverse_;                // D^-1, nine each
   // Four numbers per row and slot; the fourth is padding.
   std::vector<double> z_, p_, lower_, product_;

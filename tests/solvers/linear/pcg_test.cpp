@@ -135,37 +135,24 @@ TEST_CASE("an incomplete factor without fill-in is complete", "[linear]") {
   CHECK(iterations("block_jacobi") >= 25);
 }
 
-TEST_CASE("domains of one colour are not coupled, and each colour has work for many threads", "[linear]") {
+TEST_CASE("domains are coupled through their separators only, and groups of domains are not coupled", "[linear]") {
   RandomMotions random(5);
-  BlockMatrix matrix = grid(20, random);
-  const bool positions = GENERATE(false, true);
-  if (positions) {
-    matrix.positions.resize(matrix.size());
-    for (int c = 0; c < matrix.columns(); ++c) matrix.positions.segment<3>(3 * c) = Vec3(c % 20, c / 20 % 20, c / 400);
-  }
+  const BlockMatrix matrix = grid(20, random);
   DomainRows rows;
-  rows.build(matrix, 512);
+  rows.build(matrix, 100);
+  CHECK(rows.domains() == 4);
+  CHECK(rows.groups() >= 3);
   CHECK(rows.size() == matrix.columns());
-  CHECK(rows.domain_start.back() == rows.size());
-  CHECK(rows.color_start.back() == rows.domains());
-  CHECK(rows.domains() >= 60);
-  CHECK(rows.domains() >= 6 * rows.colors());
-  for (int color = 0; color < rows.colors(); ++color) {
-    const int first = rows.domain_start[rows.color_start[color]];
-    for (int d = rows.color_start[color]; d < rows.color_start[color + 1]; ++d)
-      for (int i = rows.domain_start[d]; i < rows.domain_start[d + 1]; ++i)
-        for (int k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k)
-          REQUIRE((rows.column[k] < first || rows.column[k] >= rows.domain_start[d]));
-  }
-}
-
-TEST_CASE("the order of rows does not depend on earlier matrices of another size", "[linear]") {
-  RandomMotions random(7);
-  const BlockMatrix small = grid(6, random), large = grid(9, random);
-  DomainRows kept, fresh;
-  for (const BlockMatrix* matrix : {&small, &large, &small}) kept.build(*matrix, 512);
-  fresh.build(small, 512);
-  CHECK(kept.vertex == fresh.vertex);
+  CHECK(rows.group_start.front() == rows.domain_start.back());
+  CHECK(rows.group_start.back() == rows.size());
+  CHECK(6 * (rows.size() - rows.group_start.front()) <= rows.size());
+  for (int d = 0; d < rows.domains(); ++d)
+    for (int i = rows.domain_start[d]; i < rows.domain_start[d + 1]; ++i)
+      REQUIRE(rows.column[rows.row_start[i]] >= rows.domain_start[d]);
+  for (int g = 0; g < rows.groups(); ++g)
+    for (int i = rows.group_start[g]; i < rows.group_start[g + 1]; ++i)
+      for (int k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k)
+        REQUIRE((rows.column[k] < rows.group_start.front() || rows.column[k] >= rows.group_start[g]));
 }
 
 TEST_CASE("the rows of domains are those of the matrix, and so are their columns", "[linear]") {
