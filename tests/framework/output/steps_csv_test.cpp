@@ -50,10 +50,10 @@ const std::string header =
     "rejected_solve,rejected_inversion,rejected_intersection,rejected_tunnelling,rejected_debonding,rejected_error,rejected_energy_contact,rejected_energy_free\n";
 const std::string first =
     "1,0.01,0.01,1,4,5,11,6,7,80,0.0001,0.0002,0.5,0.001,1,2,9,10,3,4,5,6,7,8,0.25,0.5,2,1,3,0.0625,0.125,"
-    "0,1,2,3,4,5,6,7,8,9,10,1,0,0,0,0,0,0\n";
+    "0,1,2,3,4,5,6,7,8,9,10,1,0,0,0,0,0,0,0\n";
 const std::string second =
     "2,0.02,0.01,1,4,5,11,6,7,80,0.0001,0.0002,0.5,0.001,1,2,9,10,3,4,5,6,7,8,0.25,0.5,2,0,3,0.0625,0.125,"
-    "0,1,2,3,4,5,6,7,8,9,10,1,0,0,0,0,0,0\n";
+    "0,1,2,3,4,5,6,7,8,9,10,1,0,0,0,0,0,0,0\n";
 
 }  // namespace
 
