@@ -148,13 +148,18 @@ export class Page {
 
   // Checks that every chart has lines of data: coloured pixels. Axes and letters are grey.
   async checkCharts(least) {
-    await this.page.waitForFunction(() => [...document.querySelectorAll(".plot")].every((plot) => plot.querySelector("canvas")));
+    // All at once, as those of a live run are made anew while they are looked at.
+    const pictures = () => {
+      const plots = [...document.querySelectorAll(".plot")];
+      return plots.every((plot) => plot.querySelector("canvas")) && plots.map((plot) => ({
+        title: plot.closest("figure").querySelector("h3").textContent,
+        label: plot.getAttribute("aria-label"),
+        picture: plot.querySelector("canvas").toDataURL(),
+      }));
+    };
+    await this.page.waitForFunction(pictures);
     await this.settle();
-    const charts = await this.page.evaluate(() => [...document.querySelectorAll(".plot")].map((plot) => ({
-      title: plot.closest("figure").querySelector("h3").textContent,
-      label: plot.getAttribute("aria-label"),
-      picture: plot.querySelector("canvas").toDataURL(),
-    })));
+    const charts = await (await this.page.waitForFunction(pictures)).jsonValue();
     for (const chart of charts) {
       chart.coloured = await this.bench.evaluate(async (url) => {
         const bitmap = await createImageBitmap(await (await fetch(url)).blob());
