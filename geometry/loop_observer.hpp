@@ -3,8 +3,9 @@
 // branch.
 #pragma once
 
-#include <source_location>
 #include <utility>
+
+#include "geometry/source_position.hpp"
 
 namespace tack {
 
@@ -28,7 +29,7 @@ class LoopObserver {
   virtual ~LoopObserver() = default;
   /// Calls chunk(0), ..., chunk(chunks - 1) in this order and thread. `loop`: the position in the
   /// source that starts the loop.
-  virtual void run(const std::source_location& loop, int chunks, const ChunkCall& chunk) = 0;
+  virtual void run(const SourcePosition& loop, int chunks, const ChunkCall& chunk) = 0;
 };
 
 /// Active observer of this thread; null: none.

@@ -6,7 +6,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <source_location>
 #include <vector>
 
 #include "geometry/loop_observer.hpp"
@@ -32,7 +31,7 @@ template <class Body>
 // Calls body(chunk index, first, last) for each chunk of [0, n).
 template <class Body>
 void for_each_chunk(int n, const Body& body, int chunk = chunk_size,
-                    std::source_location loop = std::source_location::current()) {
+                    SourcePosition loop = SourcePosition::current()) {
   const int chunks = chunk_count(n, chunk);
   if (loop_observer) [[unlikely]] {
     const auto run = [&](int c) { detail::run_chunks(c, c + 1, n, chunk, body); };
@@ -51,7 +50,7 @@ void for_each_chunk(int n, const Body& body, int chunk = chunk_size,
 // Calls body(i) for each i of [0, n).
 template <class Body>
 void for_each(int n, const Body& body, int chunk = chunk_size,
-              std::source_location loop = std::source_location::current()) {
+              SourcePosition loop = SourcePosition::current()) {
   for_each_chunk(
       n,
       [&](int, int first, int last) {
@@ -63,7 +62,7 @@ void for_each(int n, const Body& body, int chunk = chunk_size,
 // Returns the sum over chunks of body(first, last), in chunk order.
 template <class Body>
 double sum_chunks(int n, const Body& body, int chunk = chunk_size,
-                  std::source_location loop = std::source_location::current()) {
+                  SourcePosition loop = SourcePosition::current()) {
   std::vector<double> partial(chunk_count(n, chunk), 0.0);
   for_each_chunk(
       n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk, loop);
@@ -75,7 +74,7 @@ double sum_chunks(int n, const Body& body, int chunk = chunk_size,
 // Returns the minimum of `start` and body(first, last) over all chunks.
 template <class Body>
 double min_chunks(int n, double start, const Body& body, int chunk = chunk_size,
-                  std::source_location loop = std::source_location::current()) {
+                  SourcePosition loop = SourcePosition::current()) {
   std::vector<double> partial(chunk_count(n, chunk), start);
   for_each_chunk(
       n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk, loop);

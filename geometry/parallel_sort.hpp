@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <source_location>
 #include <utility>
 #include <vector>
 
@@ -31,8 +30,7 @@ int merge_split(const T* a, int size_a, const T* b, int size_b, int taken) {
 
 /// Sorts items ascending by operator<.
 template <class T>
-void parallel_sort(std::vector<T>& items,
-                   std::source_location loop = std::source_location::current()) {
+void parallel_sort(std::vector<T>& items, SourcePosition loop = SourcePosition::current()) {
   constexpr int run = 4096;
   const int n = static_cast<int>(items.size());
   for_each_chunk(

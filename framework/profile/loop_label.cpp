@@ -104,7 +104,7 @@ std::string function_label(std::string signature) {
   return made_by.empty() || made_by == label ? label : label + " of " + with_short_arguments(made_by);
 }
 
-std::string loop_label(const std::source_location& loop) {
+std::string loop_label(const SourcePosition& loop) {
   return fmt::format("{}, {}:{}", function_label(loop.function_name()),
                      std::filesystem::path(loop.file_name()).filename().string(), loop.line());
 }

@@ -56,7 +56,7 @@ double cost_of(const Read& read) {
 std::string file_and_line(const std::string& label) { return label.substr(label.rfind(", ") + 2); }
 
 // Returns the name of the code between two loops; null: the begin or the end of the run.
-std::string name_between(const std::source_location* first, const std::source_location* second) {
+std::string name_between(const SourcePosition* first, const SourcePosition* second) {
   const std::string from = first ? loop_label(*first) : "the start", to = second ? loop_label(*second) : "the end";
   const bool one_function = first && second && function_label(first->function_name()) == function_label(second->function_name());
   return fmt::format("{} to {}", from, one_function ? file_and_line(to) : to);
@@ -74,7 +74,7 @@ LoopProfiler::LoopProfiler(PhaseClock& clock, const std::vector<int>& cores)
   mark();
 }
 
-void LoopProfiler::run(const std::source_location& loop, int chunks, const ChunkCall& chunk) {
+void LoopProfiler::run(const SourcePosition& loop, int chunks, const ChunkCall& chunk) {
   if (chunks <= 0) return;
   if (!in_loop_) return run_outermost(loop, chunks, chunk);
   if (chunks == 1) return chunk(0);
@@ -84,7 +84,7 @@ void LoopProfiler::run(const std::source_location& loop, int chunks, const Chunk
   trace_.end_loop();
 }
 
-void LoopProfiler::run_outermost(const std::source_location& loop, int chunks, const ChunkCall& chunk) {
+void LoopProfiler::run_outermost(const SourcePosition& loop, int chunks, const ChunkCall& chunk) {
   charge_serial();
   Loop& entry = loop_at(loop);
   for (int i = 0; i < phase_count; ++i)
@@ -130,7 +130,7 @@ void LoopProfiler::end_segment() {
   segment_ = now;
 }
 
-LoopProfiler::Loop& LoopProfiler::loop_at(const std::source_location& position) {
+LoopProfiler::Loop& LoopProfiler::loop_at(const SourcePosition& position) {
   const Phase phase = clock_.current();
   const Position key{position.file_name(), position.function_name(), position.line()};
   Loop& loop = loops_.try_emplace({key, phase}, Loop{position, {}}).first->second;

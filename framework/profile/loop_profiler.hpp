@@ -22,7 +22,7 @@ class LoopProfiler final : public LoopObserver {
   // one; the first is the one that losses refer to. `clock` must outlive it.
   LoopProfiler(PhaseClock& clock, const std::vector<int>& cores);
 
-  void run(const std::source_location& loop, int chunks, const ChunkCall& chunk) override;
+  void run(const SourcePosition& loop, int chunks, const ChunkCall& chunk) override;
   // Ends the measurement.
   CoreScaling finish();
 
@@ -43,15 +43,15 @@ class LoopProfiler final : public LoopObserver {
   // A position in the source. Strings are compared by address: equal ones are added up at the end.
   using Position = std::tuple<const char*, const char*, unsigned>;  // file, function, line
   struct Loop {
-    std::source_location position;
+    SourcePosition position;
     LoopCost cost;
   };
-  void run_outermost(const std::source_location& loop, int chunks, const ChunkCall& chunk);
+  void run_outermost(const SourcePosition& loop, int chunks, const ChunkCall& chunk);
   void run_chunks(int chunks, const ChunkCall& chunk);
   void end_segment();
   void charge_serial();
   void mark();
-  Loop& loop_at(const std::source_location& position);
+  Loop& loop_at(const SourcePosition& position);
 
   PhaseClock& clock_;
   int asked_;
@@ -61,9 +61,8 @@ class LoopProfiler final : public LoopObserver {
   PhaseClock::Seconds phases_{};         // at that time
   PhaseClock::Seconds serial_{};         // by phase, since the last loop
   std::map<std::pair<Position, Phase>, Loop> loops_;
-  const std::source_location* last_ = nullptr;  // loop
-  std::map<std::tuple<const std::source_location*, const std::source_location*, Phase>, LoopCost>
-      between_;
+  const SourcePosition* last_ = nullptr;  // loop
+  std::map<std::tuple<const SourcePosition*, const SourcePosition*, Phase>, LoopCost> between_;
   LoopTrace trace_;  // of the outermost loop that runs
   bool in_loop_ = false;
   std::chrono::steady_clock::time_point segment_;  // begin of the segment that runs
