@@ -1,4 +1,6 @@
 // Control vertices of vertices that move affinely.
+#include <Eigen/Geometry>
+
 #include "framework/stepping/affine_controls.hpp"
 
 #include <catch2/catch.hpp>
