@@ -9,12 +9,11 @@ namespace tack {
 
 Recorder::Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet& probes, World& world,
                    const RunFolder& folder, PhaseClock& clock, std::optional<double> resumed_at)
-    : output_(output), time_(time), probe_set_(probes), world_(world), folder_(folder), clock_(clock),
+    : output_(output), time_(time), probe_set_(probes), world_(world), clock_(clock),
       steps_(resumed_at ? StepsCsv::continued(folder.steps(), *resumed_at) : StepsCsv(folder.steps())),
       probes_(resumed_at ? ProbesCsv::continued(folder.probes(), probes.columns(), *resumed_at)
                          : ProbesCsv(folder.probes(), probes.columns())),
-      pvd_(resumed_at ? PvdFile::continued(folder.pvd(), *resumed_at) : PvdFile(folder.pvd())),
-      geometry_(frame_geometry(world)) {
+      frames_(folder, resumed_at ? PvdFile::continued(folder.pvd(), *resumed_at) : PvdFile(folder.pvd()), frame_geometry(world)) {
   if (resumed_at) schedule_frame(*resumed_at);
 }
 
@@ -40,13 +39,15 @@ void Recorder::step(const State& state, const StepReport& report) {
 
 void Recorder::sample(const State& state) { probes_.add(state.time, probe_set_.sample(world_, state)); }
 
+void Recorder::flush() {
+  const PhaseScope scope(clock_, Phase::io);
+  frames_.flush();
+}
+
 void Recorder::write_frame(const State& state) {
-  const auto file = RunFolder::frame(pvd_.frames());
-  std::error_code failed;  // writing reports the error
-  std::filesystem::create_directory(folder_.frames(), failed);
-  write_vtu(folder_.root() / file, geometry_, state.x.head(3 * geometry_.vertices), state.time, vertex_fields(output_.frame_fields, world_, state, geometry_),
-            element_fields(output_.frame_fields, world_, state.x, geometry_));
-  pvd_.add(state.time, file);
+  const FrameGeometry& geometry = frames_.geometry();
+  frames_.write(state.time, state.x.head(3 * geometry.vertices), vertex_fields(output_.frame_fields, world_, state, geometry),
+                element_fields(output_.frame_fields, world_, state.x, geometry));
   schedule_frame(state.time);
 }
 

@@ -1,13 +1,12 @@
 // Writes the results of each step: frames, steps.csv, probes.csv.
 #pragma once
 
+#include "framework/output/frame_writer.hpp"
 #include "framework/output/output_config.hpp"
 #include "framework/output/probe_set.hpp"
 #include "framework/output/probes_csv.hpp"
-#include "framework/output/pvd.hpp"
 #include "framework/output/run_folder.hpp"
 #include "framework/output/steps_csv.hpp"
-#include "framework/output/vtu.hpp"
 #include "framework/stepping/time_config.hpp"
 #include "framework/world/world.hpp"
 
@@ -21,8 +20,11 @@ class Recorder {
            std::optional<double> resumed_at = std::nullopt);
 
   void start(const State& state);  // records the state before the first step
-  // Samples probes and writes frames that are due. The time for this is not in `report.phases`.
+  // Samples probes and starts to write frames that are due. The time for this is not in
+  // `report.phases`.
   void step(const State& state, const StepReport& report);
+  // Returns once all frames are written (frame_writer.hpp).
+  void flush();
   const ProbeSeries& series() const { return probes_.series(); }
 
  private:
@@ -34,12 +36,10 @@ class Recorder {
   const TimeConfig& time_;
   ProbeSet& probe_set_;
   World& world_;
-  RunFolder folder_;
   PhaseClock& clock_;
   StepsCsv steps_;
   ProbesCsv probes_;
-  PvdFile pvd_;
-  FrameGeometry geometry_;
+  FrameWriter frames_;
   double next_frame_ = 0;  // s
 };
 

@@ -92,6 +92,7 @@ const RunSummary& RecordedRun::execute() {
   std::optional<Recorder> recorder(std::in_place, experiment_.output, experiment_.time, monitors_->probes, world(), folder_, clock_, resumed_at);
   try {
     simulate(recorder);
+    recorder->flush();
   } catch (const SimulationError& error) {
     summary_.status = RunStatus::simulation_failed;
     summary_.error = error.what();
@@ -101,6 +102,7 @@ const RunSummary& RecordedRun::execute() {
     summary_.error = fmt::format("not enough memory after {} steps; use fewer cells, or let the run have more", summary_.steps);
     progress_.warning("error: " + summary_.error);
   }
+  if (recorder) recorder->flush();
   finish(recorder ? &recorder->series() : nullptr);
   return summary_;
 }
@@ -151,7 +153,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
     const StepReport report = simulation_.step();
     if (simulation_.interrupted()) {
       summary_.status = RunStatus::interrupted;
-      store_interrupted();
+      store_interrupted(*recorder);
       return;
     }
     if (profiler_) profiler_->step(simulation_.state(), report);
@@ -171,7 +173,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
     progress_.step(report);
     if (settings_.control) settings_.control->step(report);
     remesh(recorder);
-    write_checkpoint();
+    write_checkpoint(*recorder);
   }
 }
 
@@ -189,6 +191,7 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
   }
   update_lowest_quality();
   warn_of_coarse_elements();
+  recorder->flush();
   recorder.reset();
   monitors_.reset();
   double lost = 0;
@@ -317,11 +320,11 @@ double RecordedRun::next_checkpoint_after(double time) const {
   return next_due(*interval, time, experiment_.time.step);
 }
 
-void RecordedRun::write_checkpoint() {
+void RecordedRun::write_checkpoint(Recorder& recorder) {
   const State& state = simulation_.state();
   if (state.time < next_checkpoint_ - 1e-9 * experiment_.time.step) return;
   next_checkpoint_ = next_checkpoint_after(state.time);
-  store_checkpoint(checkpoint_path(folder_, state.step));
+  store_checkpoint(checkpoint_path(folder_, state.step), recorder);
   if (gradients_) restart_gradients();
   simulation_.start_from(state);
 }
@@ -329,15 +332,17 @@ void RecordedRun::write_checkpoint() {
 // Writes a checkpoint if the run has no checkpoint interval. With an interval, resuming repeats the
 // steps since the last checkpoint and has the bits of an uninterrupted run, because its solver
 // starts afresh there, too.
-void RecordedRun::store_interrupted() {
+void RecordedRun::store_interrupted(Recorder& recorder) {
   if (experiment_.output.checkpoint_interval || summary_.steps == 0) return;
   const int step = simulation_.state().step;
-  store_checkpoint(interrupted_path(folder_, step));
+  store_checkpoint(interrupted_path(folder_, step), recorder);
   progress_.message(fmt::format("state of step {} is kept: --resume goes on from there", step));
 }
 
-void RecordedRun::store_checkpoint(const std::filesystem::path& path) {
+// A resumed run continues the list of frames up to the checkpoint, so they are written first.
+void RecordedRun::store_checkpoint(const std::filesystem::path& path, Recorder& recorder) {
   const PhaseScope scope(clock_, Phase::io);
+  recorder.flush();
   StateFile file = state_file(StateFile::Kind::checkpoint, simulation_.state());
   if (gradients_) gradients_->store(file.state.history);
   add_up_phases();

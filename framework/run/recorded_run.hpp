@@ -66,9 +66,9 @@ class RecordedRun {
   StateFile state_file(StateFile::Kind kind, const State& state) const;
   void store_problem(const State& state, double h, int iterations);
   double next_checkpoint_after(double time) const;
-  void write_checkpoint();
-  void store_interrupted();
-  void store_checkpoint(const std::filesystem::path& path);
+  void write_checkpoint(Recorder& recorder);
+  void store_interrupted(Recorder& recorder);
+  void store_checkpoint(const std::filesystem::path& path, Recorder& recorder);
   void add_up_phases();
   std::string profile_of_run();
   void finish(const ProbeSeries* series);  // null: probes were lost

@@ -1,4 +1,6 @@
 // tack run --resume and --dump-problem from the command line.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <thread>
@@ -104,6 +106,33 @@ TEST_CASE("a run that is interrupted and resumed has the bits of one that is not
   CHECK(summary["steps"] == 10);
   CHECK(summary["totals"]["newton_iterations"] ==
         read_json(whole / "summary.json")["totals"]["newton_iterations"]);
+}
+
+// Frame 4 is being written, into a pipe that nobody reads, when the run is killed in step 7 to 10.
+TEST_CASE("a run that is killed while it writes a frame goes on from the checkpoint before", "[run]") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  REQUIRE(run(folder.path(), {"-o", "whole"}).exit_code == 0);
+  REQUIRE(run(folder.path(), {"-o", "parts", "--steps", "7"}).exit_code == 0);
+  const fs::path whole = folder.path() / "whole", parts = folder.path() / "parts", draft = parts / "frames/frame_000004.vtu.part";
+  const std::string listed = file_text(parts / "run.pvd");
+  REQUIRE(::mkfifo(draft.c_str(), 0600) == 0);
+  {
+    Arguments arguments = {"run", "scene.yaml", "-o", "parts", "--resume"};
+    arguments.insert(arguments.end(), friction.begin(), friction.end());
+    Program stuck(folder.path(), arguments);
+    const auto steps = [&] { return read_csv(parts / "steps.csv").rows.size(); };
+    for (int i = 0; i < 2000 && steps() < 9; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    CHECK(steps() == 9);  // the frame of step 8 does not stop step 9, after which a checkpoint is due
+    stuck.kill();
+    stuck.wait();
+  }
+  CHECK_FALSE(fs::exists(parts / "checkpoints/step_00000009.checkpoint"));
+  CHECK(file_text(parts / "run.pvd") == listed);
+  fs::remove(draft);
+  REQUIRE(run(folder.path(), {"-o", "parts", "--resume"}).exit_code == 0);
+  for (const char* file : {"probes.csv", "run.pvd", "frames/frame_000003.vtu", "frames/frame_000004.vtu", "frames/frame_000005.vtu"})
+    CHECK(file_text(parts / file) == file_text(whole / file));
 }
 
 TEST_CASE("a spring that broke stays broken after a resume") {
