@@ -24,11 +24,12 @@ set(TACK_FURTHER_FOLDERS energies/interactions energies/loads energies/particle 
 set(TACK_FURTHER_EXCEPT energies/loads/loads.cpp energies/loads/pressure.cpp)
 
 # Hot: all other folders, with -O3. TACK_UNITY_FOLDERS: hot folders that are compiled a few files at a time, because their headers are mostly the same.
-# Contact and solids are compiled file by file: inlining across their files slows runs down by 2 to 4%. Distances are compiled file by file: their
+# Hot loops of contact and solids are compiled file by file: inlining across their files slows runs down by 2 to 4%. Distances are compiled file by file: their
 # rounding at small gaps depends on inlining.
 set(TACK_UNITY_FOLDERS
-    geometry/broad_phase geometry/exact framework/assembly framework/bond framework/core framework/stepping
-    energies/adhesion solvers/filters solvers/lcp solvers/linear solvers/minimizers solvers/path_following
+    geometry geometry/broad_phase geometry/curves geometry/exact geometry/level_set geometry/tets framework/assembly framework/bond framework/contact/laws
+    framework/contact/points framework/contact/surface framework/core framework/load framework/stepping framework/stepping/integrators
+    energies/adhesion energies/loads solvers/filters solvers/lcp solvers/line_search solvers/linear solvers/minimizers solvers/path_following
     solvers/steps)
 
 # Files that are compiled alone: those with CGAL take long to compile, two are hot files of other folders, one changes with every commit.

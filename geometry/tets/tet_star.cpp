@@ -9,7 +9,7 @@ namespace tack {
 namespace {
 
 constexpr int step_count_max = 8;
-constexpr double improvement_min = 1e-3;  // smallest relative improvement of a step
+constexpr double move_gain_min = 1e-3;    // smallest relative improvement of a step
 constexpr double worst_ratio = 1.1;       // tets up to this ratio to the worst one share the ascent direction
 
 // Returns the gradient of the mean ratio of a positive tet by its last corner.
@@ -49,7 +49,7 @@ bool TetStar::step(Vec3& position) const {
     if (!(length > 0)) continue;
     for (double length_step = step_max / 2; length_step > step_max / 100; length_step /= 2) {
       const Vec3 there = position + length_step / length * along;
-      if (!(worst_at(there) > (1 + improvement_min) * worst)) continue;
+      if (!(worst_at(there) > (1 + move_gain_min) * worst)) continue;
       position = there;
       return true;
     }

@@ -15,7 +15,7 @@ namespace {
 // Ratio of two consecutive distances with laws of their own.
 constexpr double level_ratio = 0.98;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_gap = std::numeric_limits<double>::infinity();
 
 // Returns the search radius of an object for itself [m]: the range of its barriers, and the range of
 // the laws of rods, whose pairs adhere only where they press.
@@ -64,7 +64,7 @@ void RestGaps::find_levels(const PairTable& pairs) {
   const Candidates& candidates = broad_phase.candidates();
   const std::vector<PointGroup>& groups = candidates.groups.all;
   const RestShape shape(surface_, pairs, search_radius_);
-  std::vector<double> of_point(mesh.vertex_object.size(), infinity);
+  std::vector<double> of_point(mesh.vertex_object.size(), no_gap);
   const int points = static_cast<int>(groups.size()), edges = static_cast<int>(candidates.edge_edge.size());
   std::vector<Keys> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   std::vector<std::vector<double>> of_edges(chunk_count(edges));
@@ -75,7 +75,7 @@ void RestGaps::find_levels(const PairTable& pairs) {
   for_each_chunk(edges, [&](int c, int first, int last) {
     RestGapFinder finder(shape, candidates);
     for (int i = first; i < last; ++i)
-      if (const double distance = finder.of_edges(i, found_edges[c]); distance < infinity) of_edges[c].push_back(distance);
+      if (const double distance = finder.of_edges(i, found_edges[c]); distance < no_gap) of_edges[c].push_back(distance);
   });
   concatenate(found_points, point_gaps_);
   concatenate(found_edges, edge_gaps_);
@@ -83,12 +83,12 @@ void RestGaps::find_levels(const PairTable& pairs) {
   std::sort(edge_gaps_.begin(), edge_gaps_.end());
   concatenate(of_edges, levels_);
   for (const double distance : of_point)
-    if (distance < infinity) levels_.push_back(distance);
+    if (distance < no_gap) levels_.push_back(distance);
   for (double& level : levels_) level = rounded_down(level);
   std::sort(levels_.begin(), levels_.end());
   levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
   if (levels_.empty()) return;
-  for (const double distance : of_point) level_of_point_.push_back(distance < infinity ? level_below(distance) : -1);
+  for (const double distance : of_point) level_of_point_.push_back(distance < no_gap ? level_below(distance) : -1);
 }
 
 void RestGaps::add_laws(PairTable& pairs) {
