@@ -55,9 +55,10 @@ void Records::add(ForceRecord record) {
 
 void Records::add(EnergyRecord record) {
   record.term = publisher_;
-  for (const EnergyRecord& other : energies_)
-    if (publisher_ && other.term == publisher_ && other.kind != record.kind)
-      throw std::logic_error(fmt::format("the energies '{}' and '{}' of one term have different kinds", other.name, record.name));
+  // The last ones are those of the publisher.
+  for (auto other = energies_.rbegin(); publisher_ && other != energies_.rend() && other->term == publisher_; ++other)
+    if (other->kind != record.kind)
+      throw std::logic_error(fmt::format("the energies '{}' and '{}' of one term have different kinds", other->name, record.name));
   energies_.push_back(std::move(record));
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "framework/body/extent.hpp"
 #include "framework/core/disjoint_sets.hpp"
+#include "framework/setup/overlap_tree.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -15,6 +15,7 @@ namespace {
 // Largest ratio of the speed after a collision to the speed of the impactor: elastic collision of a
 // heavy body with a light one at rest.
 constexpr double speed_ratio_max = 2;
+constexpr double anywhere = 1e100;  // m: farther than any scene
 constexpr int motion_samples = 32;  // sampling times of prescribed motions over the duration
 
 bool is_named(const ObjectConfig& object, const std::string& name) {
@@ -73,9 +74,8 @@ class MeetingSearch {
       }
       found.bodies[of_root].push_back(i);
     }
-    for_each_overlap(search_boxes(), [&](int a, int b) {
-      if (!movable(b)) std::swap(a, b);
-      if (!movable(a) && movable(b) && displacement_[a] > 0) found.pushed.emplace_back(a, b);
+    for_each_obstacle(search_boxes(), [&](int obstacle, int body) {
+      if (displacement_[obstacle] > 0) found.pushed.emplace_back(obstacle, body);
     });
     std::sort(found.pushed.begin(), found.pushed.end());
     return found;
@@ -91,10 +91,7 @@ class MeetingSearch {
       for (const int v : world_.vertices_of(i))
         if (world_.prescribed_motion.ever_free(v)) groups[root(i)].weight += world_.gravitational_mass(v) * scene_.gravity.norm();
     }
-    for_each_overlap(search_boxes(), [&](int a, int b) {
-      if (!movable(a) && movable(b)) boxes[root(b)].extend(boxes_[a]);
-      if (!movable(b) && movable(a)) boxes[root(a)].extend(boxes_[b]);
-    });
+    for_each_obstacle(search_boxes(), [&](int obstacle, int body) { boxes[root(body)].extend(boxes_[obstacle]); });
     std::vector<Loading> loadings(count_);
     for (int i = 0; i < count_; ++i) {
       if (!movable(i)) continue;
@@ -154,25 +151,34 @@ class MeetingSearch {
       const int group = root(i);
       double by = displacement_[group] + contact + scene_.objects[i].contact_offset + world_.bodies[i].radius;
       if (movable(i)) by += driven_[group] ? std::numeric_limits<double>::infinity() : std::max(diagonal(i), speed_ratio_max * (speed_[group] * duration_ + fall));
+      by = std::min(by, anywhere);  // boxes have finite centres
       boxes[i].min().array() -= by;
       boxes[i].max().array() += by;
     }
     return boxes;
   }
 
+  // Calls act(obstacle, body) for each fixed and each movable body whose boxes overlap.
   template <class Act>
-  void for_each_overlap(const std::vector<Eigen::AlignedBox3d>& boxes, const Act& act) const {
-    std::vector<int> order(count_);
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return boxes[a].min().x() < boxes[b].min().x(); });
-    for (int i = 0; i < count_; ++i)
-      for (int j = i + 1; j < count_ && boxes[order[j]].min().x() <= boxes[order[i]].max().x(); ++j)
-        if (boxes[order[i]].intersects(boxes[order[j]])) act(order[i], order[j]);
+  void for_each_obstacle(const std::vector<Eigen::AlignedBox3d>& boxes, const Act& act) const {
+    for (int a = 0; a < count_; ++a) {
+      if (movable(a)) continue;
+      for (int b = 0; b < count_; ++b)
+        if (movable(b) && boxes[a].intersects(boxes[b])) act(a, b);
+    }
   }
 
   bool join_overlapping() {
+    const std::vector<Eigen::AlignedBox3d> boxes = search_boxes();
     bool changed = false;
-    for_each_overlap(search_boxes(), [&](int a, int b) { changed = meet(a, b) || changed; });
+    const auto join = [&](int a, int b) { changed = meet(a, b) || changed; };
+    std::vector<int> movables;
+    for (int i = 0; i < count_; ++i)
+      if (movable(i)) movables.push_back(i);
+    OverlapTree(boxes, std::move(movables)).join_overlapping([&](int i) { return root(i); }, join);
+    for_each_obstacle(boxes, [&](int obstacle, int body) {
+      if (displacement_[obstacle] > 0) join(obstacle, body);
+    });
     return changed;
   }
 

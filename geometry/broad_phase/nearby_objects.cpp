@@ -1,37 +1,44 @@
 #include "geometry/broad_phase/nearby_objects.hpp"
 
-#include <algorithm>
+#include <bit>
+
+#include "geometry/broad_phase/overlap_pairs.hpp"
 
 namespace tack {
 
 NearbyObjects::NearbyObjects(const CollisionMesh& mesh) : mesh_(mesh) {
   if (mesh.vertex_group.empty()) return;
-  constexpr int unknown = -2;
   for (const int v : mesh.vertices) {
     const int object = mesh.vertex_object[v], group = mesh.vertex_group[v];
-    if (object >= static_cast<int>(group_of_object_.size())) group_of_object_.resize(object + 1, unknown);
-    int& rigid_group = group_of_object_[object];
-    rigid_group = rigid_group == unknown || rigid_group == group ? group : -1;
-    if (group >= static_cast<int>(near_.size())) near_.resize(group + 1);
+    if (object >= static_cast<int>(number_.size())) number_.resize(object + 1, -1);
+    if (number_[object] < 0) {
+      number_[object] = static_cast<int>(rigid_groups_.size());
+      rigid_groups_.push_back(group);
+    }
+    int& common = rigid_groups_[number_[object]];
+    if (common != group) common = -1;
   }
 }
 
 void NearbyObjects::find(const std::vector<Aabb>& vertex_boxes, const std::vector<double>& radius) {
-  if (near_.empty()) return;
-  boxes_.assign(group_of_object_.size(), Aabb());
-  std::vector<Aabb> of_group(near_.size());
+  if (rigid_groups_.empty()) return;
+  std::vector<Aabb> boxes(rigid_groups_.size());
   for (const int v : mesh_.vertices) {
     Aabb box = vertex_boxes[v];
     box.inflate(radius[mesh_.vertex_object[v]]);
-    boxes_[mesh_.vertex_object[v]].include(box);
-    if (const int group = mesh_.vertex_group[v]; group >= 0) of_group[group].include(box);
+    boxes[number_[mesh_.vertex_object[v]]].include(box);
   }
-  for (size_t group = 0; group < near_.size(); ++group) {
-    near_[group].clear();
-    for (size_t object = 0; object < boxes_.size(); ++object)
-      if (group_of_object_[object] != static_cast<int>(group) && boxes_[object].overlaps(of_group[group]))
-        near_[group].push_back(static_cast<int>(object));
-  }
+  if (boxes_.size() == 0) boxes_ = Bvh(boxes, {}, rigid_groups_);
+  else boxes_.update(boxes);
+}
+
+bool NearbyObjects::near(int rigid_group, const Aabb& box) const {
+  bool found = false;
+  detail::visit_groups(boxes_, box, false, rigid_group, [&](int group) {
+    for (unsigned lanes = boxes_.boxes(0, group).overlap_mask(box); lanes != 0 && !found; lanes &= lanes - 1)
+      found = rigid_groups_[boxes_.primitives(group)[std::countr_zero(lanes)]] != rigid_group;
+  });
+  return found;
 }
 
 }  // namespace tack

@@ -8,7 +8,7 @@
 
 using namespace tack;
 
-TEST_CASE("an object is near a rigid group if the boxes of both overlap, by brute force", "[broad_phase]") {
+TEST_CASE("an object outside a rigid group is near a box of it if the boxes overlap, by brute force", "[broad_phase]") {
   std::mt19937 random(1);
   int near = 0, far = 0;
   for (int trial = 0; trial < 50; ++trial) {
@@ -37,7 +37,6 @@ TEST_CASE("an object is near a rigid group if the boxes of both overlap, by brut
       return all;
     };
     for (int group = 0; group < 2; ++group) {
-      const Aabb own = box_of([&](int v) { return scene.mesh.vertex_group[v] == group; });
       Aabb query;
       query.include(scenes::random_point(random, 1));
       query.inflate(0.2);
@@ -45,7 +44,7 @@ TEST_CASE("an object is near a rigid group if the boxes of both overlap, by brut
       for (int object = 0; object < 6; ++object) {
         if ((group == 0 && object < 2) || (group == 1 && object == 2)) continue;  // all of it is in the group
         const Aabb box = box_of([&](int v) { return scene.mesh.vertex_object[v] == object; });
-        expected = expected || (box.overlaps(own) && box.overlaps(query));
+        expected = expected || box.overlaps(query);
       }
       CHECK(objects.near(group, query) == expected);
       (expected ? near : far)++;
