@@ -21,7 +21,8 @@ Further further = Further::here;
 
 const std::map<std::string, std::vector<std::string>, std::less<>> further_names = {
     {"contact_model", {"clipped", "gcp", "ipc", "ogc"}},
-    {"energy", {"elastic_rod", "hinge_bending", "neo_hookean_membrane", "particle", "string", "stvk_membrane", "von_mises", "von_mises_membrane"}},
+    {"energy", {"elastic_rod", "gent", "hinge_bending", "mooney_rivlin", "neo_hookean_membrane", "ogden", "particle", "string", "stvk_membrane", "von_mises",
+                "von_mises_membrane", "yeoh"}},
     {"field", {"plastic_strain"}},
     {"filling", {"gas", "liquid"}},
     {"interaction", {"ball", "chamber", "hinge", "rope", "slider", "spring", "weld"}},

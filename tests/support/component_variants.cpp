@@ -1,5 +1,7 @@
 #include "tests/support/component_variants.hpp"
 
+#include "framework/config/yaml_text.hpp"
+
 namespace tack::detail {
 
 std::vector<Setting> settings_of(const Fields& fields) {
@@ -8,6 +10,8 @@ std::vector<Setting> settings_of(const Fields& fields) {
     std::vector<std::string> values;
     if (field.shape.form == Shape::Form::choice) {
       for (const auto& option : field.shape.options) values.push_back(option.name);
+    } else if (field.mandatory && field.shape.form == Shape::Form::list) {
+      values.push_back(inline_text(field.write()));
     } else if (field.mandatory) {
       values.push_back(field.write().text);
     }
