@@ -154,6 +154,7 @@ TEST_CASE("experiments hard: blocks of composite tets and of patches are pressed
   }
 }
 
+TEST_CASE("experiment hyperelastic/inflation") { check_experiment("hyperelastic/inflation.yaml"); }
 TEST_CASE("experiment hyperelastic/treloar") { check_experiment("hyperelastic/treloar.yaml"); }
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
 TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }
