@@ -19,6 +19,7 @@ list(APPEND TACK_COLD_FOLDERS ${TACK_STUDY_FOLDERS})
 # Further: components that most first scenes do without. The program loads the library tack_further when a scene names one
 # (framework/plugin/further_components.cpp). TACK_FURTHER_EXCEPT: files of these folders that are hot, because first scenes name their components.
 set(TACK_FURTHER_FOLDERS energies/hyperelastic energies/interactions energies/loads energies/particle energies/plasticity energies/rod energies/shell
+    energies/viscoelastic
     framework/contact/clipped framework/contact/gcp framework/contact/ipc framework/contact/ogc solvers/lcp solvers/minimizers/external
     solvers/path_following)
 set(TACK_FURTHER_EXCEPT energies/loads/loads.cpp energies/loads/pressure.cpp)

@@ -163,6 +163,8 @@ TEST_CASE("experiment plasticity/upset") { check_experiment("plasticity/upset.ya
 TEST_CASE("experiment plasticity/flatten") { check_experiment("plasticity/flatten.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
 
+TEST_CASE("experiment viscoelastic/standard_solid") { check_experiment("viscoelastic/standard_solid.yaml"); }
+
 TEST_CASE("experiment rod/cantilever") { check_experiment("rod/cantilever.yaml"); }
 TEST_CASE("experiment rod/twist") { check_experiment("rod/twist.yaml"); }
 TEST_CASE("experiment rod/ring") { check_experiment("rod/ring.yaml"); }

@@ -9,6 +9,7 @@
 
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/experiment/built_experiment.hpp"
+#include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/warnings.hpp"

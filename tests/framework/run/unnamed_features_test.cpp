@@ -78,6 +78,13 @@ objects:
     shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}
     energies: [{type: von_mises, young: 0.1 MPa, poisson: 0.4, density: 1000, yield_stress: 1 kPa}]
 )"},
+      {"relaxation", "energies/viscoelastic/", R"(
+time: {step: 1 ms, duration: 1 s}
+objects:
+  - name: block
+    shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}
+    energies: [{type: neo_hookean, young: 0.1 MPa, poisson: 0.4, density: 1000}, {type: maxwell, modulus: 10 kPa, time: 0.1 s}]
+)"},
       {"sheets", "energies/shell/", block + R"(
   - name: sheet
     shape: {type: grid, size: [0.1, 0.1], cells: [3, 3]}

@@ -1,0 +1,60 @@
+// Terms of a Maxwell branch: of linear tets, of tets with patches, and of composite tets.
+#pragma once
+
+#include "energies/solid/composite_term.hpp"
+#include "energies/solid/solid_term.hpp"
+#include "energies/viscoelastic/viscous_history.hpp"
+
+namespace tack {
+
+// Publishes the dissipation of a step to x.
+void publish_relaxation(Records& records, const std::string& term,
+                        std::function<double(const VecX& x)> dissipated);
+
+class MaxwellTets : public SolidTerm<Maxwell> {
+ public:
+  MaxwellTets(std::string name, const MaxwellParameters& parameters, const Body& body,
+              const VecX& rest);
+
+  void load_history(const History& history) override;
+  void begin_step(const StepStart& start) override;
+  void commit(const VecX& x, History& history) const override;
+  void publish(Records& records) const override;
+  double dissipated(const VecX& x) const;  // J
+
+ protected:
+  StressRecord stress_record() const override;
+
+ private:
+  void apply_history();
+
+  MaxwellParameters parameters_;
+  ViscousHistory history_;
+  std::vector<TetRest<Pack>> rest_shapes_;  // without viscous flow; rest_ includes it
+};
+
+class CompositeMaxwell : public CompositeTerm<Maxwell> {
+ public:
+  CompositeMaxwell(std::string name, const MaxwellParameters& parameters, const Body& body,
+                   const VecX& rest);
+
+  void load_history(const History& history) override;
+  void begin_step(const StepStart& start) override;
+  void commit(const VecX& x, History& history) const override;
+  void publish(Records& records) const override;
+  double dissipated(const VecX& x) const;  // J
+
+ private:
+  void apply_history();
+  Mat3 elastic(int sample, const VecX& x) const {
+    return tets_.deformation(sample / composite_samples, sample % composite_samples, x);
+  }
+  double volume_of(int sample) const {
+    return tets_.weight(sample % composite_samples) * tets_.volume_of(sample / composite_samples);
+  }
+
+  MaxwellParameters parameters_;
+  ViscousHistory history_;
+};
+
+}  // namespace tack
