@@ -14,14 +14,14 @@ using namespace tack;
 
 namespace {
 
-constexpr double modulus = 2e4, time = 0.3;  // Pa, s
+constexpr double modulus = 2e4, relaxation_time = 0.3;  // Pa, s
 
 // A box of tets of a branch alone, sheared or stretched as a whole.
 class Branch {
  public:
   explicit Branch(Elements elements, const std::string& more = "")
       : box_(Vec3(0.3, 0.2, 0.1), {1, 1, 1}, elements),
-        term_(component<Energy>(fmt::format("{{type: maxwell, modulus: {}, time: {}{}}}", modulus, time, more))->make_term(box_.body, box_.rest)) {}
+        term_(component<Energy>(fmt::format("{{type: maxwell, modulus: {}, time: {}{}}}", modulus, relaxation_time, more))->make_term(box_.body, box_.rest)) {}
 
   VecX at(const Mat3& f) const {
     VecX x = box_.rest;
@@ -84,7 +84,7 @@ TEST_CASE("maxwell: a strain that is held relaxes exponentially, by any step and
       double t = 0;
       for (const double h : {0.01, 0.2, 0.05, 1.0}) {
         t += h;
-        CHECK(bar.step(stretch(strain), h)(0, 0) == Approx(first * std::exp(-t / time)).epsilon(1e-8));
+        CHECK(bar.step(stretch(strain), h)(0, 0) == Approx(first * std::exp(-t / relaxation_time)).epsilon(1e-8));
       }
     }
 }
@@ -96,11 +96,11 @@ TEST_CASE("maxwell: a constant rate of strain has the stress of a dashpot, by an
     double t = 0, lost = 0;
     for (const double h : {0.01, 3.0, 0.2, 0.05, 40.0}) {
       t += h;
-      CHECK(bar.step(stretch(rate * t), h)(0, 0) == Approx(2 * modulus * rate * time * -std::expm1(-t / time)).epsilon(1e-8));
+      CHECK(bar.step(stretch(rate * t), h)(0, 0) == Approx(2 * modulus * rate * relaxation_time * -std::expm1(-t / relaxation_time)).epsilon(1e-8));
       lost += bar.lost();
       // 3/2 of the strain along x in psi; the integral of 2 psi / time
-      const double x = t / time;
-      CHECK(lost == Approx(3 * modulus * rate * rate * time * time * (x + 2 * std::expm1(-x) - std::expm1(-2 * x) / 2)).epsilon(1e-8));
+      const double x = t / relaxation_time;
+      CHECK(lost == Approx(3 * modulus * rate * rate * relaxation_relaxation_time * relaxation_time * (x + 2 * std::expm1(-x) - std::expm1(-2 * x) / 2)).epsilon(1e-8));
     }
   }
 }
@@ -175,7 +175,7 @@ TEST_CASE("maxwell: what a cycle loses is the work that it takes", "[maxwell]") 
       Mat3 before = Mat3::Identity(), force = Mat3::Zero();
       for (int i = 1; i <= steps; ++i) {
         const Mat3 f = shear(0.5 * std::sin(2 * 3.14159265358979 * i / steps)) * stretch(0.2 * std::sin(3.14159265358979 * i / steps));
-        const Mat3 next = bar.step(f, 2 * time / steps) * f.inverse().transpose();
+        const Mat3 next = bar.step(f, 2 * relaxation_time / steps) * f.inverse().transpose();
         work += (0.5 * (force + next)).cwiseProduct(f - before).sum();
         lost += bar.lost();
         CHECK(bar.lost() >= 0);
@@ -206,6 +206,6 @@ TEST_CASE("maxwell: a bulk modulus relaxes pressure, on linear tets alone", "[ma
   const Mat3 grown = 1.05 * Mat3::Identity();
   const double first = bar.step(grown, 1e-12).trace() / 3;
   CHECK(first == Approx(5e4 * 3 * std::log(1.05)).epsilon(1e-8));
-  CHECK(bar.step(grown, 0.2).trace() / 3 == Approx(first * std::exp(-0.2 / time)).epsilon(1e-8));
+  CHECK(bar.step(grown, 0.2).trace() / 3 == Approx(first * std::exp(-0.2 / relaxation_time)).epsilon(1e-8));
   for (const Elements kind : {Elements::patches, Elements::composite}) CHECK_THROWS_WITH(Branch(kind, ", bulk: 5e4"), Catch::Contains("needs linear tets"));
 }
