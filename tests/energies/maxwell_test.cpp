@@ -100,7 +100,7 @@ TEST_CASE("maxwell: a constant rate of strain has the stress of a dashpot, by an
       lost += bar.lost();
       // 3/2 of the strain along x in psi; the integral of 2 psi / time
       const double x = t / relaxation_time;
-      CHECK(lost == Approx(3 * modulus * rate * rate * relaxation_relaxation_time * relaxation_time * (x + 2 * std::expm1(-x) - std::expm1(-2 * x) / 2)).epsilon(1e-8));
+      CHECK(lost == Approx(3 * modulus * rate * rate * relaxation_time * relaxation_time * (x + 2 * std::expm1(-x) - std::expm1(-2 * x) / 2)).epsilon(1e-8));
     }
   }
 }
