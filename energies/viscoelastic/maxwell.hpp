@@ -19,6 +19,7 @@
 #pragma once
 
 #include "energies/solid/stvk_hencky.hpp"
+#include "energies/viscoelastic/relaxation.hpp"
 
 namespace tack {
 
@@ -32,12 +33,10 @@ struct MaxwellParameters {
   double bulk = 0;     // its bulk modulus K [Pa]
   double time = 1;     // relaxation time at constant strain [s]
 
-  /// Factors b and a of a step h [s]: what is left of the strain after the decays at its start and
-  /// end.
-  double start(double h) const { return std::exp(-h / time) / end(h); }
-  double end(double h) const { return h > 0 ? -std::expm1(-h / time) * time / h : 1; }
+  double lambda() const { return bulk - 2 * modulus / 3; }
+  Relaxation<3> relaxation() const { return {modulus, lambda(), time, bulk == 0}; }
   /// The potential a psi.
-  Maxwell potential(double a) const { return {{{a * modulus, a * (bulk - 2 * modulus / 3)}}}; }
+  Maxwell potential(double a) const { return {{{a * modulus, a * lambda()}}}; }
 };
 
 }  // namespace tack

@@ -7,7 +7,7 @@ void publish_relaxation(Records& records, const std::string& term, std::function
 }
 
 MaxwellTets::MaxwellTets(std::string name, const MaxwellParameters& parameters, const Body& body, const VecX& rest)
-    : SolidTerm(std::move(name), parameters.potential(1), body, rest), parameters_(parameters), history_(body, parameters), rest_shapes_(rest_) {
+    : SolidTerm(std::move(name), parameters.potential(1), body, rest), parameters_(parameters), history_(body, parameters.relaxation()), rest_shapes_(rest_) {
   load_history({});
 }
 
@@ -20,7 +20,7 @@ void MaxwellTets::begin_step(const StepStart& start) {
   history_.rewind();
   apply_history();
   if (start.h == 0) return;
-  history_.begin_step(start.h, [&](int t) { return deformation(t, start.x); });
+  history_.begin_step(start.h, [&](int t) { return strain(t, start.x); });
   apply_history();
 }
 
@@ -33,11 +33,11 @@ void MaxwellTets::apply_history() {
 }
 
 void MaxwellTets::commit(const VecX& x, History& history) const {
-  history_.commit([&](int t) { return deformation(t, x); }, history);
+  history_.commit([&](int t) { return strain(t, x); }, history);
 }
 
 double MaxwellTets::dissipated(const VecX& x) const {
-  return history_.dissipated([&](int t) { return deformation(t, x); }, [&](int t) { return rest_of(t).volume; });
+  return history_.dissipated([&](int t) { return strain(t, x); }, [&](int t) { return rest_of(t).volume; });
 }
 
 void MaxwellTets::publish(Records& records) const {
@@ -55,7 +55,7 @@ StressRecord MaxwellTets::stress_record() const {
 }
 
 CompositeMaxwell::CompositeMaxwell(std::string name, const MaxwellParameters& parameters, const Body& body, const VecX& rest)
-    : CompositeTerm(std::move(name), parameters.potential(1), body, rest), parameters_(parameters), history_(body, parameters) {
+    : CompositeTerm(std::move(name), parameters.potential(1), body, rest), parameters_(parameters), history_(body, parameters.relaxation()) {
   load_history({});
 }
 
@@ -68,7 +68,7 @@ void CompositeMaxwell::begin_step(const StepStart& start) {
   history_.rewind();
   apply_history();
   if (start.h == 0) return;
-  history_.begin_step(start.h, [&](int i) { return elastic(i, start.x); });
+  history_.begin_step(start.h, [&](int i) { return strain(i, start.x); });
   apply_history();
 }
 
@@ -78,11 +78,11 @@ void CompositeMaxwell::apply_history() {
 }
 
 void CompositeMaxwell::commit(const VecX& x, History& history) const {
-  history_.commit([&](int i) { return elastic(i, x); }, history);
+  history_.commit([&](int i) { return strain(i, x); }, history);
 }
 
 double CompositeMaxwell::dissipated(const VecX& x) const {
-  return history_.dissipated([&](int i) { return elastic(i, x); }, [&](int i) { return volume_of(i); });
+  return history_.dissipated([&](int i) { return strain(i, x); }, [&](int i) { return volume_of(i); });
 }
 
 void CompositeMaxwell::publish(Records& records) const {

@@ -21,7 +21,7 @@ Further further = Further::here;
 
 const std::map<std::string, std::vector<std::string>, std::less<>> further_names = {
     {"contact_model", {"clipped", "gcp", "ipc", "ogc"}},
-    {"energy", {"elastic_rod", "gent", "hinge_bending", "maxwell", "mooney_rivlin", "neo_hookean_membrane", "ogden", "particle", "string", "stvk_membrane", "von_mises",
+    {"energy", {"elastic_rod", "gent", "hinge_bending", "maxwell", "maxwell_membrane", "mooney_rivlin", "neo_hookean_membrane", "ogden", "particle", "string", "stvk_membrane", "von_mises",
                 "von_mises_membrane", "yeoh"}},
     {"field", {"plastic_strain"}},
     {"filling", {"gas", "liquid"}},

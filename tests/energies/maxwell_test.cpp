@@ -8,6 +8,7 @@
 #include "tests/support/component_variants.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/published.hpp"
+#include "tests/support/sheet_body.hpp"
 #include "tests/support/tet_body.hpp"
 
 using namespace tack;
@@ -208,4 +209,55 @@ TEST_CASE("maxwell: a bulk modulus relaxes pressure, on linear tets alone", "[ma
   CHECK(first == Approx(5e4 * 3 * std::log(1.05)).epsilon(1e-8));
   CHECK(bar.step(grown, 0.2).trace() / 3 == Approx(first * std::exp(-0.2 / relaxation_time)).epsilon(1e-8));
   for (const Elements kind : {Elements::patches, Elements::composite}) CHECK_THROWS_WITH(Branch(kind, ", bulk: 5e4"), Catch::Contains("needs linear tets"));
+}
+
+TEST_CASE("maxwell_membrane: a sheet relaxes in its plane, with derivatives and the work that it loses", "[maxwell]") {
+  const SheetBody sheet(Vec2(0.3, 0.2), {2, 2}, 1e-3);
+  const double poisson = 0.3, lambda = 2 * modulus * poisson / (1 - poisson);
+  const std::unique_ptr<Term> term = component<Energy>(fmt::format("{{type: maxwell_membrane, modulus: {}, poisson: {}, time: {}}}", modulus, poisson, relaxation_time))->make_term(sheet.body, sheet.rest);
+  History history;
+  VecX before = sheet.rest;
+  const auto at = [&](double along, double across) {
+    VecX x = sheet.rest;
+    for (int v = 0; v < x.size() / 3; ++v) vertex(x, v) = Vec3(std::exp(along), std::exp(across), std::exp(across)).cwiseProduct(vertex(sheet.rest, v));
+    return x;
+  };
+  const auto step = [&](const VecX& x, double h) {
+    term->begin_step({before, 0, h});
+    const VecX gradient = dense_gradient(*term, x);
+    double stress = 0;
+    for (int v = 0; v < x.size() / 3; ++v) stress += gradient(3 * v) * x(3 * v) / sheet.volume;
+    term->commit(x, history);
+    term->load_history(history);
+    CHECK((dense_gradient(*term, x) - gradient).norm() <= 1e-9 * gradient.norm());
+    before = x;
+    return stress;
+  };
+  const double along = 0.2, across = -0.05, elastic = 2 * modulus * along + lambda * (along + across);
+  CHECK(step(at(along, across), 1e-12) == Approx(elastic).epsilon(1e-8));
+  CHECK(step(at(along, across), 0.1) == Approx(elastic * std::exp(-0.1 / relaxation_time)).epsilon(1e-8));
+  CHECK(step(at(along, across), 2.0) == Approx(elastic * std::exp(-2.1 / relaxation_time)).epsilon(1e-8));
+
+  // Derivatives within a step, at a deformation out of the plane.
+  std::srand(5);
+  term->begin_step({before, 0, 0.2});
+  const VecX x = at(0.1, 0.05) + 0.005 * VecX::Random(sheet.rest.size());
+  const VecX gradient = dense_gradient(*term, x);
+  CHECK((gradient - gradient_by_differences([&](const VecX& y) { return term->value(y); }, x, 1e-5)).norm() < 1e-8 * gradient.norm());
+  const MatX hessian = dense_hessian(*term, x, Projection::none);
+  CHECK((hessian - hessian_by_differences([&](const VecX& y) { return dense_gradient(*term, y); }, x, 1e-5)).norm() < 1e-7 * hessian.norm());
+  CHECK(smallest_eigenvalue(dense_hessian(*term, x, Projection::clamp)) > -1e-9 * hessian.norm());
+
+  // A constant rate: the stress of a dashpot and its loss.
+  history.clear(), term->load_history({}), before = sheet.rest;
+  double t = 0, lost = 0;
+  constexpr double rate = 0.02;
+  for (const double h : {0.05, 1.0, 20.0}) {
+    t += h;
+    term->begin_step({before, 0, h});
+    lost += Published(*term).flow("dissipated_viscous", at(rate * t, 0)) / sheet.volume;
+    CHECK(step(at(rate * t, 0), h) == Approx((2 * modulus + lambda) * rate * relaxation_time * -std::expm1(-t / relaxation_time)).epsilon(1e-8));
+    const double s = t / relaxation_time;
+    CHECK(lost == Approx((2 * modulus + lambda) * rate * rate * relaxation_time * relaxation_time * (s + 2 * std::expm1(-s) - std::expm1(-2 * s) / 2)).epsilon(1e-8));
+  }
 }

@@ -1,0 +1,110 @@
+// Maxwell branch of a sheet in plane stress (maxwell.hpp): the spring stores
+// mu |e|^2 + lambda/2 (tr e)^2 in the Hencky strain e of the sheet's plane, lambda = 2 mu nu / (1 - nu),
+// and all of e decays, so that the thickness follows as the sheet is incompressible (nu = 0.5) or not.
+#include "energies/shell/membrane.hpp"
+#include "energies/viscoelastic/maxwell_term.hpp"
+
+namespace tack {
+namespace {
+
+struct MaxwellSheet {
+  double mu, lambda;  // Pa
+
+  Pack energy(const PlaneStrain&, const PackMat32& f) const {
+    const PackVec2 s = plane_stretch(f).s;
+    const Pack e0 = log(s(0)), e1 = log(s(1)), trace = e0 + e1;
+    return select(s.prod() > 0, mu * (e0 * e0 + e1 * e1) + lambda / 2 * trace * trace, std::numeric_limits<double>::infinity());
+  }
+  PlaneDerivatives derivatives(const PackVec2& s) const {
+    const PackVec2 e(log(s(0)), log(s(1)));
+    PlaneDerivatives d;
+    for (int i = 0; i < 2; ++i) {
+      const Pack tau = 2 * mu * e(i) + lambda * (e(0) + e(1));
+      d.gradient(i) = tau / s(i);
+      d.hessian(i, i) = (2 * mu + lambda - tau) / (s(i) * s(i));
+    }
+    d.hessian(0, 1) = d.hessian(1, 0) = lambda / s.prod();
+    return d;
+  }
+};
+
+class MaxwellSheetTerm : public MembraneTerm<MaxwellSheet> {
+ public:
+  MaxwellSheetTerm(std::string name, const Relaxation<2>& relaxation, const Body& body, const VecX& rest)
+      : MembraneTerm(std::move(name), MaxwellSheet{relaxation.mu, relaxation.lambda}, body, rest), history_(body, relaxation), rest_shapes_(rest_) {
+    load_history({});
+  }
+
+  void load_history(const History& history) override {
+    history_.load_history(history, count());
+    apply_history();
+  }
+  void begin_step(const StepStart& start) override {
+    history_.rewind();
+    apply_history();
+    if (start.h == 0) return;
+    history_.begin_step(start.h, [&](int t) { return strain(t, start.x); });
+    apply_history();
+  }
+  void commit(const VecX& x, History& history) const override {
+    history_.commit([&](int t) { return strain(t, x); }, history);
+  }
+  double dissipated(const VecX& x) const {
+    return history_.dissipated([&](int t) { return strain(t, x); }, [&](int t) { return rest_of(t).volume; });
+  }
+  void publish(Records& records) const override {
+    Term::publish(records);
+    records.add(StressRecord{[this](const VecX& x) { return stress(x); }});
+    publish_relaxation(records, name(), [this](const VecX& x) { return dissipated(x); });
+  }
+
+ private:
+  void apply_history() {
+    const Relaxation<2>& relaxation = history_.relaxation();
+    material_ = {history_.end_factor() * relaxation.mu, history_.end_factor() * relaxation.lambda};
+    for_each(static_cast<int>(rest_.size()), [&](int p) {
+      for (int l = 0; l < pack_width; ++l)
+        set_lane<2, 2>(rest_[p].shape, l, get_lane<2, 2>(rest_shapes_[p].shape, l) * history_.inverse(std::min(p * pack_width + l, count() - 1)));
+    }, chunk_size / pack_width);
+  }
+  Relaxation<2>::Strain strain(int t, const VecX& x) const {
+    const Mat32 f = deformation_gradient(rest_of(t), triangles_[t], x);
+    PackMat32 same;
+    for (int i = 0; i < 6; ++i) same(i) = f(i);
+    const PlaneStretch stretch = plane_stretch(same);
+    return history_.relaxation().strain(get_lane<2, 2>(stretch.v, 0), get_lane<2, 1>(stretch.s, 0));
+  }
+  // Kirchhoff's stress per present area ratio: that of the elastic part has det F_e.
+  std::vector<Mat3> stress(const VecX& x) const {
+    std::vector<Mat3> all = cauchy_stress(x);
+    for (int t = 0; t < count(); ++t) all[t] *= history_.inverse(t).determinant();
+    return all;
+  }
+
+  ViscousHistory<2> history_;
+  std::vector<SheetRest<Pack>> rest_shapes_;  // without viscous flow; rest_ includes it
+};
+
+class MaxwellMembrane : public Energy {
+ public:
+  void fields(Fields& f) override {
+    Energy::fields(f);
+    f.number("modulus", modulus_, units::pressure, "shear modulus of the spring").required().positive();
+    f.number("poisson", poisson_, units::none, "Poisson's ratio of the spring; 0.5: its volume does not change").range(0, 0.5);
+    f.number("time", time_, units::time, "relaxation time: the stress at constant strain falls by 1/e").required().positive();
+  }
+  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
+    require_sheet(body, rest, type());
+    return std::make_unique<MaxwellSheetTerm>(std::string(type()), Relaxation<2>{modulus_, 2 * modulus_ * poisson_ / (1 - poisson_), time_, false}, body, rest);
+  }
+
+ private:
+  double modulus_ = 0, poisson_ = 0.5, time_ = 1;
+};
+
+TACK_REGISTER(Energy, MaxwellMembrane, "maxwell_membrane",
+              "Spring and dashpot in series, beside the membrane of a sheet: relaxation in its plane. Without mass. Several make a Prony series.",
+              "Simo 1987; Reese and Govindjee 1998");
+
+}  // namespace
+}  // namespace tack
