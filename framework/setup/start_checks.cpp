@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "framework/affine/orthogonality_term.hpp"
 #include "framework/contact/surface/overclosure.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/world/containment.hpp"
@@ -93,12 +95,31 @@ void check_containment(const SceneConfig& scene, const Value& root, const World&
                                found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet, apart(scene)));
 }
 
+// Checks that materials bear the state in which another run ended: a Gent solid, for instance, has a largest stretch.
+void check_energies(const SceneConfig& scene, World& world) {
+  if (!scene.start) return;
+  const auto joins = [&](const Term* term) {
+    return term == world.affine || std::any_of(world.interactions.begin(), world.interactions.end(), [&](const ActingInteraction& i) {
+             return std::find(i.terms.begin(), i.terms.end(), term) != i.terms.end();
+           });
+  };
+  for (const auto& term : world.elastic_terms) {
+    if (term->dynamic() || joins(term.get())) continue;
+    term->load_history(world.start.history);
+    if (std::isfinite(term->value(world.start.x))) continue;
+    const int body = world.body_of(term->batches().front().vertices[0]);
+    throw InputError(fmt::format("the energy {} of '{}' is infinite in the state of that run: it is strained beyond what its material bears; change the "
+                                 "material, or leave it out of start.objects", term->name(), world.bodies[body].name));
+  }
+}
+
 }  // namespace
 
 void check_start(const SceneConfig& scene, const Value& root, World& world) {
   check_intersections(scene, root, world);
   check_gaps(scene, root, world);
   check_containment(scene, root, world);
+  with_source_location(root.find("start"), [&] { check_energies(scene, world); });
 }
 
 }  // namespace tack

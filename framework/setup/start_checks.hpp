@@ -7,7 +7,8 @@
 namespace tack {
 
 // Throws InputError, with the remedy, if objects intersect, touch, are closer than their offsets,
-// or one is inside of another. root: the parsed file.
+// one is inside of another, or a state of another run has an infinite energy here. root: the parsed
+// file.
 void check_start(const SceneConfig& scene, const Value& root, World& world);
 
 }  // namespace tack

@@ -210,3 +210,17 @@ TEST_CASE("a step of a run that started from another is stored with its start", 
   again.step();
   CHECK(again.state().step == 3);
 }
+
+TEST_CASE("a state that a material does not bear is refused", "[start]") {
+  const TemporaryFolder folder;
+  const auto bar = [](const std::string& material) {
+    return "time: {step: 0.1 s, duration: 0.2 s, integrator: quasi_static}\nobjects:\n  - name: bar\n    shape: {type: box, size: [0.1, 0.1, 0.1]}\n"
+           "    energies: [{type: gent, shear_modulus: 1 kPa, j_m: " + material + "}]\n"
+           "    motion:\n      - {type: fixed, select: {type: face, direction: [-1, 0, 0]}}\n"
+           "      - {type: formula, x: 0.5 * t, along: [1, 0, 0], select: {type: face, direction: [1, 0, 0]}}\noutput: {checkpoint_interval: 0.1 s, frames: false}\n";
+  };
+  record(bar("50"), folder.path() / "run");  // to a stretch of 2
+  CHECK_NOTHROW(TestScene(bar("50") + from(folder.path() / "run")));
+  CHECK_THROWS_WITH(TestScene(bar("0.5") + from(folder.path() / "run")),
+                    Contains("test.yaml") && Contains("the energy gent of 'bar' is infinite") && Contains("start.objects"));
+}
