@@ -29,9 +29,9 @@ struct Maxwell : StvkHencky {
 };
 
 struct MaxwellParameters {
-  double modulus = 0;  // shear modulus mu of the spring [Pa]
-  double bulk = 0;     // its bulk modulus K [Pa]
-  double time = 1;     // relaxation time at constant strain [s]
+  double modulus = 1e4;  // shear modulus mu of the spring [Pa]
+  double bulk = 0;       // its bulk modulus K [Pa]
+  double time = 1;       // relaxation time at constant strain [s]
 
   double lambda() const { return bulk - 2 * modulus / 3; }
   Relaxation<3> relaxation() const { return {modulus, lambda(), time, bulk == 0}; }

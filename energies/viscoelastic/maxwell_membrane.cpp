@@ -99,7 +99,7 @@ class MaxwellMembrane : public Energy {
   }
 
  private:
-  double modulus_ = 0, poisson_ = 0.5, time_ = 1;
+  double modulus_ = 1e4, poisson_ = 0.5, time_ = 1;
 };
 
 TACK_REGISTER(Energy, MaxwellMembrane, "maxwell_membrane",
