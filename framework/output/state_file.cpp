@@ -286,9 +286,21 @@ Json content_of(const std::filesystem::path& path) {
   return Json::from_cbor(content);
 }
 
-}  // namespace
+constexpr std::size_t head_size_max = 128;  // bytes
 
-void write_state_file(const std::filesystem::path& path, const StateFile& file) {
+// Returns an upper bound of the size of a value in CBOR [bytes].
+std::size_t cbor_size_max(const Json& json) {
+  constexpr std::size_t per_item = 9;  // type and a number
+  std::size_t size = per_item;
+  if (json.is_string()) size += json.get_ref<const std::string&>().size();
+  if (json.is_object())
+    for (const auto& [key, value] : json.items()) size += per_item + key.size() + cbor_size_max(value);
+  if (json.is_array())
+    for (const Json& value : json) size += cbor_size_max(value);
+  return size;
+}
+
+std::string cbor_of(const StateFile& file) {
   Json meshes = Json::object(), file_meshes = Json::object(), objects = Json::object();
   for (const auto& [object, mesh] : file.meshes) meshes[object] = to_json(mesh);
   for (const auto& [object, digest] : file.file_meshes) file_meshes[object] = to_json(digest);
@@ -302,8 +314,16 @@ void write_state_file(const std::filesystem::path& path, const StateFile& file) 
   if (!file.linear_solver.empty()) json["linear_solver"] = file.linear_solver;
   if (!file.remeshings.empty()) json["remeshings"] = to_json(file.remeshings);
   std::string content;
+  content.reserve(head_size_max + cbor_size_max(json));  // growing would take up to three times the memory
   Json::to_cbor(json, content);
-  replace_file(path, head_of(version, crc32_of(content.data(), content.size()), content.size()) + content);
+  return content;
+}
+
+}  // namespace
+
+void write_state_file(const std::filesystem::path& path, const StateFile& file) {
+  std::string content = cbor_of(file);
+  replace_file(path, content.insert(0, head_of(version, crc32_of(content.data(), content.size()), content.size())));
 }
 
 StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kind) {
