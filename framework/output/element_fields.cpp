@@ -5,9 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "framework/assembly/symmetric_eigen.hpp"
 #include "framework/output/frame_fields.hpp"
@@ -65,26 +65,32 @@ void for_each_cell(const StencilBatch& elements, const CellIndex& cells, const A
     if (const int cell = cells.find(elements.vertices + static_cast<size_t>(elements.arity) * s, elements.arity); cell >= 0) act(cell, s);
 }
 
-// Returns the sum over all energies of an element, by cell.
-std::map<int, Mat3> cauchy_stresses(const World& world, const VecX& x, const CellIndex& cells) {
-  std::map<int, Mat3> sums;
+// Stresses by cell; not a number in cells that are no elements.
+std::vector<Mat3> cauchy_stresses(const World& world, const VecX& x, const CellIndex& cells, int cell_count) {
+  std::vector<Mat3> sums(cell_count, Mat3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  std::vector<char> found(cell_count, 0);
   for (const StressRecord& record : world.records.stresses()) {
     const std::vector<Mat3> stresses = record.values(x);
     for_each_cell(elements_of(record), cells, [&](int cell, int stencil) {
-      sums.try_emplace(cell, Mat3::Zero()).first->second += stresses[stencil];
+      if (!std::exchange(found[cell], 1)) sums[cell].setZero();
+      sums[cell] += stresses[stencil];
     });
   }
   return sums;
 }
 
-VecX von_mises_stress(const std::map<int, Mat3>& stresses, VecX values) {
-  for (const auto& [cell, stress] : stresses) values(cell) = von_mises(stress);
+VecX von_mises_stress(const std::vector<Mat3>& stresses) {
+  VecX values(stresses.size());
+  for (size_t c = 0; c < stresses.size(); ++c) values(c) = von_mises(stresses[c]);
   return values;
 }
 
-VecX cauchy_stress(const std::map<int, Mat3>& stresses, VecX values) {
-  for (const auto& [cell, s] : stresses)
-    values.segment<6>(6 * cell) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
+VecX cauchy_stress(const std::vector<Mat3>& stresses) {
+  VecX values(6 * stresses.size());
+  for (size_t c = 0; c < stresses.size(); ++c) {
+    const Mat3& s = stresses[c];
+    values.segment<6>(6 * c) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
+  }
   return values;
 }
 
@@ -160,7 +166,7 @@ std::vector<CellField> element_fields(const std::vector<std::string>& names, con
   const std::vector<FrameFieldInfo> known = frame_fields();
   std::vector<CellField> fields;
   std::optional<CellIndex> cells;
-  std::optional<std::map<int, Mat3>> stresses;
+  std::optional<std::vector<Mat3>> stresses;
   for (const std::string& name : names) {
     const auto info = std::find_if(known.begin(), known.end(), [&](const FrameFieldInfo& f) { return f.name == name && f.of_elements; });
     if (info == known.end()) continue;
@@ -170,9 +176,9 @@ std::vector<CellField> element_fields(const std::vector<std::string>& names, con
     }
     if (!cells) cells.emplace(geometry);
     const bool mises = name == "von_mises_stress", cauchy = name == "cauchy_stress";
-    if ((mises || cauchy) && !stresses) stresses = cauchy_stresses(world, x, *cells);
-    if (mises) fields.push_back({name, von_mises_stress(*stresses, none(1)), info->unit});
-    else if (cauchy) fields.push_back({name, cauchy_stress(*stresses, none(6)), info->unit, 6});
+    if ((mises || cauchy) && !stresses) stresses = cauchy_stresses(world, x, *cells, geometry.cells());
+    if (mises) fields.push_back({name, von_mises_stress(*stresses), info->unit});
+    else if (cauchy) fields.push_back({name, cauchy_stress(*stresses), info->unit, 6});
     else fields.push_back({name, published(*info, world, x, *cells, none(info->components)), info->unit, info->components});
   }
   return fields;
