@@ -66,8 +66,9 @@ template <class T>
 bool MultifrontalFactor<T>::factorize(const SupernodeTree& tree, const BlockMatrix& matrix, const Deadline& deadline) {
   tree_ = &tree;
   scale_.resize(matrix.size());
-  for (int c = 0; c < matrix.columns(); ++c)
+  for_each(matrix.columns(), [&](int c) {
     scale_.segment<3>(3 * c) = matrix.block(matrix.column_start[c]).diagonal().cwiseSqrt().cwiseInverse();
+  }, 1024);
   if (!scale_.allFinite()) return false;  // a diagonal entry is not positive
   if (capacity_ < tree.panel.back()) {
     capacity_ = tree.panel.back() + tree.panel.back() / 8;
@@ -252,10 +253,10 @@ void MultifrontalFactor<T>::solve(const VecX& b, VecX& x) {
   const double largest = b.cwiseProduct(scale_).lpNorm<Eigen::Infinity>();
   const double unit = largest > 0 ? largest : 1;  // keeps floats in range
   x_.resize(n);
-  for (int k = 0; k < n; ++k) {
+  for_each(n, [&](int k) {
     const int old = tree.permutation[k];
     x_[k] = static_cast<T>(b(old) * scale_(old) / unit);
-  }
+  }, 4096);
   work_.resize(subtrees + 1);
   std::vector<T>& scratch = work_.back();
   for (const int s : tree.top)
@@ -275,10 +276,10 @@ void MultifrontalFactor<T>::solve(const VecX& b, VecX& x) {
   for_each(subtrees, [&](int i) { backward_subtree(static_cast<size_t>(i)); }, 1);
 
   x.resize(n);
-  for (int k = 0; k < n; ++k) {
+  for_each(n, [&](int k) {
     const int old = tree.permutation[k];
     x(old) = x_[k] * (unit * scale_(old));
-  }
+  }, 4096);
 }
 
 template class MultifrontalFactor<float>;

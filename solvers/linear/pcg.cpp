@@ -41,7 +41,7 @@ class Pcg : public LinearSolver {
     if (!preconditioner_->update(matrix, clock.deadline())) return false;
     if (matrix.columns() != columns_) easy_ = 0;
     columns_ = matrix.columns();
-    moved_rigidly_ = with_rigid_motions_ && columns_ >= many && easy_ < in_a_row && rigid_motions_.update(matrix);
+    moved_rigidly_ = with_rigid_motions_ && columns_ >= many && easy_ < in_a_row && rigid_motions_.update(matrix, clock.deadline());
     if (with_translations_ && !moved_rigidly_) translations_.update(matrix);
     // The preconditioner must be positive definite even if the matrix is not; iterations detect the
     // latter.

@@ -7,6 +7,7 @@
 
 #include "framework/core/lanes.hpp"
 #include "geometry/parallel.hpp"
+#include "solvers/linear/dense_kernels.hpp"
 
 namespace tack {
 namespace {
@@ -25,7 +26,7 @@ Mat3 matrix3(const BlockLanes& lanes) {
 
 }  // namespace
 
-bool RigidMotions::update(const BlockMatrix& matrix) {
+bool RigidMotions::update(const BlockMatrix& matrix, const Deadline& deadline) {
   const size_t n = matrix.columns();
   if (matrix.component.size() != n || static_cast<size_t>(matrix.positions.size()) != 3 * n) return false;
   const bool cut = component_ != matrix.component;
@@ -37,30 +38,39 @@ bool RigidMotions::update(const BlockMatrix& matrix) {
   if (cut || matrix.version != version_) index(matrix);
   find_frames(matrix);
   for_each(aggregates_.count(), [&](int a) { sum_columns(matrix, a); }, 1);
-  return factorize();
+  fill_coarse_matrix();
+  blas::set_threads(1);
+  if (analysis_.update(coarse_, CholmodAnalysis::Kind::supernodal_blocks)) tree_.emplace(*analysis_.factor(), coarse_);
+  return factor_.factorize(*tree_, coarse_, deadline);
 }
 
 // Finds the sum of each block, and the pattern of Z^T A Z.
 void RigidMotions::index(const BlockMatrix& matrix) {
   version_ = matrix.version;
   const int count = aggregates_.count();
-  std::vector<std::vector<int>> rows(count);  // aggregates coupled to each one: few
-  for (int a = 0; a < count; ++a) rows[a].push_back(a);
-  const auto for_each_coupling = [&](const auto& body) {
-    for (int c = 0; c < matrix.columns(); ++c)
-      for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k)
-        if (const int a = aggregates_.of[c], b = aggregates_.of[matrix.row[k]]; a >= 0 && b >= 0) body(k, a, b);
+  std::vector<std::vector<int>> below(count), rows(count);  // aggregates coupled to each one: few
+  const auto make_unique = [](std::vector<int>& numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   };
-  for_each_coupling([&](int, int a, int b) {
-    if (a == b || std::find(rows[a].begin(), rows[a].end(), b) != rows[a].end()) return;
-    rows[a].push_back(b);
-    rows[b].push_back(a);
-  });
+  for_each(count, [&](int a) {
+    for (int i = aggregates_.start[a]; i < aggregates_.start[a + 1]; ++i) {
+      const int c = aggregates_.column[i];
+      for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k)
+        if (const int b = aggregates_.of[matrix.row[k]]; b >= 0 && (below[a].empty() || below[a].back() != b)) below[a].push_back(b);
+    }
+    make_unique(below[a]);
+  }, 1);
+  for (int a = 0; a < count; ++a)
+    for (const int b : below[a]) {
+      rows[a].push_back(b);
+      rows[b].push_back(a);
+    }
   sum_start_.assign(1, 0);
   sums_.clear();
-  for (std::vector<int>& of_piece : rows) {
-    std::sort(of_piece.begin(), of_piece.end());
-    for (const int b : of_piece) sums_.push_back({b, -1, Mat6::Zero()});
+  for (std::vector<int>& of_aggregate : rows) {
+    make_unique(of_aggregate);
+    for (const int b : of_aggregate) sums_.push_back({b, -1, Mat6::Zero()});
     sum_start_.push_back(static_cast<int>(sums_.size()));
   }
   const auto find = [&](int a, int b) {
@@ -68,17 +78,29 @@ void RigidMotions::index(const BlockMatrix& matrix) {
   };
   for (int a = 0; a < count; ++a)
     for (int s = sum_start_[a]; s < sum_start_[a + 1]; ++s) sums_[s].mirror = find(sums_[s].row, a);
-  sum_of_.assign(matrix.row.size(), -1);
-  for_each_coupling([&](int k, int a, int b) { sum_of_[k] = find(a, b); });
+  sum_of_.resize(matrix.row.size());
+  for_each(matrix.columns(), [&](int c) {
+    const int a = aggregates_.of[c];
+    for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
+      const int b = aggregates_.of[matrix.row[k]];
+      sum_of_[k] = a >= 0 && b >= 0 ? find(a, b) : -1;
+    }
+  }, 512);
+  list_coarse_blocks();
+}
 
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int a = 0; a < count; ++a)
-    for (int s = find(a, a); s < sum_start_[a + 1]; ++s)
-      for (int j = 0; j < 6; ++j)
-        for (int i = sums_[s].row == a ? j : 0; i < 6; ++i) entries.emplace_back(6 * sums_[s].row + i, 6 * a + j, 1.0);
-  coarse_.resize(6 * count, 6 * count);
-  coarse_.setFromTriplets(entries.begin(), entries.end());
-  factor_.analyzePattern(coarse_);
+void RigidMotions::list_coarse_blocks() {
+  ++coarse_.version;
+  coarse_.row.clear();
+  coarse_.column_start.assign(1, 0);
+  for (int a = 0; a < aggregates_.count(); ++a)
+    for (int half = 0; half < 2; ++half) {
+      for (int s = sum_start_[a]; s < sum_start_[a + 1]; ++s)
+        for (int row = 2 * sums_[s].row; row < 2 * sums_[s].row + 2; ++row)
+          if (row >= 2 * a + half) coarse_.row.push_back(row);
+      coarse_.column_start.push_back(static_cast<int>(coarse_.row.size()));
+    }
+  coarse_.values.resize(9 * coarse_.row.size());
 }
 
 void RigidMotions::find_frames(const BlockMatrix& matrix) {
@@ -148,23 +170,22 @@ void RigidMotions::sum_columns(const BlockMatrix& matrix, int aggregate) {
   }
 }
 
-bool RigidMotions::factorize() {
+void RigidMotions::fill_coarse_matrix() {
   for_each(aggregates_.count(), [&](int a) {
-    const int own = static_cast<int>(std::lower_bound(sums_.begin() + sum_start_[a], sums_.begin() + sum_start_[a + 1], a,
-                                                      [](const Sum& s, int aggregate) { return s.row < aggregate; }) - sums_.begin());
-    for (int j = 0; j < 6; ++j) {
-      double* to = coarse_.valuePtr() + coarse_.outerIndexPtr()[6 * a + j];
-      for (int s = own; s < sum_start_[a + 1]; ++s) {
+    for (int half = 0; half < 2; ++half) {
+      const int column = 2 * a + half;
+      int k = coarse_.column_start[column];
+      for (int s = sum_start_[a]; s < sum_start_[a + 1]; ++s) {
         const Mat6& value = sums_[s].value;
         const Mat6& mirrored = sums_[sums_[s].mirror].value;
-        for (int i = s == own ? j : 0; i < 6; ++i) *to++ = value(i, j) + mirrored(j, i);
+        for (int i = 0; i < 2; ++i)
+          if (2 * sums_[s].row + i >= column)
+            coarse_.block(k++) = value.block<3, 3>(3 * i, 3 * half) + mirrored.block<3, 3>(3 * half, 3 * i).transpose();
       }
-      double& diagonal = coarse_.valuePtr()[coarse_.outerIndexPtr()[6 * a + j]];
-      diagonal = diagonal == 0 ? 1 : (1 + shift) * diagonal;  // 1: a rotation that was left out
+      auto own = coarse_.block(coarse_.column_start[column]);
+      for (int j = 0; j < 3; ++j) own(j, j) = own(j, j) == 0 ? 1 : (1 + shift) * own(j, j);  // 1: a rotation that was left out
     }
   }, 8);
-  factor_.factorize(coarse_);
-  return factor_.info() == Eigen::Success;
 }
 
 double RigidMotions::add(const VecX& r, VecX& z) {
@@ -178,16 +199,16 @@ double RigidMotions::add(const VecX& r, VecX& z) {
       moment += arms_.col(c).cross(at);
     }
     moments_.segment<6>(6 * a) << force, rotations_[a].transpose() * moment;
-  }, 8);
-  const VecX motions = factor_.solve(moments_);
+  }, 2);
+  factor_.solve(moments_, motions_);
   for_each(aggregates_.count(), [&](int a) {
-    const Vec3 shift = motions.segment<3>(6 * a), turn = rotations_[a] * motions.segment<3>(6 * a + 3);
+    const Vec3 shift = motions_.segment<3>(6 * a), turn = rotations_[a] * motions_.segment<3>(6 * a + 3);
     for (int i = aggregates_.start[a]; i < aggregates_.start[a + 1]; ++i) {
       const int c = aggregates_.column[i];
       z.segment<3>(3 * c) += shift + turn.cross(Vec3(arms_.col(c)));
     }
-  }, 8);
-  return moments_.dot(motions);
+  }, 2);
+  return moments_.dot(motions_);
 }
 
 }  // namespace tack

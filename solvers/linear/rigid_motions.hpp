@@ -6,30 +6,32 @@
 // bounds every component's momentum error (component_translations.hpp).
 #pragma once
 
-#include <Eigen/SparseCholesky>
-
+#include <optional>
 #include <vector>
 
 #include "framework/core/block_matrix.hpp"
+#include "framework/core/deadline.hpp"
 #include "solvers/linear/aggregates.hpp"
+#include "solvers/linear/cholmod_analysis.hpp"
+#include "solvers/linear/multifrontal_factor.hpp"
 
 namespace tack {
 
 class RigidMotions {
  public:
   // Prepares the coarse space. Returns false, with no correction, if the matrix has no positions or
-  // Z^T A Z is not positive definite.
-  bool update(const BlockMatrix& matrix);
+  // Z^T A Z is not positive definite. Throws OutOfTime.
+  bool update(const BlockMatrix& matrix, const Deadline& deadline = {});
   // z += Z (Z^T A Z)^-1 Z^T r. Returns r . (the correction).
   double add(const VecX& r, VecX& z);
 
  private:
   using Mat6 = Eigen::Matrix<double, 6, 6>;
-  using Sparse = Eigen::SparseMatrix<double>;
   void index(const BlockMatrix& matrix);
   void find_frames(const BlockMatrix& matrix);
   void sum_columns(const BlockMatrix& matrix, int aggregate);
-  bool factorize();
+  void list_coarse_blocks();
+  void fill_coarse_matrix();
 
   Aggregates aggregates_;
   std::vector<int> component_;  // BlockMatrix::component when the aggregates were built
@@ -48,9 +50,12 @@ class RigidMotions {
   std::vector<int> sum_start_;
   std::vector<Sum> sums_;
   std::vector<int> sum_of_;  // per block of the matrix; -1: none
-  Sparse coarse_;            // lower triangle of Z^T A Z
-  Eigen::SimplicialLLT<Sparse, Eigen::Lower> factor_;
-  VecX moments_;  // six numbers per aggregate
+  // Z^T A Z: two block columns per aggregate, translations and rotations.
+  BlockMatrix coarse_;
+  CholmodAnalysis analysis_{CholmodAnalysis::Ordering::amd};
+  std::optional<SupernodeTree> tree_;
+  MultifrontalFactor<double> factor_;
+  VecX moments_, motions_;  // six numbers per aggregate
 };
 
 }  // namespace tack
