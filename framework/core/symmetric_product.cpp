@@ -1,7 +1,8 @@
 #include "framework/core/symmetric_product.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
-#include <utility>
 
 #include "framework/core/lanes.hpp"
 #include "geometry/parallel.hpp"
@@ -9,39 +10,47 @@
 namespace tack {
 namespace {
 
-constexpr int run_length = 1024;  // columns
+// Returns the columns of a run: small matrices have 32 runs for the threads, if these are long
+// enough that most sums are of their own rows.
+int run_length(int columns) { return std::clamp(columns / 32, 256, 1024); }
 
 }  // namespace
 
 void SymmetricProduct::index(const BlockMatrix& matrix) {
   columns_ = matrix.columns();
   version_ = matrix.version;
+  const int length = run_length(columns_), runs = chunk_count(columns_, length);
   sum_of_.resize(matrix.row.size());
-  sum_start_.assign(1, 0);
-  std::vector<std::pair<int, int>> outside;  // row, sum
-  std::vector<int> sum_index(columns_, -1);      // index of the sum of a row in the current run
-  for (int first = 0; first < columns_; first += run_length) {
-    const int last = std::min(first + run_length, columns_);
-    const size_t before = outside.size();
-    int count = last - first;
+  std::vector<std::vector<int>> later_rows(runs);  // of each run, in the order of their sums
+  // Index of the sum of a row in the current run; -1 between runs.
+  tbb::enumerable_thread_specific<std::vector<int>> sum_index(columns_, -1);
+  for_each_chunk(columns_, [&](int run, int first, int last) {
+    std::vector<int>& index_of = sum_index.local();
     for (int k = matrix.column_start[first]; k < matrix.column_start[last]; ++k) {
       const int row = matrix.row[k];
-      if (row >= last && sum_index[row] < 0) {
-        outside.emplace_back(row, sum_start_.back() + count);
-        sum_index[row] = count++;
+      if (row >= last && index_of[row] < 0) {
+        index_of[row] = last - first + static_cast<int>(later_rows[run].size());
+        later_rows[run].push_back(row);
       }
-      sum_of_[k] = row < last ? row - first : sum_index[row];
+      sum_of_[k] = row < last ? row - first : index_of[row];
     }
-    for (size_t i = before; i < outside.size(); ++i) sum_index[outside[i].first] = -1;
-    sum_start_.push_back(sum_start_.back() + count);
+    for (const int row : later_rows[run]) index_of[row] = -1;
+  }, length);
+  sum_start_.assign(1, 0);
+  later_start_.assign(columns_ + 1, 0);
+  for (int run = 0; run < runs; ++run) {
+    const int own = std::min(length, columns_ - run * length);
+    sum_start_.push_back(sum_start_.back() + own + static_cast<int>(later_rows[run].size()));
+    for (const int row : later_rows[run]) ++later_start_[row + 1];
   }
   sums_.resize(4 * static_cast<size_t>(sum_start_.back()));
-  later_start_.assign(columns_ + 1, 0);
-  for (const auto& [row, sum] : outside) ++later_start_[row + 1];
   for (int r = 0; r < columns_; ++r) later_start_[r + 1] += later_start_[r];
-  later_.resize(outside.size());
+  later_.resize(later_start_.back());
   auto next = later_start_;
-  for (const auto& [row, sum] : outside) later_[next[row]++] = sum;
+  for (int run = 0; run < runs; ++run) {
+    int sum = sum_start_[run + 1] - static_cast<int>(later_rows[run].size());
+    for (const int row : later_rows[run]) later_[next[row]++] = sum++;
+  }
 }
 
 void SymmetricProduct::multiply_run(const BlockMatrix& matrix, const VecX& x, int run, int first, int last) {
@@ -67,7 +76,8 @@ void SymmetricProduct::multiply_run(const BlockMatrix& matrix, const VecX& x, in
 void SymmetricProduct::multiply(const BlockMatrix& matrix, const VecX& x, VecX& y) {
   if (matrix.version != version_ || matrix.columns() != columns_) index(matrix);
   y.resize(x.size());
-  for_each_chunk(columns_, [&](int run, int first, int last) { multiply_run(matrix, x, run, first, last); }, run_length);
+  const int length = run_length(columns_);
+  for_each_chunk(columns_, [&](int run, int first, int last) { multiply_run(matrix, x, run, first, last); }, length);
   for_each_chunk(columns_, [&](int run, int first, int last) {
     for (int r = first; r < last; ++r) {
       Lanes sum = load4(sums_.data() + 4 * static_cast<size_t>(sum_start_[run] + r - first));
@@ -75,7 +85,7 @@ void SymmetricProduct::multiply(const BlockMatrix& matrix, const VecX& x, VecX& 
         sum += load4(sums_.data() + 4 * static_cast<size_t>(later_[i]));
       store3(sum, y.data() + 3 * static_cast<size_t>(r));
     }
-  }, run_length);
+  }, length);
   add_product(matrix.modes, x, y);
 }
 

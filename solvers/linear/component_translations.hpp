@@ -7,6 +7,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <utility>
 #include <vector>
 
 #include "framework/core/block_matrix.hpp"
@@ -38,8 +39,12 @@ class ComponentTranslations {
   struct Run {
     int first, last;  // consecutive columns of one component
     int component;
-    Vec3 sum;
+    Vec3 sum;  // of a vector over its columns
+    std::vector<std::pair<int, Mat3>>
+        coarse_sums;  // index in coarse_, sum of blocks of its columns
   };
+  void sum_blocks(const BlockMatrix& matrix, Run& run) const;
+
   std::vector<Run> runs_;
   VecX sums_;
 };
