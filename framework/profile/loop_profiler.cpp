@@ -76,7 +76,7 @@ LoopProfiler::LoopProfiler(PhaseClock& clock, const std::vector<int>& cores)
 
 void LoopProfiler::run(const SourcePosition& loop, int chunks, const ChunkCall& chunk) {
   if (chunks <= 0) return;
-  if (!in_loop_) return run_outermost(loop, chunks, chunk);
+  if (!in_loop_) return run_outermost(loop, chunks, chunk, nullptr);
   if (chunks == 1) return chunk(0);
   end_segment();
   trace_.begin_loop();
@@ -84,7 +84,13 @@ void LoopProfiler::run(const SourcePosition& loop, int chunks, const ChunkCall& 
   trace_.end_loop();
 }
 
-void LoopProfiler::run_outermost(const SourcePosition& loop, int chunks, const ChunkCall& chunk) {
+void LoopProfiler::run(const SourcePosition& loop, int chunks, const ChunkCall& chunk, const ChunkOrder& order) {
+  if (chunks <= 0) return;
+  if (!in_loop_) return run_outermost(loop, chunks, chunk, &order);
+  for (int c = 0; c < chunks; ++c) chunk(c);
+}
+
+void LoopProfiler::run_outermost(const SourcePosition& loop, int chunks, const ChunkCall& chunk, const ChunkOrder* order) {
   charge_serial();
   Loop& entry = loop_at(loop);
   for (int i = 0; i < phase_count; ++i)
@@ -111,7 +117,7 @@ void LoopProfiler::run_outermost(const SourcePosition& loop, int chunks, const C
   cost.seconds += seconds;
   cost.divided_runs += divided ? 1 : 0;
   cost.undivided += divided ? 0 : seconds;
-  for (size_t k = 0; k < cores_.size(); ++k) cost.on_cores[k] += trace_.scheduled(cores_[k]);
+  for (size_t k = 0; k < cores_.size(); ++k) cost.on_cores[k] += trace_.scheduled(cores_[k], order);
   last_ = &entry.position;
   mark();
 }

@@ -12,17 +12,20 @@
 #include "framework/core/phase_clock.hpp"
 #include "framework/profile/core_scaling.hpp"
 #include "framework/profile/loop_trace.hpp"
-#include "geometry/loop_observer.hpp"
+#include "geometry/ordered_loop_observer.hpp"
 
 namespace tack {
 
-class LoopProfiler final : public LoopObserver {
+class LoopProfiler final : public OrderedLoopObserver {
  public:
   // Observes the loops of this thread from now on. cores: numbers of cores to predict for, at least
   // one; the first is the one that losses refer to. `clock` must outlive it.
   LoopProfiler(PhaseClock& clock, const std::vector<int>& cores);
 
   void run(const SourcePosition& loop, int chunks, const ChunkCall& chunk) override;
+  // Inside a chunk of another loop, a loop with dependencies counts as serial.
+  void run(const SourcePosition& loop, int chunks, const ChunkCall& chunk,
+           const ChunkOrder& order) override;
   // Ends the measurement.
   CoreScaling finish();
 
@@ -46,7 +49,8 @@ class LoopProfiler final : public LoopObserver {
     SourcePosition position;
     LoopCost cost;
   };
-  void run_outermost(const SourcePosition& loop, int chunks, const ChunkCall& chunk);
+  void run_outermost(const SourcePosition& loop, int chunks, const ChunkCall& chunk,
+                     const ChunkOrder* order);
   void run_chunks(int chunks, const ChunkCall& chunk);
   void end_segment();
   void charge_serial();

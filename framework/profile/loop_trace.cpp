@@ -66,16 +66,28 @@ class ChunkSchedule {
 
 }  // namespace
 
-double scheduled(const std::vector<double>& chunks, int cores) {
+double scheduled(const std::vector<double>& chunks, int cores, const ChunkOrder* order) {
   if (chunks.empty()) return 0;
-  if (chunks.size() <= static_cast<size_t>(cores)) return *std::max_element(chunks.begin(), chunks.end());
+  if (!order && chunks.size() <= static_cast<size_t>(cores)) return *std::max_element(chunks.begin(), chunks.end());
   std::vector<double> idle_at(cores, 0.0);  // heap, earliest first
-  for (const double chunk : chunks) {
+  const auto take = [&](const auto& run) {
     std::pop_heap(idle_at.begin(), idle_at.end(), std::greater<>());
-    idle_at.back() += chunk;
+    run(idle_at.back());
     std::push_heap(idle_at.begin(), idle_at.end(), std::greater<>());
+  };
+  if (!order) {
+    for (const double chunk : chunks) take([&](double& at) { at += chunk; });
+    return *std::max_element(idle_at.begin(), idle_at.end());
   }
-  return *std::max_element(idle_at.begin(), idle_at.end());
+  std::vector<double> end_of(chunks.size());
+  for (size_t s = 0; s + 1 < order->strip_start.size(); ++s)
+    take([&](double& at) {
+      for (size_t c = order->strip_start[s]; c < std::min<size_t>(order->strip_start[s + 1], chunks.size()); ++c) {
+        for (int k = order->start[c]; k < order->start[c + 1]; ++k) at = std::max(at, end_of[order->before[k]]);
+        end_of[c] = at += chunks[c];
+      }
+    });
+  return *std::max_element(end_of.begin(), end_of.end());
 }
 
 void lower_longest(std::vector<double>& seconds, double total) {
@@ -99,8 +111,8 @@ void LoopTrace::clear() {
 
 double LoopTrace::seconds() const { return std::accumulate(seconds_.begin(), seconds_.end(), 0.0); }
 
-double LoopTrace::scheduled(int cores) const {
-  if (!nested_) return tack::scheduled(seconds_, cores);
+double LoopTrace::scheduled(int cores, const ChunkOrder* order) const {
+  if (!nested_) return tack::scheduled(seconds_, cores, order);
   std::vector<Chunk> chunks;
   std::vector<int> outermost;
   std::vector<int> open;  // chunks around the present position, the innermost last; -1: between chunks

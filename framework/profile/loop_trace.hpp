@@ -4,11 +4,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/chunk_order.hpp"
+
 namespace tack {
 
 // Returns the time at which `cores` cores have worked off the chunks [s]: each core that is idle
-// takes the next chunk. chunks: their times [s], in order.
-double scheduled(const std::vector<double>& chunks, int cores);
+// takes the next chunk, or the next strip of chunks that depend on others and waits for these.
+// chunks: their times [s], in order. order: null, if they do not depend on each other.
+double scheduled(const std::vector<double>& chunks, int cores, const ChunkOrder* order = nullptr);
 
 // Lowers the longest times to one length such that their sum is `total` [s], if it exceeds it. Used
 // for times on the wall, during which the thread was interrupted.
@@ -33,8 +36,9 @@ class LoopTrace {
   void lower_longest(double total) { tack::lower_longest(seconds_, total); }
   // Returns the time at which `cores` cores have worked off the loop [s]. Chunks of loops inside
   // others are taken first, the latest loop before earlier ones, and a chunk goes on when all
-  // chunks of its loop have ended.
-  double scheduled(int cores) const;
+  // chunks of its loop have ended. order: see above; chunks of a loop with an order have one
+  // segment.
+  double scheduled(int cores, const ChunkOrder* order = nullptr) const;
 
  private:
   enum class Mark : char { segment, end_chunk, begin_loop, end_loop };

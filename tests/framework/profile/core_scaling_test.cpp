@@ -56,6 +56,16 @@ TEST_CASE("cores take chunks in order as they get idle") {
   CHECK(scheduled({1, 2, 3}, 1) == Approx(6));
 }
 
+TEST_CASE("a chunk begins when those that it depends on have ended") {
+  // Two strips: 0 1 2 one after the other, then 3 after 0 and 4 after 1 and 3.
+  const ChunkOrder order{{0, 0, 1, 2, 3, 5}, {0, 1, 0, 1, 3}, {0, 3, 5}};
+  const std::vector<double> seconds = {2, 5, 4, 1, 6};
+  CHECK(scheduled(seconds, 1, &order) == Approx(18));
+  CHECK(scheduled(seconds, 2, &order) == Approx(13));  // 3 waits until 2, 4 from 3 until 7
+  CHECK(scheduled(seconds, 64, &order) == Approx(13));
+  CHECK(scheduled({2, 5, 4, 1}, 64, &order) == Approx(11));  // the first chunks alone
+}
+
 TEST_CASE("interrupted chunks are lowered to the processor time") {
   std::vector<double> chunks = {1, 5, 2, 9};
   lower_longest(chunks, 9);
