@@ -66,16 +66,17 @@ TEST_CASE("conjugate gradients solve to the tolerance they are given", "[linear]
   }
 }
 
-TEST_CASE("conjugate gradients have the same bits for 1 and 2 threads", "[linear]") {
+TEST_CASE("conjugate gradients have the same bits for 1, 2 and 4 threads", "[linear]") {
   RandomMotions random(2);
   const BlockMatrix matrix = grid(14, random, 100);
   const VecX b = random.vectors(matrix.size());
-  for (const char* preconditioner : {"block_jacobi", "{type: incomplete_cholesky, domain: 300}", "{type: diagonal_cholesky, domain: 300}"}) {
+  for (const char* preconditioner : {"block_jacobi", "incomplete_cholesky", "{type: diagonal_cholesky, domain: 300}"}) {
     const auto with_threads = [&](size_t threads) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       return solve(pcg(preconditioner, "tolerance: 1e-6"), matrix, b).x;
     };
     CHECK((with_threads(1) == with_threads(2)));
+    CHECK((with_threads(1) == with_threads(4)));
   }
 }
 
@@ -131,7 +132,6 @@ TEST_CASE("an incomplete factor without fill-in is complete", "[linear]") {
     return solved.iterations;
   };
   CHECK(iterations("incomplete_cholesky") <= 3);
-  CHECK(iterations("{type: incomplete_cholesky, domain: 10}") <= 15);
   CHECK(iterations("block_jacobi") >= 25);
 }
 
