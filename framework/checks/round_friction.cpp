@@ -55,7 +55,7 @@ double friction_between(const PairTable& pairs, int a, int b) {
   double mu = 0;
   const auto take = [&](const PairRole& role) {
     for (const int law : {role.law, role.safety_barrier})
-      if (law >= 0) mu = std::max(mu, pairs.tangential(law).mu);
+      if (law >= 0) mu = std::max(mu, pairs.tangential(law).mu_static);
   };
   for (int part = -1; part < pairs.region_pair_count(a, b); ++part) {
     take(pairs.point(a, b, part));

@@ -7,6 +7,15 @@ void FrictionConfig::fields(Fields& f) {
   f.number("eps_v", eps_v, units::velocity,
            "sliding speed above which friction is fully developed; sticking contacts creep below it. The solver's "
            "tolerance should be well below").positive();
+  f.optional_number("mu_static", mu_static, units::none,
+                    "coefficient of static friction, at least mu, which is then that of kinetic friction; mu unless given").nonnegative();
+  f.optional_number("stribeck_speed", stribeck_speed, units::velocity,
+                    "sliding speed, above eps_v, up to which friction falls from static to kinetic; ten times eps_v unless given").positive();
+  f.check("mu_static", [this]() -> std::string { return mu_static && *mu_static < mu ? "must be at least mu" : ""; });
+  f.check("stribeck_speed", [this]() -> std::string {
+    if (!stribeck_speed) return "";
+    return !mu_static ? "needs mu_static" : *stribeck_speed > eps_v ? "" : "must be above eps_v";
+  });
 }
 
 void TangentialAdhesionConfig::fields(Fields& f) {

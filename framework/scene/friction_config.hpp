@@ -9,7 +9,10 @@ namespace tack {
 
 struct FrictionConfig {
   double mu = 0;
-  double eps_v = 1e-3;  // m/s
+  double eps_v = 1e-3;                   // m/s
+  std::optional<double> mu_static;       // mu unless given
+  std::optional<double> stribeck_speed;  // m/s; ten times eps_v unless given
+  double largest() const { return mu_static.value_or(mu); }
   void fields(Fields& f);
 };
 

@@ -152,6 +152,8 @@ TangentialLaw PairBuilder::tangential_of(const PairConfig* pair, double peak_tra
   if (const auto& friction = pair && pair->friction ? pair->friction : contact_.friction) {
     law.mu = friction->mu;
     law.eps_v = friction->eps_v;
+    law.mu_static = friction->largest();
+    law.stribeck = friction->stribeck_speed.value_or(10 * friction->eps_v);
   }
   if (pair && pair->tangential_adhesion) {
     law.mu_a = pair->tangential_adhesion->mu;

@@ -165,6 +165,8 @@ TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.
 
 TEST_CASE("experiment viscoelastic/standard_solid") { check_experiment("viscoelastic/standard_solid.yaml"); }
 
+TEST_CASE("experiment friction/stick_slip") { check_experiment("friction/stick_slip.yaml"); }
+
 TEST_CASE("experiment rod/cantilever") { check_experiment("rod/cantilever.yaml"); }
 TEST_CASE("experiment rod/twist") { check_experiment("rod/twist.yaml"); }
 TEST_CASE("experiment rod/ring") { check_experiment("rod/ring.yaml"); }

@@ -92,7 +92,7 @@ FrictionTerm::PairForces FrictionTerm::normal_forces(const ContactPoints& points
   PairForces sums;
   auto sum = sums.end();  // most points are of the objects of the point before
   for_each_record(points, [&](const auto& c) {
-    if (system_.pairs().tangential(c.law).mu == 0) return;
+    if (system_.pairs().tangential(c.law).mu_static == 0) return;
     const Objects objects = c.objects();
     if (sum == sums.end() || sum->first != objects) sum = sums.try_emplace(objects, 0.0).first;
     sum->second += c.normal_force;

@@ -1,5 +1,5 @@
 // Slip u = T^T sum_i c_i (x_i - x_i^n) of one contact point [m], and its potential
-//     E = mu lambda f0(y) + mu_a lambda_a f_t0(y),   y = |u|,
+//     E = mu lambda f0(y) + (mu_s - mu) lambda f_s0(y) + mu_a lambda_a f_t0(y),   y = |u|,
 // with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T. On a side with
 // rotations, the moved point depends on scalar dofs as well (rolling_points.hpp).
 #pragma once
@@ -24,8 +24,12 @@ struct Slip {
       s.slope_over_y += magnitude * f.slope_over_y;
       s.curvature += magnitude * f.curvature;
     };
-    if (term != TangentialTerm::adhesion)
+    if (term != TangentialTerm::adhesion) {
       add(law.mu * c.normal_force, friction_slip(y, law.eps_v * h));
+      if (law.mu_static > law.mu)
+        add((law.mu_static - law.mu) * c.normal_force,
+            static_slip(y, law.eps_v * h, law.stribeck * h));
+    }
     if (term != TangentialTerm::friction)
       add(law.mu_a * law.peak_traction * c.area, adhesion_slip(y, law.eps_a * h));
     return s;

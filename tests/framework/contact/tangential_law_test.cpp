@@ -60,3 +60,18 @@ TEST_CASE("tangential adhesion: f_t0' = f_t of the paper", "[friction]") {
   CHECK(adhesion_slip(2 * e, e).value == Approx(4 * e / 3));
   CHECK(adhesion_slip(1.0, e).value == Approx(4 * e / 3));
 }
+
+TEST_CASE("static friction: the excess falls to nothing at the Stribeck speed", "[friction]") {
+  constexpr double end = 5 * e;
+  const auto excess = [](double y, double start) { return static_slip(y, start, end / e * start); };
+  check_law(excess, [](double r) {
+    const double t = (r - 1) / 4;
+    return r < 1 ? quadratic(r) : t < 1 ? 1 - t * t * (3 - 2 * t) : 0;
+  });
+  for (const double kink : {e, end}) {
+    check_continuous(excess, kink);
+    CHECK(excess(kink * (1 - 1e-13), e).curvature * e == Approx(excess(kink * (1 + 1e-13), e).curvature * e).margin(1e-10));
+  }
+  CHECK(excess(e, e).slope_over_y * e == Approx(1));  // the peak
+  CHECK(excess(7 * e, e).value == Approx(2 * e / 3 + 2 * e));
+}
