@@ -49,7 +49,8 @@ inline SlipSample static_slip(double y, double e, double end) {
   if (y < e) return detail::slip_start(y, e);
   const double w = end - e, t = (y - e) / w;
   if (t >= 1) return {2 * e / 3 + w / 2, 0, 0};
-  return {2 * e / 3 + w * t * (1 - t * t * (1 - t / 2)), (1 - t * t * (3 - 2 * t)) / y, -6 * t * (1 - t) / w};
+  return {2 * e / 3 + w * t * (1 - t * t * (1 - t / 2)), (1 - t * t * (3 - 2 * t)) / y,
+          -6 * t * (1 - t) / w};
 }
 
 // f_t0; e = eps_a h [m].
