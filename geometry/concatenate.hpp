@@ -19,7 +19,7 @@ void concatenate(const std::vector<std::vector<T>>& lists, std::vector<T>& all) 
         std::copy(lists[i].begin(), lists[i].end(),
                   all.begin() + static_cast<std::ptrdiff_t>(begin[i]));
       },
-      64);
+      4);
 }
 
 }  // namespace tack

@@ -31,13 +31,27 @@ bool all_of(const std::vector<int>& vertices, const Predicate& predicate) {
 
 // Returns the largest absolute value, 0 for an empty vector.
 double largest(const VecX& values) {
-  double bound = 0.0;
-  for (const double value : values) bound = std::max(bound, std::abs(value));
-  return bound;
+  return -min_chunks(static_cast<int>(values.size()), 0.0, [&](int first, int last) {
+    double bound = 0.0;
+    for (int i = first; i < last; ++i) bound = std::max(bound, std::abs(values[i]));
+    return -bound;
+  }, 3 * vertices_per_task);
+}
+
+// Returns the largest absolute difference of two vectors.
+double largest_difference(const VecX& a, const VecX& b) {
+  return -min_chunks(static_cast<int>(a.size()), 0.0, [&](int first, int last) {
+    double bound = 0.0;
+    for (int i = first; i < last; ++i) bound = std::max(bound, std::abs(a[i] - b[i]));
+    return -bound;
+  }, 3 * vertices_per_task);
 }
 
 void check_finite(const VecX& values, const char* name) {
-  if (values.allFinite()) return;
+  const double not_finite = sum_chunks(static_cast<int>(values.size()), [&](int first, int last) {
+    return values.segment(first, last - first).allFinite() ? 0.0 : 1.0;
+  }, 3 * vertices_per_task);
+  if (not_finite == 0) return;
   Eigen::Index i = 0;
   while (std::isfinite(values[i])) ++i;
   throw SimulationError(fmt::format(
@@ -68,8 +82,10 @@ bool BroadPhase::update(const VecX& x, const VecX& p, const InflationRadii& radi
     finder_.find(fat_boxes_, padded_radii_, candidates_);
     find_distance_bounds(mesh_, fat_boxes_, candidates_);
   } else {
-    for (const int v : mesh_.vertices)
+    for_each(static_cast<int>(mesh_.vertices.size()), [&](int i) {
+      const int v = mesh_.vertices[i];
       if (changed[mesh_.vertex_object[v]]) fat_boxes_[v] = boxes[v];
+    }, vertices_per_task);
     finder_.find_changed(fat_boxes_, padded_radii_, changed, candidates_);
     if (tight_boxes_.empty()) find_new_distance_bounds(mesh_, fat_boxes_, changed, finder_.new_candidates(), candidates_);
     else find_distance_bounds(mesh_, fat_boxes_, candidates_);
@@ -115,7 +131,7 @@ std::vector<char> BroadPhase::objects_outside(const VecX& x, const VecX& p) cons
 
 // Computes reference distances again where vertices have come to rest far from the reference.
 void BroadPhase::update_reference_distances(const VecX& x, const VecX& p) {
-  if (largest(p) > 0 || largest(x - candidates_.reference) < radii_.largest_range()) return;
+  if (largest(p) > 0 || largest_difference(x, candidates_.reference) < radii_.largest_range()) return;
   find_reference_distances(mesh_, x, candidates_);
 }
 

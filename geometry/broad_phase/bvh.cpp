@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "geometry/broad_phase/space_order.hpp"
@@ -11,6 +10,11 @@
 #include "geometry/parallel.hpp"
 
 namespace tack {
+namespace {
+
+constexpr int groups_per_chunk = 64;
+
+}  // namespace
 
 Bvh::Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active, const std::vector<int>& rigid_group)
     : primitive_active_(active) {
@@ -69,19 +73,19 @@ void Bvh::fill_rigid_groups() {
     const auto of = [&](int child) {
       return level == 0 ? primitive_group_[order_[child]] : rigid_group_[level_begin_[level - 1] + child];
     };
-    for (int group = 0; group < groups(level); ++group) {
+    for_each(groups(level), [&](int group) {
       const int first = group * Box8::width, last = std::min(first + Box8::width, count);
       int common = of(first);
       for (int child = first + 1; child < last; ++child)
         if (of(child) != common) common = -1;
       rigid_group_[level_begin_[level] + group] = common;
-    }
+    }, groups_per_chunk);
   }
 }
 
 void Bvh::fill(const std::vector<Aabb>& boxes) {
   for (int level = 0; level < levels(); ++level)
-    for_each(groups(level), [&](int group) { fill_group(boxes, level, group); }, 256);
+    for_each(groups(level), [&](int group) { fill_group(boxes, level, group); }, groups_per_chunk);
 }
 
 void Bvh::fill_group(const std::vector<Aabb>& boxes, int level, int group) {
@@ -105,8 +109,11 @@ void Bvh::fill_group(const std::vector<Aabb>& boxes, int level, int group) {
 }
 
 double Bvh::node_area() const {
-  return std::accumulate(bounds_.begin(), bounds_.end(), 0.0,
-                         [](double sum, const Aabb& box) { return sum + box.half_area(); });
+  return sum_chunks(static_cast<int>(bounds_.size()), [&](int first, int last) {
+    double sum = 0;
+    for (int node = first; node < last; ++node) sum += bounds_[node].half_area();
+    return sum;
+  }, 4096);
 }
 
 }  // namespace tack

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/broad_phase/overlap_pairs.hpp"
+#include "geometry/prefix_sums.hpp"
 
 namespace tack {
 namespace {
@@ -56,7 +57,7 @@ auto list_of(C& candidates) {
 // in `out`; their lengths are not set. Old pairs are taken in chunks, each with the new pairs from its first pair on.
 template <class Kept, class Key, class Old, class Out>
 void merge_kept(const Old& old, const Kept& kept, const std::vector<std::array<int, 2>>& new_candidates, const Key& key, const Out& out, std::vector<int>& new_at) {
-  constexpr int chunk = 8192;
+  constexpr int chunk = 1024;
   const int n = static_cast<int>(old.pairs.size()), chunks = std::max(chunk_count(n, chunk), 1);
   std::vector<size_t> new_begin(chunks + 1, 0), begin(chunks + 1, 0);
   new_begin.back() = new_candidates.size();
@@ -66,7 +67,8 @@ void merge_kept(const Old& old, const Kept& kept, const std::vector<std::array<i
       new_begin[c] = std::lower_bound(new_candidates.begin(), new_candidates.end(), key(old.pairs[first]), [&](const auto& pair, const auto& k) { return key(pair) < k; }) - new_candidates.begin();
     begin[c + 1] = std::count_if(old.pairs.begin() + first, old.pairs.begin() + last, kept);
   }, 1);
-  for (int c = 0; c < chunks; ++c) begin[c + 1] += begin[c] + (new_begin[c + 1] - new_begin[c]);
+  for (int c = 0; c < chunks; ++c) begin[c + 1] += new_begin[c + 1] - new_begin[c];
+  prefix_sums(begin);
   out.pairs.resize(begin.back());
   out.distance_bounds.resize(begin.back());
   out.reference_distances.resize(begin.back());

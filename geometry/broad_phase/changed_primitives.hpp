@@ -20,7 +20,7 @@ struct ChangedPrimitives {
       flags.resize(n);
       for_each(
           static_cast<int>(n), [&](int i) { flags[i] = objects[mesh.vertex_object[vertex_of(i)]]; },
-          8192);
+          2048);
     };
     mark_all(vertices, mesh.vertex_object.size(), [](int v) { return v; });
     mark_all(edges, mesh.edges.size(), [&](int e) { return mesh.edges[e][0]; });

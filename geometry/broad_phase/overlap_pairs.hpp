@@ -24,6 +24,7 @@
 #include "geometry/broad_phase/bvh.hpp"
 #include "geometry/broad_phase/lanes.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/prefix_sums.hpp"
 
 namespace tack {
 namespace detail {
@@ -103,7 +104,7 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
                 std::vector<std::array<int, 2>>& pairs) {
   pairs.clear();
   if (queries.size() == 0 || tree.size() == 0) return;
-  constexpr int task_groups = 32;
+  constexpr int task_groups = 16;
   const int groups = queries.groups(0), tasks = (groups + task_groups - 1) / task_groups;
   std::vector<std::vector<int>> partners(tasks);
   std::vector<std::size_t> begin(queries.size() + 1, 0);  // first counts, then offsets
@@ -135,7 +136,7 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
         });
       },
       1);
-  for (int query = 0; query < queries.size(); ++query) begin[query + 1] += begin[query];
+  prefix_sums(begin);
   pairs.resize(begin.back());
   for_each(
       tasks,

@@ -21,7 +21,7 @@ std::vector<std::array<int, 2>> particle_pairs(const Candidates& candidates) {
 template <class ObjectOf>
 std::vector<PointGroup> runs_of(const std::vector<std::array<int, 2>>& pairs, const ObjectOf& object_of,
                                 int PointGroup::* begin, int PointGroup::* end) {
-  constexpr int chunk = 8192;
+  constexpr int chunk = 1024;
   const int n = static_cast<int>(pairs.size());
   std::vector<std::vector<PointGroup>> chunks(chunk_count(n, chunk));
   for_each_chunk(n, [&](int c, int first, int last) {
@@ -63,13 +63,16 @@ std::vector<PointGroup> united(std::vector<PointGroup> groups) {
 
 // Sets where the groups were in the list before.
 void link(const std::vector<PointGroup>& earlier, std::vector<PointGroup>& groups) {
-  auto e = earlier.begin();
-  for (PointGroup& g : groups) {
-    while (e != earlier.end() && e->key() < g.key()) ++e;
-    if (e == earlier.end() || e->key() != g.key()) continue;
-    g.before = static_cast<int>(e - earlier.begin());
-    g.triangle_shift = g.triangle_begin - e->triangle_begin;
-  }
+  for_each_chunk(static_cast<int>(groups.size()), [&](int, int first, int last) {
+    auto e = std::lower_bound(earlier.begin(), earlier.end(), groups[first].key(), [](const PointGroup& g, const auto& key) { return g.key() < key; });
+    for (int i = first; i < last; ++i) {
+      PointGroup& g = groups[i];
+      while (e != earlier.end() && e->key() < g.key()) ++e;
+      if (e == earlier.end() || e->key() != g.key()) continue;
+      g.before = static_cast<int>(e - earlier.begin());
+      g.triangle_shift = g.triangle_begin - e->triangle_begin;
+    }
+  });
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace tack {
 
 template <std::size_t N>
 struct Primitives {
+  static constexpr int primitives_per_chunk = 1024;
+
   std::vector<std::array<int, N>> vertices;  // global ids
   std::vector<int> ids;                      // the index in the mesh, e.g. of the edge
   std::vector<int> objects;                  // the object of all its vertices
@@ -44,10 +46,12 @@ struct Primitives {
           for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);
           if (!inflation.empty()) boxes[i].inflate(inflation[objects[i]]);
         },
-        2048);
+        primitives_per_chunk);
     std::vector<char> active = movable;
     if (!of.empty())
-      for (std::size_t i = 0; i < active.size(); ++i) active[i] &= of[objects[i]];
+      for_each(
+          static_cast<int>(active.size()), [&](int i) { active[i] &= of[objects[i]]; },
+          primitives_per_chunk);
     if (tree.size() == static_cast<int>(boxes.size())) {
       tree.set_active(std::move(active));
       tree.update(boxes);

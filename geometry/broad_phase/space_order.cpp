@@ -10,6 +10,8 @@
 namespace tack {
 namespace {
 
+constexpr int boxes_per_chunk = 1024;
+
 // Inserts two zero bits before each of the 21 low bits.
 std::uint64_t spread(std::uint64_t bits) {
   bits = (bits | bits << 32) & 0x001f00000000ffffULL;
@@ -31,8 +33,13 @@ Vec3 centre(const Aabb& box) { return 0.5 * (box.lo + box.hi); }
 }  // namespace
 
 std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<int>& rigid_group) {
+  const int n = static_cast<int>(boxes.size());
+  std::vector<Aabb> of_chunk(chunk_count(n, boxes_per_chunk));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    for (int i = first; i < last; ++i) of_chunk[c].include(centre(boxes[i]));
+  }, boxes_per_chunk);
   Aabb all;
-  for (const Aabb& box : boxes) all.include(centre(box));
+  for (const Aabb& box : of_chunk) all.include(box);
   constexpr double cells = (1 << 21) - 1;
   const double extent = boxes.empty() ? 0.0 : (all.hi - all.lo).maxCoeff();
   const double scale = extent > 0.0 ? cells / extent : 0.0;
@@ -44,15 +51,15 @@ std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<i
   for (int i = static_cast<int>(rigid_group.size()) - 1; i >= 0; --i)
     if (rigid_group[i] >= 0) first_of[rigid_group[i]] = code(centre(boxes[i]));
   std::vector<std::tuple<std::uint64_t, int, std::uint64_t, int>> keys(boxes.size());
-  for_each(static_cast<int>(boxes.size()), [&](int i) {
+  for_each(n, [&](int i) {
     const std::uint64_t own = code(centre(boxes[i]));
     const int of = rigid_group.empty() ? -1 : rigid_group[i];
     keys[i] = {of >= 0 ? first_of[of] : own, of, own, i};
-  }, 4096);
+  }, boxes_per_chunk);
   parallel_sort(keys);
 
   std::vector<int> order(boxes.size());
-  std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& key) { return std::get<3>(key); });
+  for_each(n, [&](int i) { order[i] = std::get<3>(keys[i]); }, boxes_per_chunk);
   return order;
 }
 
