@@ -5,6 +5,7 @@
 
 #include "geometry/concatenate.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/prefix_sums.hpp"
 
 namespace tack {
 namespace {
@@ -93,29 +94,38 @@ void add_interior_patches(const std::vector<int>& indices, const SurfaceOverlap&
 void update_interior_patches(const ChangedPrimitives& changed, const SurfaceOverlap& overlap, const CollisionMesh& mesh,
                              const LaggedSurface& lagged, const BroadPhase& broad_phase, InteriorPatches& patches) {
   const std::vector<InteriorPoint>& points = overlap.interior_points();
+  const int n = static_cast<int>(points.size());
+  std::vector<std::vector<int>> chunks(chunk_count(n));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    for (int i = first; i < last; ++i)
+      if (changed.triangles[points[i].triangle] || changed.objects[points[i].object]) chunks[c].push_back(i);
+  });
   std::vector<int> indices;
-  for (int i = 0; i < static_cast<int>(points.size()); ++i)
-    if (changed.triangles[points[i].triangle] || changed.objects[points[i].object]) indices.push_back(i);
+  concatenate(chunks, indices);
   const FoundPatches found = find_patches(indices, overlap, mesh, lagged, broad_phase);
-  std::vector<int> changed_triangles;
-  concatenate(found.triangles, changed_triangles);
-  InteriorPatches all;
-  all.triangles.reserve(patches.triangles.size() + changed_triangles.size());
-  auto index = indices.begin();
-  auto count = found.count.begin();
-  auto next = changed_triangles.begin();
-  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-    const int begin = static_cast<int>(all.triangles.size());
-    if (index != indices.end() && *index == i) {
-      all.triangles.insert(all.triangles.end(), next, next + *count);
-      next += *count++;
-      ++index;
-    } else {
-      const auto& [first, last] = patches.ranges[i];
-      all.triangles.insert(all.triangles.end(), patches.triangles.begin() + first, patches.triangles.begin() + last);
-    }
-    all.ranges.push_back({begin, static_cast<int>(all.triangles.size())});
-  }
+  std::vector<int> new_triangles;
+  concatenate(found.triangles, new_triangles);
+
+  // The patch of each point, in one of both lists of triangles.
+  struct Source {
+    const std::vector<int>* triangles;
+    InteriorPatches::Range range;
+  };
+  std::vector<Source> sources(n);
+  for_each(n, [&](int i) { sources[i] = {&patches.triangles, patches.ranges[i]}; });
+  std::vector<int> end = found.count;
+  prefix_sums(end);
+  for_each(static_cast<int>(indices.size()), [&](int k) { sources[indices[k]] = {&new_triangles, {end[k] - found.count[k], end[k]}}; });
+
+  std::vector<int> begin(n + 1, 0);
+  for_each(n, [&](int i) { begin[i + 1] = sources[i].range.end - sources[i].range.begin; });
+  prefix_sums(begin);
+  InteriorPatches all{std::vector<InteriorPatches::Range>(n), std::vector<int>(begin.back())};
+  for_each(n, [&](int i) {
+    const auto& [triangles, range] = sources[i];
+    all.ranges[i] = {begin[i], begin[i + 1]};
+    std::copy(triangles->begin() + range.begin, triangles->begin() + range.end, all.triangles.begin() + begin[i]);
+  });
   patches = std::move(all);
 }
 

@@ -1,17 +1,20 @@
 #include "framework/contact/area_integral/narrow_phase.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 
 #include "framework/contact/area_integral/weighted_features.hpp"
 #include "framework/contact/stencils/rest_neighbours.hpp"
 #include "framework/contact/stencils/sorted_cursor.hpp"
 #include "geometry/concatenate.hpp"
+#include "geometry/merge_sorted.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/parallel_loops.hpp"
 
 namespace tack {
 namespace {
+
+constexpr int groups_per_chunk = 64;  // of loops over points and opposite objects
 
 class VertexSearch : PointSearch {
  public:
@@ -133,7 +136,7 @@ void NarrowPhase::add_patches(const Candidates& candidates, bool later) {
   const std::vector<PointGroup>& groups = candidates.groups.all;
   look_up_patches(groups);
   const int n = static_cast<int>(groups.size());
-  std::vector<std::vector<GroupPatches>> chunks(chunk_count(n));
+  std::vector<std::vector<GroupPatches>> chunks(chunk_count(n, groups_per_chunk));
   for_each_chunk(n, [&](int c, int first, int last) {
     std::optional<PatchFinder> finder;
     for (int i = first; i < last; ++i) {
@@ -148,13 +151,11 @@ void NarrowPhase::add_patches(const Candidates& candidates, bool later) {
         patch.area = overlap_.unknown_area(g.point, g.object, patch.normal);
       }
     }
-  });
-  std::vector<GroupPatches> added, all;
+  }, groups_per_chunk);
+  std::vector<GroupPatches> added;
   concatenate(chunks, added);
   if (added.empty()) return;
-  std::merge(patches_.begin(), patches_.end(), added.begin(), added.end(), std::back_inserter(all),
-             [](const GroupPatches& a, const GroupPatches& b) { return a.key() < b.key(); });
-  patches_ = std::move(all);
+  patches_ = merge_sorted(patches_, added, [](const GroupPatches& p) { return p.key(); });
   look_up_patches(groups);
 }
 
@@ -209,20 +210,22 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
   found.points.resize(chunk_count(points));
   found.edges.resize(chunk_count(edges_.size()));
   found.interior.resize(chunk_count(interior_points));
-  for_each_chunk(points, [&](int c, int first, int last) {
+  ParallelLoops loops;
+  loops.add(points, [&](int c, int first, int last) {
     VertexSearch search(surface_, candidates, &displacements, quadrature_, free_, x, found.points[c]);
     for (int i = first; i < last; ++i) search.search(quadrature_.points[i]);
   });
-  for_each_chunk(edges_.size(), [&](int c, int first, int last) {
+  loops.add(edges_.size(), [&](int c, int first, int last) {
     edges_.search(candidates, displacements, free_.free, x, first, last, surface_.edge_area, found.edges[c]);
   });
-  if (!rods_.crossings().empty())
-    search_crossings(surface_, pairs_, rods_.crossings(), free_.free, x, found.edges.emplace_back());
-  for_each_chunk(interior_points, [&](int c, int first, int last) {
+  loops.add(interior_points, [&](int c, int first, int last) {
     InteriorSearch search(surface_, pairs_, overlap_.interior_points(), interior_patches_, free_, x, found.interior[c]);
     for (int i = first; i < last; ++i) search.search(i);
   });
-  join(found, surface_.rest, contacts);
+  loops.run();
+  if (!rods_.crossings().empty())
+    search_crossings(surface_, pairs_, rods_.crossings(), free_.free, x, found.edges.emplace_back());
+  join(std::move(found), surface_.rest, contacts);
   contacts.point_count = quadrature_.contact_point_count;
   contacts.interior_point_count = interior_points;
 }
@@ -295,7 +298,7 @@ void NarrowPhase::find(const LocalItems& items, const Candidates& candidates, co
   if (!items.crossings.empty()) search_crossings(surface_, pairs_, items.crossings, free_.free, x, found.edges[1]);
   InteriorSearch interior(surface_, pairs_, overlap_.interior_points(), interior_patches_, free_, x, found.interior[0]);
   for (const int i : items.interior) interior.search(i);
-  join(found, surface_.rest, contacts);
+  join(std::move(found), surface_.rest, contacts);
 }
 
 }  // namespace tack

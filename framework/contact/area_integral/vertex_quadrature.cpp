@@ -353,13 +353,14 @@ class QuadratureMaker {
 }  // namespace
 
 VertexQuadrature make_vertex_quadrature(const VertexQuadratureRequest& request, const EarlierVertexQuadrature* earlier) {
+  constexpr int groups_per_chunk = 64;
   const int n = static_cast<int>(request.candidates.groups.all.size());
-  std::vector<VertexQuadrature> chunks(chunk_count(n));
+  std::vector<VertexQuadrature> chunks(chunk_count(n, groups_per_chunk));
   for_each_chunk(n, [&](int c, int first, int last) {
     QuadratureMaker maker(request, earlier);
     for (int g = first; g < last; ++g) maker.add(g);
     chunks[c] = maker.take();
-  });
+  }, groups_per_chunk);
   return joined(chunks);
 }
 

@@ -55,7 +55,7 @@ VertexQuadrature joined(const std::vector<VertexQuadrature>& chunks) {
     copy(chunk.edges, all.edges, at.edge);
     copy(chunk.others, all.others, at.other);
     copy(chunk.lagged_weights, all.lagged_weights, at.lagged_weight);
-  }, 16);
+  }, 4);
   return all;
 }
 

@@ -143,7 +143,7 @@ void PairSums::find(const VecX& x, ContactSet& contacts) {
   for_each_chunk(edges_->size(), [&](int c, int first, int last) {
     edges_->search(candidates, displacements, free_.free, x, first, last, edge_area_, found.edges[c]);
   });
-  join(found, surface.rest, contacts);
+  join(std::move(found), surface.rest, contacts);
   contacts.point_count = points;
 }
 

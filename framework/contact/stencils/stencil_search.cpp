@@ -1,51 +1,115 @@
 #include "framework/contact/stencils/stencil_search.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 #include "framework/contact/stencils/rest_neighbours.hpp"
 #include "framework/contact/stencils/sorted_cursor.hpp"
 #include "geometry/concatenate.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/parallel_loops.hpp"
 
 namespace tack {
 namespace {
 
-// added(chunk, begin, end): called after the stencils of a chunk were added.
-template <class Stencils, class Added>
-void join_kind(const std::vector<FoundStencils>& chunks, Stencils FoundStencils::* member, Stencils& all, Added added) {
-  all.clear();
-  for (const FoundStencils& chunk : chunks) {
-    const auto begin = all.insert(all.end(), (chunk.*member).begin(), (chunk.*member).end());
-    added(chunk, begin, all.end());
+constexpr int chunks_per_task = 4;
+
+// Joins the stencils of one kind of all chunks, stably sorted by law. Both steps are loops over chunks or over runs of
+// equal law, so that those of all kinds may run together.
+template <class Stencils>
+class KindJoin {
+ public:
+  KindJoin(std::vector<FoundStencils>& chunks, Stencils FoundStencils::* member, Stencils& all)
+      : chunks_(chunks), member_(member), all_(all), runs_of_chunk_(chunks.size()) {}
+
+  // Adds the loop that sorts the stencils of each chunk.
+  void add_sort(ParallelLoops& loops) {
+    loops.add(static_cast<int>(chunks_.size()), [this](int, int first, int last) {
+      for (int c = first; c < last; ++c) sort(c);
+    }, chunks_per_task);
   }
-  const auto by_law = [](const auto& a, const auto& b) { return a.law < b.law; };
-  if (!std::is_sorted(all.begin(), all.end(), by_law)) std::stable_sort(all.begin(), all.end(), by_law);
+  // Adds the loop that copies the sorted stencils.
+  void add_copy(ParallelLoops& loops) {
+    concatenate(runs_of_chunk_, runs_);
+    std::stable_sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) { return a.law < b.law; });
+    size_t size = 0;
+    for (Run& run : runs_) {
+      run.to = size;
+      size += run.last - run.first;
+    }
+    all_.resize(size);
+    loops.add(static_cast<int>(runs_.size()), [this](int, int first, int last) {
+      for (int r = first; r < last; ++r) copy(runs_[r]);
+    }, chunks_per_task);
+  }
+
+ private:
+  // Stencils of one law of one chunk, and where they begin in the joined list.
+  struct Run {
+    int law, chunk;
+    size_t first, last, to;
+  };
+
+  void sort(int c) {
+    Stencils& list = chunks_[c].*member_;
+    const auto by_law = [](const auto& a, const auto& b) { return a.law < b.law; };
+    if (!std::is_sorted(list.begin(), list.end(), by_law)) std::stable_sort(list.begin(), list.end(), by_law);
+    for (size_t i = 0; i < list.size(); ++i) {
+      if (i == 0 || list[i].law != list[i - 1].law) runs_of_chunk_[c].push_back({list[i].law, c, i, i, 0});
+      runs_of_chunk_[c].back().last = i + 1;
+    }
+  }
+  void copy(const Run& run) {
+    const Stencils& list = chunks_[run.chunk].*member_;
+    std::copy(list.begin() + static_cast<std::ptrdiff_t>(run.first), list.begin() + static_cast<std::ptrdiff_t>(run.last),
+              all_.begin() + static_cast<std::ptrdiff_t>(run.to));
+  }
+
+  std::vector<FoundStencils>& chunks_;
+  Stencils FoundStencils::* const member_;
+  Stencils& all_;
+  std::vector<std::vector<Run>> runs_of_chunk_;
+  std::vector<Run> runs_;  // by law, then by chunk
+};
+
+// Numbers the contact points on from chunk to chunk. Returns their count.
+int number_points(std::vector<FoundStencils>& chunks) {
+  std::vector<int> first(chunks.size() + 1, 0);
+  for (size_t c = 0; c < chunks.size(); ++c) first[c + 1] = first[c] + chunks[c].point_count;
+  if (first.back() == 0) return 0;
+  for_each(static_cast<int>(chunks.size()), [&](int c) {
+    const auto shift = [&](auto& stencils) {
+      for (auto& s : stencils) s.point += first[c];
+    };
+    shift(chunks[c].point_point);
+    shift(chunks[c].point_edge);
+    shift(chunks[c].point_triangle);
+  }, chunks_per_task);
+  return first.back();
 }
 
-template <int K>
-void join_points(const std::vector<FoundStencils>& chunks, ContactStencils<K> FoundStencils::* member, ContactStencils<K>& all) {
-  join_kind(chunks, member, all, [first = 0](const FoundStencils& chunk, auto begin, auto end) mutable {
-    if (first > 0)
-      for (auto s = begin; s != end; ++s) s->point += first;
-    first += chunk.point_count;
-  });
-}
-
-void join_all(const std::vector<FoundStencils>& points, const std::vector<FoundStencils>& edges, const std::vector<FoundStencils>& interior, const VecX& rest,
+void join_all(std::vector<FoundStencils>& points, std::vector<FoundStencils>& edges, std::vector<FoundStencils>& interior, const VecX& rest,
               ContactSet& contacts) {
-  const auto as_they_are = [](const FoundStencils&, auto, auto) {};
-  join_kind(interior, &FoundStencils::interior_point, contacts.interior_point, as_they_are);
-  join_kind(interior, &FoundStencils::interior_edge, contacts.interior_edge, as_they_are);
-  join_kind(interior, &FoundStencils::interior_triangle, contacts.interior_triangle, as_they_are);
-  join_points(points, &FoundStencils::point_point, contacts.point_point);
-  join_points(points, &FoundStencils::point_edge, contacts.point_edge);
-  join_points(points, &FoundStencils::point_triangle, contacts.point_triangle);
-  join_kind(edges, &FoundStencils::edge_edge, contacts.edge_edge, as_they_are);
-  contacts.point_count = contacts.interior_point_count = 0;
-  for (const FoundStencils& chunk : points) contacts.point_count += chunk.point_count;
-  contacts.mollifier_threshold.clear();
-  for (const auto& s : contacts.edge_edge)
-    contacts.mollifier_threshold.push_back(edge_edge_mollifier_threshold(
-        vertex(rest, s.vertices[0]), vertex(rest, s.vertices[1]), vertex(rest, s.vertices[2]), vertex(rest, s.vertices[3])));
+  contacts.point_count = number_points(points);
+  contacts.interior_point_count = 0;
+  std::tuple joins{KindJoin(interior, &FoundStencils::interior_point, contacts.interior_point),
+                   KindJoin(interior, &FoundStencils::interior_edge, contacts.interior_edge),
+                   KindJoin(interior, &FoundStencils::interior_triangle, contacts.interior_triangle),
+                   KindJoin(points, &FoundStencils::point_point, contacts.point_point),
+                   KindJoin(points, &FoundStencils::point_edge, contacts.point_edge),
+                   KindJoin(points, &FoundStencils::point_triangle, contacts.point_triangle),
+                   KindJoin(edges, &FoundStencils::edge_edge, contacts.edge_edge)};
+  ParallelLoops sorting, copying;
+  std::apply([&](auto&... kinds) { (kinds.add_sort(sorting), ...); }, joins);
+  sorting.run();
+  std::apply([&](auto&... kinds) { (kinds.add_copy(copying), ...); }, joins);
+  copying.run();
+  contacts.mollifier_threshold.resize(contacts.edge_edge.size());
+  for_each(static_cast<int>(contacts.edge_edge.size()), [&](int i) {
+    const auto& v = contacts.edge_edge[i].vertices;
+    contacts.mollifier_threshold[i] = edge_edge_mollifier_threshold(vertex(rest, v[0]), vertex(rest, v[1]), vertex(rest, v[2]), vertex(rest, v[3]));
+  });
 }
 
 double shared_area(double a, double b, double area_ratio_max) {
@@ -70,7 +134,7 @@ const PairRole& EdgePairs::role_of(const Edge& a, const Edge& b) const {
 }
 
 void EdgePairs::choose(const Candidates& candidates, const ChangedPrimitives* changed) {
-  constexpr int chunk = 4096;
+  constexpr int chunk = 1024;
   const CollisionMesh& mesh = surface_.mesh;
   // Returns the law of an edge-edge candidate; -1: it does not press.
   const auto law_of = [&, largest = pairs_.largest_edge_range()](int i) {
@@ -124,8 +188,8 @@ void EdgePairs::search(const std::vector<char>& free, const VecX& x, int pair, c
   found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, -1, role.area_factor * shared_area(edge_area[ia], edge_area[ib], role.area_ratio_max)});
 }
 
-void join(const FoundChunks& chunks, const VecX& rest, ContactSet& contacts) { join_all(chunks.points, chunks.edges, chunks.interior, rest, contacts); }
+void join(FoundChunks chunks, const VecX& rest, ContactSet& contacts) { join_all(chunks.points, chunks.edges, chunks.interior, rest, contacts); }
 
-void join(const std::vector<FoundStencils>& chunks, const VecX& rest, ContactSet& contacts) { join_all(chunks, chunks, chunks, rest, contacts); }
+void join(std::vector<FoundStencils> chunks, const VecX& rest, ContactSet& contacts) { join_all(chunks, chunks, chunks, rest, contacts); }
 
 }  // namespace tack

@@ -129,8 +129,8 @@ class EdgePairs {
 struct FoundChunks {
   std::vector<FoundStencils> points, edges, interior;
 };
-void join(const FoundChunks& chunks, const VecX& rest, ContactSet& contacts);
+void join(FoundChunks chunks, const VecX& rest, ContactSet& contacts);
 // The same for chunks that may have stencils of all kinds.
-void join(const std::vector<FoundStencils>& chunks, const VecX& rest, ContactSet& contacts);
+void join(std::vector<FoundStencils> chunks, const VecX& rest, ContactSet& contacts);
 
 }  // namespace tack
