@@ -4,9 +4,12 @@
 #include <utility>
 
 #include "geometry/parallel.hpp"
+#include "geometry/prefix_sums.hpp"
 
 namespace tack {
 namespace {
+
+constexpr int columns_per_chunk = 1024;  // of loops over their counts
 
 // A run of stencils of one batch.
 struct Run {
@@ -51,17 +54,27 @@ Columns by_column(const std::vector<PlacedBatch>& batches, int columns, const Vi
       visit(*runs[r].placed, s, [&](int column, int, int) { ++next[r][column]; });
   }, 1);
   Columns sorted;
-  sorted.start.assign(columns + 1, 0);
-  for (int c = 0; c < columns; ++c) {
-    int at = sorted.start[c];
-    for (auto& counts : next) at += std::exchange(counts[c], at);
-    sorted.start[c + 1] = at;
-  }
+  sorted.start.resize(columns + 1);
+  // Offsets within chunks of columns first: a pass over all counts is the longest part.
+  std::vector<int> chunk_begin(chunk_count(columns, columns_per_chunk) + 1, 0);
+  for_each_chunk(columns, [&](int k, int first, int last) {
+    int at = 0;
+    for (int c = first; c < last; ++c) {
+      sorted.start[c] = at;
+      for (auto& counts : next) at += std::exchange(counts[c], at);
+    }
+    chunk_begin[k + 1] = at;
+  }, columns_per_chunk);
+  prefix_sums(chunk_begin);
+  for_each_chunk(columns, [&](int k, int first, int last) {
+    for (int c = first; c < last; ++c) sorted.start[c] += chunk_begin[k];
+  }, columns_per_chunk);
+  sorted.start.back() = chunk_begin.back();
   sorted.entries.resize(sorted.start.back());
   for_each(static_cast<int>(runs.size()), [&](int r) {
     for (int s = runs[r].first; s < runs[r].last; ++s)
       visit(*runs[r].placed, s, [&](int column, int row, int slot) {
-        sorted.entries[next[r][column]++] = {row, slot};
+        sorted.entries[chunk_begin[column / columns_per_chunk] + next[r][column]++] = {row, slot};
       });
   }, 1);
   return sorted;
@@ -78,7 +91,7 @@ std::vector<int> sort_columns(Columns& sorted, int columns) {
     for (auto e = begin; e != end; ++e) distinct += e == begin || e->row != (e - 1)->row;
     targets[c + 1] = distinct;
   }, 64);
-  for (int c = 0; c < columns; ++c) targets[c + 1] += targets[c];
+  prefix_sums(targets);
   return targets;
 }
 

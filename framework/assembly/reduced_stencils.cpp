@@ -1,115 +1,153 @@
 #include "framework/assembly/reduced_stencils.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <unordered_map>
 
 #include "geometry/parallel.hpp"
+#include "geometry/parallel_sort.hpp"
+#include "geometry/prefix_sums.hpp"
 
 namespace tack {
 namespace {
 
 constexpr size_t longest_run = 64;  // stencils
 
-// Returns the blocks that move a stencil, ascending.
-void blocks_of(const StencilBatch& batch, int stencil, const DofMap& dofs, std::vector<int>& blocks) {
-  blocks.clear();
+// Appends the blocks that move a stencil, ascending.
+void append_blocks(const StencilBatch& batch, int stencil, const DofMap& dofs, std::vector<int>& blocks) {
+  const auto first = static_cast<std::ptrdiff_t>(blocks.size());
   for (int i = 0; i < batch.arity; ++i) {
     const int v = batch.vertices[static_cast<size_t>(batch.arity) * stencil + i];
     if (dofs.block(v) >= 0) blocks.push_back(dofs.block(v));
     else if (dofs.mixed(v))
       for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) blocks.push_back(entry.index);
   }
-  std::sort(blocks.begin(), blocks.end());
-  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  std::sort(blocks.begin() + first, blocks.end());
+  blocks.erase(std::unique(blocks.begin() + first, blocks.end()), blocks.end());
+}
+
+size_t hash_of(std::span<const int> blocks) {
+  size_t h = blocks.size();
+  for (const int b : blocks) h = (h ^ static_cast<size_t>(b)) * 0x9e3779b97f4a7c15u;
+  return h;
 }
 
 }  // namespace
 
-// Finds the run of a set of blocks by the hash of the blocks.
-class ReducedStencils::RunFinder {
+// Finds the stencils that need reduction, in the order of the batches. It owns their blocks.
+class ReducedStencils::StencilFinder {
  public:
-  explicit RunFinder(ReducedStencils& reduced) : reduced_(reduced) {}
-
-  // Returns a run of the blocks that is not full, and counts one more stencil in it.
-  int take(const std::vector<int>& blocks) {
-    std::vector<int>& known = open_[hash(blocks)];
-    for (int& r : known)
-      if (same(reduced_.runs_[r], blocks)) {
-        if (reduced_.runs_[r].count == longest_run) r = start(blocks, reduced_.runs_[r].first_block);
-        ++reduced_.runs_[r].count;
-        return r;
-      }
-    const size_t first_block = reduced_.blocks_.size();
-    reduced_.blocks_.insert(reduced_.blocks_.end(), blocks.begin(), blocks.end());
-    known.push_back(start(blocks, first_block));
-    ++reduced_.runs_.back().count;
-    return known.back();
+  StencilFinder(const std::vector<PlacedBatch>& batches, const DofMap& dofs) {
+    for (const PlacedBatch& placed : batches)
+      for (int first = 0; first < placed.batch.count; first += chunk_size)
+        chunks_.push_back({&placed, first, std::min(first + chunk_size, placed.batch.count)});
+    for_each(static_cast<int>(chunks_.size()), [&](int c) { find(chunks_[c], dofs); }, 1);
+    std::vector<size_t> begin(chunks_.size() + 1, 0);
+    for (size_t c = 0; c < chunks_.size(); ++c) begin[c + 1] = begin[c] + chunks_[c].stencils.size();
+    stencils_.resize(begin.back());
+    for_each(static_cast<int>(chunks_.size()), [&](int c) {
+      std::copy(chunks_[c].stencils.begin(), chunks_[c].stencils.end(), stencils_.begin() + static_cast<std::ptrdiff_t>(begin[c]));
+    }, 4);
   }
+  const std::vector<Stencil>& stencils() const { return stencils_; }
 
  private:
-  static size_t hash(const std::vector<int>& blocks) {
-    size_t h = blocks.size();
-    for (const int b : blocks) h = (h ^ static_cast<size_t>(b)) * 0x9e3779b97f4a7c15u;
-    return h;
-  }
-  bool same(const Run& run, const std::vector<int>& blocks) const {
-    return run.blocks == blocks.size() &&
-           std::equal(blocks.begin(), blocks.end(), reduced_.blocks_.begin() + static_cast<std::ptrdiff_t>(run.first_block));
-  }
-  int start(const std::vector<int>& blocks, size_t first_block) {
-    reduced_.runs_.push_back({first_block, blocks.size()});
-    return static_cast<int>(reduced_.runs_.size()) - 1;
+  struct Chunk {
+    const PlacedBatch* placed;
+    int first, last;
+    std::vector<Stencil> stencils = {};
+    std::vector<int> blocks = {};
+  };
+
+  static void find(Chunk& chunk, const DofMap& dofs) {
+    std::vector<size_t> end;  // of the blocks of each stencil
+    for (int s = chunk.first; s < chunk.last; ++s) {
+      if (!needs_reduction(chunk.placed->batch, s, dofs)) continue;
+      append_blocks(chunk.placed->batch, s, dofs, chunk.blocks);
+      chunk.stencils.push_back({chunk.placed, s, {}, 0});
+      end.push_back(chunk.blocks.size());
+    }
+    for (size_t k = 0, first = 0; k < end.size(); first = end[k++]) {
+      Stencil& stencil = chunk.stencils[k];
+      stencil.blocks = std::span(chunk.blocks).subspan(first, end[k] - first);
+      stencil.hash = hash_of(stencil.blocks);
+    }
   }
 
-  ReducedStencils& reduced_;
-  std::unordered_map<size_t, std::vector<int>> open_;  // the last run of each set of blocks, by hash
+  std::vector<Chunk> chunks_;
+  std::vector<Stencil> stencils_;
 };
 
-void ReducedStencils::find_runs(const std::vector<PlacedBatch>& batches, const DofMap& dofs) {
-  runs_.clear();
-  blocks_.clear();
-  struct PlacedStencil {
-    const PlacedBatch* placed;
-    int stencil, run;
-  };
-  std::vector<PlacedStencil> found;
-  std::vector<int> blocks;
-  RunFinder finder(*this);
-  for (const PlacedBatch& placed : batches)
-    for (int s = 0; s < placed.batch.count; ++s) {
-      if (!needs_reduction(placed.batch, s, dofs)) continue;
-      blocks_of(placed.batch, s, dofs, blocks);
-      found.push_back({&placed, s, finder.take(blocks)});
+// Finds runs of stencils of equal blocks, and sorts them by the number of blocks, then by their first stencil. order:
+// hash and index of each stencil, sorted. Different sets of equal hash would only make more runs.
+void ReducedStencils::find_runs(const std::vector<Stencil>& stencils, const std::vector<std::pair<size_t, int>>& order) {
+  const int n = static_cast<int>(order.size());
+  const auto blocks = [&](int k) { return stencils[order[k].second].blocks; };
+  const auto begins = [&](int k) { return k == 0 || order[k].first != order[k - 1].first || !std::ranges::equal(blocks(k), blocks(k - 1)); };
+  // Calls visit(k) for each beginning of a run in [first, last).
+  const auto for_each_beginning = [&](int first, int last, const auto& visit) {
+    const auto by_hash = [](const auto& a, const auto& b) { return a.first < b.first; };
+    int set = static_cast<int>(std::lower_bound(order.begin(), order.begin() + first, order[first], by_hash) - order.begin());
+    for (int k = first; k < last; ++k) {
+      if (order[k].first != order[set].first) set = k;
+      if ((k - set) % static_cast<int>(longest_run) == 0 || begins(k)) visit(k);
     }
-  size_t member = 0;
+  };
+  std::vector<int> begin(chunk_count(n) + 1, 0);
+  for_each_chunk(n, [&](int c, int first, int last) { for_each_beginning(first, last, [&](int) { ++begin[c + 1]; }); });
+  prefix_sums(begin);
+  runs_.assign(begin.back(), Run());
+  for_each_chunk(n, [&](int c, int first, int last) {
+    int r = begin[c];
+    for_each_beginning(first, last, [&](int k) {
+      Run& run = runs_[r++];
+      run.blocks = blocks(k).size();
+      run.first = k;
+      run.first_stencil = order[k].second;
+    });
+  });
+  for (size_t r = 0; r < runs_.size(); ++r) runs_[r].last = r + 1 < runs_.size() ? runs_[r + 1].first : n;
+  parallel_sort(runs_);
+  size_t count = 0;
   for (Run& run : runs_) {
-    run.first = run.last = member;
-    member += run.count;
+    run.first_block = count;
+    count += run.blocks;
   }
-  members_.resize(member);
-  weights_.clear();
-  for (const PlacedStencil& f : found) members_[runs_[f.run].last++] = member_of(*f.placed, f.stencil, dofs, runs_[f.run]);
+  blocks_.resize(count);
 }
 
-ReducedStencils::Member ReducedStencils::member_of(const PlacedBatch& placed, int stencil, const DofMap& dofs,
-                                                   const Run& run) {
-  const StencilBatch& batch = placed.batch;
-  const Member member{batch.arity, placed.gradient_slot + batch.arity * stencil,
-                      placed.hessian_slot + hessian_blocks(batch.arity) * stencil, weights_.size()};
-  weights_.resize(weights_.size() + batch.arity * run.blocks);
-  double* weights = weights_.data() + member.first_weight;
-  const int* const first = blocks_.data() + run.first_block;
-  for (int i = 0; i < batch.arity; ++i, weights += run.blocks) {
-    const int v = batch.vertices[static_cast<size_t>(batch.arity) * stencil + i];
-    const auto set = [&](int block, double weight) {
-      weights[std::lower_bound(first, first + run.blocks, block) - first] = weight;
-    };
-    if (dofs.block(v) >= 0) set(dofs.block(v), 1);
-    else if (dofs.mixed(v))
-      for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) set(entry.index, entry.weight);
-  }
-  return member;
+// Sets the blocks of the runs, and their members with weights.
+void ReducedStencils::set_members(const std::vector<Stencil>& stencils, const std::vector<std::pair<size_t, int>>& order,
+                                  const DofMap& dofs) {
+  const int n = static_cast<int>(order.size());
+  std::vector<size_t> first_weight(n + 1, 0);
+  for_each(n, [&](int k) {
+    const Stencil& s = stencils[order[k].second];
+    first_weight[k + 1] = s.placed->batch.arity * s.blocks.size();
+  });
+  prefix_sums(first_weight);
+  members_.resize(n);
+  weights_.resize(first_weight.back());
+  for_each(static_cast<int>(runs_.size()), [&](int r) {
+    const Run& run = runs_[r];
+    const std::span<const int> blocks = stencils[run.first_stencil].blocks;
+    std::copy(blocks.begin(), blocks.end(), blocks_.begin() + static_cast<std::ptrdiff_t>(run.first_block));
+    for (size_t k = run.first; k < run.last; ++k) {
+      const Stencil& s = stencils[order[k].second];
+      const StencilBatch& batch = s.placed->batch;
+      members_[k] = {batch.arity, s.placed->gradient_slot + batch.arity * s.stencil,
+                     s.placed->hessian_slot + hessian_blocks(batch.arity) * s.stencil, first_weight[k]};
+      double* weights = weights_.data() + first_weight[k];
+      std::fill(weights, weights + batch.arity * run.blocks, 0.0);
+      for (int i = 0; i < batch.arity; ++i, weights += run.blocks) {
+        const int v = batch.vertices[static_cast<size_t>(batch.arity) * s.stencil + i];
+        const auto set = [&](int block, double weight) {
+          weights[std::lower_bound(blocks.begin(), blocks.end(), block) - blocks.begin()] = weight;
+        };
+        if (dofs.block(v) >= 0) set(dofs.block(v), 1);
+        else if (dofs.mixed(v))
+          for (const DofMap::WeightedIndex& entry : dofs.blocks(v)) set(entry.index, entry.weight);
+      }
+    }
+  }, 4);
 }
 
 void ReducedStencils::assign_slots(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot,
@@ -118,15 +156,13 @@ void ReducedStencils::assign_slots(const std::vector<PlacedBatch>& batches, cons
   gradient_end_ = gradient_slot;
   hessian_end_ = hessian_slot;
   if (dofs.plain()) return;
-  find_runs(batches, dofs);
-  std::stable_sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) { return a.blocks < b.blocks; });
-  std::vector<int> sorted;
-  for (Run& run : runs_) {
-    const auto from = blocks_.begin() + static_cast<std::ptrdiff_t>(run.first_block);
-    sorted.insert(sorted.end(), from, from + static_cast<std::ptrdiff_t>(run.blocks));
-    run.first_block = sorted.size() - run.blocks;
-  }
-  blocks_ = std::move(sorted);
+  const StencilFinder finder(batches, dofs);
+  const std::vector<Stencil>& stencils = finder.stencils();
+  std::vector<std::pair<size_t, int>> order(stencils.size());
+  for_each(static_cast<int>(order.size()), [&](int k) { order[k] = {stencils[k].hash, k}; });
+  parallel_sort(order);
+  find_runs(stencils, order);
+  set_members(stencils, order, dofs);
   for (size_t r = 0; r < runs_.size();) {
     const int arity = static_cast<int>(runs_[r].blocks);
     PlacedBatch placed{{arity, 0, blocks_.data() + runs_[r].first_block}, gradient_end_, hessian_end_, true};
