@@ -1,13 +1,15 @@
 #include "framework/assembly/assembler.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 
 #include "framework/assembly/stencil_clamp.hpp"
-#include "framework/core/disjoint_sets.hpp"
+#include "framework/core/concurrent_disjoint_sets.hpp"
 #include "framework/core/term_times.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/parallel_loops.hpp"
 
 namespace tack {
 
@@ -21,7 +23,66 @@ bool needs_reduction(const Term& term, const DofMap& dofs) {
   return false;
 }
 
+void fill_with_zeros(double* values, size_t n) {
+  constexpr int chunk = 16384;
+  for_each_chunk(static_cast<int>((n + chunk - 1) / chunk), [&](int c, int, int) {
+    const size_t first = static_cast<size_t>(c) * chunk;
+    std::fill(values + first, values + std::min(n, first + chunk), 0.0);
+  }, 1);
+}
+
+// Returns the index of each key in a list that has all of them; both are sorted.
+std::vector<int> indices_of(const std::vector<BlockKey>& keys, const std::vector<BlockKey>& list) {
+  std::vector<int> indices(keys.size());
+  for_each_chunk(static_cast<int>(keys.size()), [&](int, int first, int last) {
+    auto at = std::lower_bound(list.begin(), list.end(), keys[first]);
+    for (int k = first; k < last; ++k) {
+      while (*at != keys[k]) ++at;
+      indices[k] = static_cast<int>(at - list.begin());
+    }
+  }, 4096);
+  return indices;
+}
+
+constexpr int vertices_per_chunk = 8192;  // of lists that are copied or compared
+
 }  // namespace
+
+// Returns whether the maps are those of the batches.
+bool Assembler::Group::is_mapped() const {
+  std::atomic<bool> same = true;
+  ParallelLoops loops;
+  size_t at = 0;
+  for (const PlacedBatch& placed : batches) {
+    const StencilBatch& b = placed.batch;
+    const int entries = b.arity * b.count;
+    if (at + 2 + entries > mapped.size() || mapped[at] != b.arity || mapped[at + 1] != b.count) return false;
+    loops.add(entries, [&same, now = b.vertices, before = mapped.data() + at + 2](int, int first, int last) {
+      if (!std::equal(now + first, now + last, before + first)) same.store(false, std::memory_order_relaxed);
+    }, vertices_per_chunk);
+    at += 2 + entries;
+  }
+  loops.run();
+  return same && at == mapped.size();
+}
+
+// Stores the batches that the maps are for.
+void Assembler::Group::set_mapped() {
+  size_t size = 0;
+  for (const PlacedBatch& placed : batches) size += 2 + static_cast<size_t>(placed.batch.arity) * placed.batch.count;
+  mapped.resize(size);
+  ParallelLoops loops;
+  int* at = mapped.data();
+  for (const PlacedBatch& placed : batches) {
+    const StencilBatch& b = placed.batch;
+    *at++ = b.arity;
+    *at++ = b.count;
+    loops.add(b.arity * b.count, [from = b.vertices, at](int, int first, int last) { std::copy(from + first, from + last, at + first); },
+              vertices_per_chunk);
+    at += b.arity * b.count;
+  }
+  loops.run();
+}
 
 void Assembler::Group::assign_slots(const DofMap& dofs, bool with_hessian) {
   batches.clear();
@@ -29,25 +90,22 @@ void Assembler::Group::assign_slots(const DofMap& dofs, bool with_hessian) {
   first_gradient.clear();
   first_hessian.clear();
   int gradient_slot = 0, hessian_slot = 0;
-  std::vector<int> wanted;
   for (const Term* term : terms) {
     first_gradient.push_back(gradient_slot);
     first_hessian.push_back(hessian_slot);
     for (const StencilBatch& batch : term->batches()) {
       batches.push_back({batch, gradient_slot, hessian_slot});
       batch_terms.push_back(term);
-      wanted.insert(wanted.end(), {batch.arity, batch.count});
-      wanted.insert(wanted.end(), batch.vertices, batch.vertices + static_cast<size_t>(batch.arity) * batch.count);
       gradient_slot += batch.arity * batch.count;
       hessian_slot += hessian_blocks(batch.arity) * batch.count;
     }
   }
   own_gradient_slots = 3 * static_cast<size_t>(gradient_slot);
-  if (wanted != mapped || batches.empty()) {
+  if (batches.empty() || !is_mapped()) {
     reduced.assign_slots(batches, dofs, gradient_slot, hessian_slot);
     gradient_map = tack::gradient_map(mapped_batches(), dofs);
     hessian_mapped = false;
-    mapped = std::move(wanted);
+    set_mapped();
   }
   gradient_slots.resize(3 * static_cast<size_t>(reduced.gradient_end()));
   if (with_hessian) hessian_slots.resize(9 * static_cast<size_t>(reduced.hessian_end()));
@@ -131,7 +189,9 @@ Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseCl
   std::vector<BlockKey> keys;
   std::set_union(ranged_sums_.targets().begin(), ranged_sums_.targets().end(), static_.hessian_map.target.begin(),
                  static_.hessian_map.target.end(), std::back_inserter(keys));
-  pattern_ = std::make_unique<BlockPattern>(dofs_.block_count(), std::move(keys));
+  pattern_ = std::make_unique<BlockPattern>(dofs_.block_count(), keys);
+  ranged_keys_ = indices_of(ranged_sums_.targets(), pattern_->static_keys());
+  static_keys_ = indices_of(static_.hessian_map.target, pattern_->static_keys());
   number_components();
 }
 
@@ -146,8 +206,7 @@ void Assembler::add_linear(const VecX& x, const TermScales& scales, VecX& gradie
     term->add_linear_gradient(full);
   }
   dofs_.move_to_independents(full);
-  for (int b = 0; b < dofs_.block_count(); ++b)
-    gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
+  for_each(dofs_.block_count(), [&](int b) { gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b)); });
 }
 
 // Collects the modes as vectors W^T u of the unknowns.
@@ -171,7 +230,8 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.assign_slots(dofs_, false);
   for (Group* group : groups()) {
-    group->evaluate(x, Projection::none, false, clock_.term_times());
+    if (group == &ranged_) evaluate_ranged(x, nullptr);
+    else group->evaluate(x, Projection::none, false, clock_.term_times());
     group->reduced.reduce(group->gradient_slots.data(), nullptr);
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
@@ -184,7 +244,7 @@ void Assembler::project_out_fixed_directions(BlockMatrix& matrix) const {
   if (dofs_.partly_fixed_blocks().empty()) return;
   std::vector<const Mat3*> fixed(dofs_.block_count(), nullptr);
   for (const DofMap::PartlyFixedBlock& h : dofs_.partly_fixed_blocks()) fixed[h.block] = &h.projection;
-  for (int c = 0; c < matrix.columns(); ++c)
+  for_each(matrix.columns(), [&](int c) {
     for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
       const int r = matrix.row[k];
       if (fixed[r]) matrix.block(k) -= (*fixed[r] * matrix.block(k)).eval();
@@ -193,6 +253,7 @@ void Assembler::project_out_fixed_directions(BlockMatrix& matrix) const {
       const double size = matrix.block(k).trace();
       matrix.block(k) += (size > 0 ? size : 1.0) * *fixed[c];
     }
+  });
 }
 
 void Assembler::add_last_gradients(VecX& gradient) const {
@@ -208,9 +269,11 @@ void Assembler::add_last_gradients(VecX& gradient) const {
 }
 
 double Assembler::Group::largest_force() const {
-  double largest = 0;
-  for (size_t i = 0; i < own_gradient_slots; ++i) largest = std::max(largest, std::abs(gradient_slots[i]));
-  return largest;
+  return -min_chunks(static_cast<int>(own_gradient_slots), 0.0, [&](int first, int last) {
+    double largest = 0;
+    for (int i = first; i < last; ++i) largest = std::max(largest, std::abs(gradient_slots[i]));
+    return -largest;
+  }, 4096);
 }
 
 double Assembler::largest_stencil_force() const {
@@ -219,8 +282,10 @@ double Assembler::largest_stencil_force() const {
 
 // Numbers the components of unknown blocks. Stencils connect the blocks of a component.
 void Assembler::number_components() {
-  DisjointSets sets(dofs_.block_count());
-  for (const BlockKey key : pattern_->static_keys()) sets.join(key_row(key), key_column(key));
+  ConcurrentDisjointSets sets;
+  sets.reset(dofs_.block_count());
+  const std::vector<BlockKey>& keys = pattern_->static_keys();
+  for_each(static_cast<int>(keys.size()), [&](int k) { sets.join(key_row(keys[k]), key_column(keys[k])); }, 4096);
   component_.resize(dofs_.block_count());
   int components = 0;
   for (int b = 0; b < dofs_.block_count(); ++b) component_[b] = sets.find(b) == b ? components++ : component_[sets.find(b)];
@@ -229,29 +294,28 @@ void Assembler::number_components() {
     if (h.scalar) component_[h.block] = components++;
 }
 
-// Static keys of the pattern are the keys of both maps and the diagonals.
 void Assembler::locate_static_blocks() {
-  const auto locate = [&](const std::vector<BlockKey>& targets, std::vector<int>& positions) {
-    positions.resize(targets.size());
-    size_t k = 0;
-    for (size_t t = 0; t < targets.size(); ++t) {
-      while (pattern_->static_keys()[k] != targets[t]) ++k;
-      positions[t] = pattern_->static_positions()[k];
-    }
+  const auto locate = [&](const std::vector<int>& indices, std::vector<int>& positions) {
+    positions.resize(indices.size());
+    for_each(static_cast<int>(indices.size()), [&](int t) { positions[t] = pattern_->static_positions()[indices[t]]; }, 2048);
   };
-  locate(ranged_sums_.targets(), ranged_positions_);
-  locate(static_.hessian_map.target, static_positions_);
+  locate(ranged_keys_, ranged_positions_);
+  locate(static_keys_, static_positions_);
 }
 
-void Assembler::evaluate_ranged(const VecX& x, const HessianRequest& request) {
+// Evaluates the terms with ranges. hessian: null: gradients alone.
+void Assembler::evaluate_ranged(const VecX& x, const HessianRequest* hessian) {
   double* const gradients = ranged_.gradient_slots.data();
   TermTimes* const times = clock_.term_times();
-  if (!times) return ranged_sums_.evaluate(x, request.projection, request.clamp_at, gradients);
-  const std::vector<double> seconds = ranged_sums_.timed_evaluate(x, request.projection, request.clamp_at, gradients);
+  std::vector<double> seconds;
+  std::vector<double>* const timed = times ? &seconds : nullptr;
+  if (hessian) ranged_sums_.evaluate(x, hessian->projection, hessian->clamp_at, gradients, timed);
+  else ranged_sums_.evaluate_gradients(x, gradients, timed);
+  if (!times) return;
   for (size_t b = 0, t = 0; t < ranged_.terms.size(); ++t) {
     double of_term = 0;
     while (b < seconds.size() && ranged_.batch_terms[b] == ranged_.terms[t]) of_term += seconds[b++];
-    times->add(ranged_.terms[t], Evaluation::hessian, of_term);
+    times->add(ranged_.terms[t], hessian ? Evaluation::hessian : Evaluation::gradient, of_term);
   }
 }
 
@@ -259,18 +323,16 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianR
                          const VecX& block_mass, VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.assign_slots(dofs_, true);
-  std::vector<int> dynamic_positions;
-  if (pattern_->cover(dynamic_.hessian_map.target, matrix, dynamic_positions)) locate_static_blocks();
+  if (pattern_->cover(dynamic_.hessian_map.target, matrix, dynamic_positions_)) locate_static_blocks();
   if (matrix.component.size() != component_.size()) matrix.component = component_;
   dofs_.gather(x, matrix.positions);
-  std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
-  for (int b = 0; b < dofs_.block_count(); ++b)
-    matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));
+  fill_with_zeros(matrix.values.data(), matrix.values.size());
+  for_each(dofs_.block_count(), [&](int b) { matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b)); });
 
   for (Group* group : groups()) {
     const bool dynamic = group == &dynamic_;
     if (group == &ranged_) {
-      evaluate_ranged(x, request);
+      evaluate_ranged(x, &request);
     } else {
       const Projection projection = dynamic ? request.dynamic_projection.value_or(request.projection) : request.projection;
       group->evaluate(x, projection, true, clock_.term_times());
@@ -284,7 +346,7 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianR
   }
   ranged_sums_.gather(scales.body, ranged_positions_, matrix);
   static_.gather_hessian(scales.body, static_positions_, matrix);
-  if (!request.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
+  if (!request.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions_, matrix);
   add_linear(x, scales, gradient);
   dofs_.project_out_fixed_directions(gradient);
   project_out_fixed_directions(matrix);

@@ -64,6 +64,8 @@ class Assembler {
     double largest_force() const;
     template <class Act>
     void for_each_batch(const Act& act) const;
+    bool is_mapped() const;
+    void set_mapped();
     void assign_slots(const DofMap& dofs, bool with_hessian);
     void evaluate(const VecX& x, Projection projection, bool with_hessian, TermTimes* times);
     void clamp_at(const std::vector<char>& block, const DofMap& dofs);
@@ -73,7 +75,7 @@ class Assembler {
   };
 
   std::vector<Group*> groups() { return {&ranged_, &static_, &dynamic_}; }
-  void evaluate_ranged(const VecX& x, const HessianRequest& request);
+  void evaluate_ranged(const VecX& x, const HessianRequest* hessian);
   void number_components();
   void locate_static_blocks();
   void add_linear(const VecX& x, const TermScales& scales, VecX& gradient) const;
@@ -89,8 +91,9 @@ class Assembler {
   std::vector<std::pair<const Term*, const GlobalModeSource*>> mode_sources_;
   Group static_, dynamic_;
   std::unique_ptr<BlockPattern> pattern_;
-  std::vector<int> component_;                            // of each unknown block, see BlockMatrix
-  std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
+  std::vector<int> component_;                  // of each unknown block, see BlockMatrix
+  std::vector<int> ranged_keys_, static_keys_;  // of the pattern: the key of each target of either
+  std::vector<int> ranged_positions_, static_positions_, dynamic_positions_;  // in the matrix
 };
 
 /// Calls act(arity, count, vertices, slots) for each batch. `vertices` are those at the time when

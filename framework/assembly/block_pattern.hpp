@@ -1,6 +1,9 @@
 // Sparsity of the assembled Hessian: the union of the blocks of static stencils (fixed for a run)
 // and of dynamic stencils (contact). Blocks that contact used recently stay in the pattern as
 // explicit zeros, so that the symbolic analysis of a solver survives pairs that come and go.
+//
+// Lists of blocks are sorted by column, so that a run of columns is a range of each list. Unions
+// are made in parallel over such runs.
 #pragma once
 
 #include <cstdint>
@@ -26,10 +29,10 @@ inline int key_column(BlockKey key) { return static_cast<int>(key >> 32); }
 class BlockPattern {
  public:
   // Sorted unique keys of the static stencils; diagonal blocks are always added.
-  BlockPattern(int columns, std::vector<BlockKey> static_keys);
+  BlockPattern(int columns, const std::vector<BlockKey>& static_keys);
 
   /// Adds missing dynamic keys (sorted, unique) to the matrix and finds their positions there.
-  /// Returns true if the structure of the matrix changed.
+  /// Returns true if the structure of the matrix changed; its values are then undefined.
   bool cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix& matrix,
              std::vector<int>& positions);
 

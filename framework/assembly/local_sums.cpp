@@ -7,6 +7,7 @@
 #include "framework/assembly/stencil_clamp.hpp"
 #include "geometry/parallel.hpp"
 #include "geometry/parallel_sort.hpp"
+#include "geometry/prefix_sums.hpp"
 
 namespace tack {
 namespace {
@@ -43,26 +44,45 @@ void LocalSums::build(const std::vector<const StencilRanges*>& ranges, const std
 
   std::vector<std::vector<BlockKey>> keys(chunks_.size());
   for_each(static_cast<int>(chunks_.size()), [&](int c) { keys[c] = number_sums(chunks_[c], dofs); }, 1);
-  std::vector<std::pair<BlockKey, int>> all;
+  size_t sums = 0;
   for (size_t c = 0; c < chunks_.size(); ++c) {
-    chunks_[c].sum = all.size();
+    chunks_[c].sum = sums;
     chunks_[c].sums = keys[c].size();
-    for (const BlockKey key : keys[c]) all.emplace_back(key, static_cast<int>(all.size()));
+    sums += keys[c].size();
   }
-  sums_.resize(9 * all.size());
+  sums_.resize(9 * sums);
 
+  std::vector<std::pair<BlockKey, int>> all(sums);
+  for_each(static_cast<int>(chunks_.size()), [&](int c) {
+    for (size_t k = 0, at = chunks_[c].sum; k < keys[c].size(); ++k, ++at) all[at] = {keys[c][k], static_cast<int>(at)};
+  }, 1);
   parallel_sort(all);
-  targets_.clear();
-  start_.clear();
-  source_.clear();
-  for (const auto& [key, sum] : all) {
-    if (targets_.empty() || targets_.back() != key) {
-      targets_.push_back(key);
-      start_.push_back(static_cast<int>(source_.size()));
+  group_sums(all);
+}
+
+// Makes the targets and their sources from all sums, which are sorted by key.
+void LocalSums::group_sums(const std::vector<std::pair<BlockKey, int>>& all) {
+  constexpr int chunk = 2048;
+  const int n = static_cast<int>(all.size());
+  const auto begins = [&](int i) { return i == 0 || all[i].first != all[i - 1].first; };
+  std::vector<int> first_target(chunk_count(n, chunk) + 1, 0);
+  for_each_chunk(n, [&](int c, int first, int last) {
+    for (int i = first; i < last; ++i) first_target[c + 1] += begins(i);
+  }, chunk);
+  prefix_sums(first_target);
+  targets_.resize(first_target.back());
+  start_.resize(targets_.size() + 1);
+  start_.back() = n;
+  source_.resize(n);
+  for_each_chunk(n, [&](int c, int first, int last) {
+    int target = first_target[c];
+    for (int i = first; i < last; ++i) {
+      source_[i] = all[i].second;
+      if (!begins(i)) continue;
+      targets_[target] = all[i].first;
+      start_[target++] = i;
     }
-    source_.push_back(sum);
-  }
-  start_.push_back(static_cast<int>(source_.size()));
+  }, chunk);
 }
 
 // The keys of the chunk's sums, sorted; each block of its stencils learns which of them is its own.
@@ -113,27 +133,36 @@ void LocalSums::evaluate(const Chunk& chunk, const VecX& x, Projection projectio
   }
 }
 
-void LocalSums::evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at, double* gradient_slots) {
-  for_each(static_cast<int>(chunks_.size()),
-           [&](int c) { evaluate(chunks_[c], x, projection, clamp_at, gradient_slots); }, 1);
+void LocalSums::evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at, double* gradient_slots,
+                         std::vector<double>* seconds) {
+  for_each_timed_chunk([&](const Chunk& chunk) { evaluate(chunk, x, projection, clamp_at, gradient_slots); }, seconds);
 }
 
-std::vector<double> LocalSums::timed_evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at,
-                                              double* gradient_slots) {
+void LocalSums::evaluate_gradients(const VecX& x, double* gradient_slots, std::vector<double>* seconds) const {
+  for_each_timed_chunk([&](const Chunk& chunk) {
+    chunk.ranges->range_derivatives(x, Projection::none, chunk.first, chunk.last, gradient_slots + 3 * chunk.gradient_slot, nullptr);
+  }, seconds);
+}
+
+// Calls body(chunk) for all chunks, in parallel.
+template <class Body>
+void LocalSums::for_each_timed_chunk(const Body& body, std::vector<double>* seconds) const {
+  const int n = static_cast<int>(chunks_.size());
+  if (!seconds) return for_each(n, [&](int c) { body(chunks_[c]); }, 1);
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  std::vector<double> of_chunk(chunks_.size()), of_batch(batches_);
+  std::vector<double> of_chunk(chunks_.size());
   const auto start = Clock::now();
-  for_each(static_cast<int>(chunks_.size()), [&](int c) {
+  for_each(n, [&](int c) {
     const auto begun = Clock::now();
-    evaluate(chunks_[c], x, projection, clamp_at, gradient_slots);
+    body(chunks_[c]);
     of_chunk[c] = since(begun);
   }, 1);
   const double all = since(start);
   double sum = 0;
-  for (size_t c = 0; c < chunks_.size(); ++c) of_batch[chunks_[c].number] += of_chunk[c], sum += of_chunk[c];
-  for (double& seconds : of_batch) seconds *= sum > 0 ? all / sum : 0;
-  return of_batch;
+  seconds->assign(batches_, 0.0);
+  for (size_t c = 0; c < chunks_.size(); ++c) (*seconds)[chunks_[c].number] += of_chunk[c], sum += of_chunk[c];
+  for (double& of_batch : *seconds) of_batch *= sum > 0 ? all / sum : 0;
 }
 
 void LocalSums::gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const {

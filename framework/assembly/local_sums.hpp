@@ -4,6 +4,7 @@
 // threads.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "framework/assembly/gather_map.hpp"
@@ -21,14 +22,14 @@ class LocalSums {
   const std::vector<BlockKey>& targets() const { return targets_; }
 
   /// Sums the Hessians and writes all gradient slots. With flags, stencils that touch a flagged
-  /// block of unknowns are clamped after `projection`.
+  /// block of unknowns are clamped after `projection`. Sets the seconds of each batch, unless null:
+  /// the total, divided in proportion to the times of its chunks.
   void evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at,
-                double* gradient_slots);
+                double* gradient_slots, std::vector<double>* seconds = nullptr);
 
-  /// Does so and measures the time of each batch [s]: the total, divided in proportion to the times
-  /// of its chunks.
-  std::vector<double> timed_evaluate(const VecX& x, Projection projection,
-                                     const std::vector<char>* clamp_at, double* gradient_slots);
+  /// Writes all gradient slots. seconds: see evaluate().
+  void evaluate_gradients(const VecX& x, double* gradient_slots,
+                          std::vector<double>* seconds = nullptr) const;
 
   /// Adds scale * sums to the matrix, where target k is at positions[k].
   void gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
@@ -46,6 +47,9 @@ class LocalSums {
   };
 
   std::vector<BlockKey> number_sums(Chunk& chunk, const DofMap& dofs);
+  void group_sums(const std::vector<std::pair<BlockKey, int>>& all);
+  template <class Body>
+  void for_each_timed_chunk(const Body& body, std::vector<double>* seconds) const;
   void evaluate(const Chunk& chunk, const VecX& x, Projection projection,
                 const std::vector<char>* clamp_at, double* gradient_slots);
 

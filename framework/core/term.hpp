@@ -44,14 +44,14 @@ struct StencilBatch {
 };
 
 /// Optional access to a batch of lasting stencils in ranges. The assembler sums the Hessians of a
-/// range before they leave the cache. Several threads call it at once.
+/// range before they leave the cache. Several threads call it, and value() of its term, at once.
 class StencilRanges {
  public:
   // `first` is a multiple of this, and so is `last` but for the end of the batch.
   static constexpr int grain = 32;
 
   /// Writes the slots of the stencils first .. last - 1. The slots of `first` are at the beginning
-  /// of `gradient` and `hessian`.
+  /// of `gradient` and `hessian`; a null `hessian` is not written.
   virtual void range_derivatives(const VecX& x, Projection projection, int first, int last,
                                  double* gradient, double* hessian) const = 0;
 
