@@ -6,10 +6,8 @@
 #pragma once
 
 #include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -19,6 +17,7 @@
 #include <vector>
 
 #include "geometry/ordered_loop_observer.hpp"
+#include "geometry/thread_count.hpp"
 
 namespace tack {
 
@@ -45,7 +44,7 @@ class OrderedLoop {
       else loop_observer->run(loop, chunks, ChunkCall(one));
       return;
     }
-    const int workers = std::min(threads(), chunks);
+    const int workers = std::min(thread_count(), chunks);
     if (workers <= 1) {
       call(body, 0, chunks);
       return;
@@ -65,13 +64,6 @@ class OrderedLoop {
   }
 
  private:
-  // Returns the largest number of threads that may run: an arena does not know the limit of a run.
-  static int threads() {
-    const auto limit =
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    return std::min(tbb::this_task_arena::max_concurrency(), static_cast<int>(limit));
-  }
-
   struct alignas(64) Flag {         // a cache line: threads write those of neighbours
     std::atomic<unsigned> run = 0;  // the last one in which the chunk has ended
   };
@@ -82,12 +74,20 @@ class OrderedLoop {
     for (int c = first; c < last; ++c) body(c);
   }
 
+  // Tells the core that this thread spins.
+  static void pause() {
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    asm volatile("yield");
+#endif
+  }
   // Spins: a chunk takes microseconds, and the thread that has it does not wait for this one.
   void wait_for(int chunk) const {
     constexpr int spins_per_yield = 256;
     for (int spins = 1; ended_[chunk].run.load(std::memory_order_acquire) != run_; ++spins) {
       if (spins % spins_per_yield == 0) std::this_thread::yield();
-      else __builtin_ia32_pause();
+      else pause();
     }
   }
 

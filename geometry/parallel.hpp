@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/loop_observer.hpp"
+#include "geometry/thread_count.hpp"
 
 namespace tack {
 
@@ -38,7 +39,7 @@ void for_each_chunk(int n, const Body& body, int chunk = chunk_size,
     loop_observer->run(loop, chunks, ChunkCall(run));
     return;
   }
-  if (chunks <= 1) {
+  if (chunks <= 1 || thread_count() <= 1) {
     detail::run_chunks(0, chunks, n, chunk, body);
     return;
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <source_location>
 #include <utility>
 #include <vector>
 
@@ -28,7 +27,7 @@ class ParallelLoops {
   }
 
   /// Runs all loops. Chunks of different loops run in any order.
-  void run(std::source_location location = std::source_location::current()) const {
+  void run(SourcePosition loop_start = SourcePosition::current()) const {
     for_each(
         chunks_,
         [&](int c) {
@@ -37,7 +36,7 @@ class ParallelLoops {
           const Loop& loop = *(after - 1);
           loop.run_chunk(c - loop.first);
         },
-        1, location);
+        1, loop_start);
   }
 
  private:
