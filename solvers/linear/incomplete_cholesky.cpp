@@ -8,6 +8,7 @@
 
 #include <atomic>
 
+#include "framework/config/field.hpp"
 #include "framework/core/lanes.hpp"
 #include "geometry/ordered_loop.hpp"
 #include "geometry/parallel.hpp"
@@ -19,6 +20,10 @@ namespace tack {
 
 class IncompleteCholesky : public Preconditioner {
  public:
+  void fields(Fields& f) override {
+    f.optional_integer("domain", former_domain_, "without effect: all threads share one domain").at_least(1).deprecated("leave it out; it has no effect, because all threads share one domain");
+  }
+
   bool update(const BlockMatrix& matrix, const Deadline& deadline) override {
     if (version_ != matrix.version || rows_.size() != matrix.columns()) {
       rows_.build(matrix);
@@ -151,6 +156,7 @@ class IncompleteCholesky : public Preconditioner {
   std::vector<int> column_start_, row_;  // of the matrix
   std::vector<int> tile_start_;          // first row of each tile, and the end
   OrderedLoop loop_;                     // over tiles forwards, then backwards
+  std::optional<int> former_domain_;  // of stored steps and scenes that name it
   std::uint64_t version_ = 0;
   int kept_size_ = 0;      // vertices of the last system; 0: factorisation failed
   double kept_shift_ = 0;  // shift of the last system

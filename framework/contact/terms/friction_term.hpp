@@ -1,5 +1,6 @@
 // Friction and tangential adhesion of a time step (the paper, sections 3.1 and 4.3):
-//     P_t(x) = sum_k mu lambda_k f0(|u_k|) + (mu_s - mu) lambda_k f_s0(|u_k|) + mu_a lambda_a,k f_t0(|u_k|),    u_k = T_k^T (x - x^n)
+//     P_t(x) = sum_k mu lambda_k f0(|u_k|) + (mu_s - mu) lambda_k f_s0(|u_k|)
+//            + mu_a lambda_a,k f_t0(|u_k|),    u_k = T_k^T (x - x^n)
 // with the slip laws of tangential_law.hpp. Contact points k (contact_points.hpp) have lagged
 // magnitudes, closest points and tangents: those of the start of the step, or of the latest
 // solution when the step is solved again. The slip always counts from the start of the step, and
