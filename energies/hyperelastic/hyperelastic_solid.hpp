@@ -1,8 +1,7 @@
 // Solids with psi = W(e) + K/2 (ln J)^2, W a law in logarithmic isochoric stretches
 // (isochoric.hpp). With P = 1 - 1/3 the projection to the deviator, Kirchhoff's stress and its
 // derivative by ln s are
-//     tau = P W' + K ln J,   H = P W'' P + K,
-// and in stretches psi_i = tau_i / s_i, psi_ik = (H_ik - delta_ik tau_i) / (s_i s_k).
+//     tau = P W' + K ln J,   H = P W'' P + K.
 // A law has
 //   Pack energy(const PackVec3& e) const;                       W [J/m^3], may be infinite
 //   IsochoricDerivatives derivatives(const PackVec3& e) const;  where W is finite
@@ -33,23 +32,17 @@ struct Hyperelastic {
   }
 
   PrincipalDerivatives derivatives(const PackVec3& s) const {
-    PackVec3 e, inverse, tau;
+    PackVec3 e, tau;
     const Pack pressure = bulk * split_strain(s, e);
     const IsochoricDerivatives w = law.derivatives(e);
     const PackVec3 rows = w.hessian.rowwise().sum() / Pack(3);
     const Pack mean = w.gradient.sum() / 3, corner = bulk + rows.sum() / 3;
+    PackMat3 h;
     for (int i = 0; i < 3; ++i) {
-      inverse(i) = 1 / s(i);
       tau(i) = w.gradient(i) - mean + pressure;
+      for (int k = 0; k < 3; ++k) h(i, k) = w.hessian(i, k) - rows(i) - rows(k) + corner;
     }
-    PrincipalDerivatives d;
-    for (int i = 0; i < 3; ++i) {
-      d.gradient(i) = tau(i) * inverse(i);
-      for (int k = 0; k < 3; ++k)
-        d.hessian(i, k) = (w.hessian(i, k) - rows(i) - rows(k) + corner) * inverse(i) * inverse(k);
-      d.hessian(i, i) -= tau(i) * inverse(i) * inverse(i);
-    }
-    return d;
+    return of_logarithms(s, tau, h, 0);
   }
 
   // Points and parts keep the bulk modulus of a solid with lambda = 0, as other elastic solids do.

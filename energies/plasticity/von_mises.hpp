@@ -46,18 +46,13 @@ struct VonMisesLanes {
         select(yields, 2 * (lame.mu * limit + hardened * (e.norm - limit)) / norm, 2 * lame.mu);
     const Pack w = select(yields, (2 * hardened - c) / (norm * norm), 0);
     const Pack pressure = bulk() * e.trace;
-    PackVec3 inverse;
-    for (int i = 0; i < 3; ++i) inverse(i) = 1 / s(i);
-    PrincipalDerivatives d;
+    PackVec3 tau;
+    PackMat3 h;
     for (int i = 0; i < 3; ++i) {
-      const Pack tau = pressure + c * e.deviator(i);
-      d.gradient(i) = tau * inverse(i);
-      for (int k = 0; k < 3; ++k)
-        d.hessian(i, k) =
-            (bulk() - c / 3 + w * e.deviator(i) * e.deviator(k)) * inverse(i) * inverse(k);
-      d.hessian(i, i) += (c - tau) * inverse(i) * inverse(i);
+      tau(i) = pressure + c * e.deviator(i);
+      for (int k = 0; k < 3; ++k) h(i, k) = bulk() - c / 3 + w * e.deviator(i) * e.deviator(k);
     }
-    return d;
+    return of_logarithms(s, tau, h, c);
   }
 
  private:

@@ -24,19 +24,17 @@ void CompositeVonMises::load_history(const History& history) {
 }
 
 void CompositeVonMises::commit(const VecX& x, History& history) const {
-  history_.commit(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); }, history);
+  history_.commit(material_, [&](int i) { return tets_.deformation(i, x); }, history);
 }
 
-double CompositeVonMises::volume_of(int i) const { return tets_.weight(i % composite_samples) * tets_.volume_of(i / composite_samples); }
-
 double CompositeVonMises::dissipated(const VecX& x) const {
-  return history_.dissipated(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
-                            [&](int i) { return volume_of(i); });
+  return history_.dissipated(material_, [&](int i) { return tets_.deformation(i, x); },
+                            [&](int i) { return tets_.volume_of_sample(i); });
 }
 
 double CompositeVonMises::viscous(const VecX& x) const {
-  return history_.viscous(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
-                         [&](int i) { return volume_of(i); });
+  return history_.viscous(material_, [&](int i) { return tets_.deformation(i, x); },
+                         [&](int i) { return tets_.volume_of_sample(i); });
 }
 
 void CompositeVonMises::publish(Records& records) const {

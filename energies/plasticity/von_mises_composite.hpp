@@ -20,7 +20,6 @@ class CompositeVonMises : public CompositeTerm<VonMises> {
 
  private:
   void set_step(double h) { material_.h = split_.shape.h = split_.part.h = h; }  // s
-  double volume_of(int sample) const;                                            // m^3
   // Returns the strains of the parts, as for stresses.
   VecX plastic_strain() const;
 

@@ -67,6 +67,18 @@ struct PlaneDerivatives {
   PackMat2 hessian;
 };
 
+// Returns the derivatives in stretches s of a density of ln s with the gradient tau and the Hessian
+// h [Pa]: psi_i = tau_i / s_i, psi_ik = (h_ik - delta_ik tau_i) / (s_i s_k).
+inline PlaneDerivatives of_logarithms(const PackVec2& s, const PackVec2& tau, const PackMat2& h) {
+  PlaneDerivatives d;
+  for (int i = 0; i < 2; ++i) {
+    d.gradient(i) = tau(i) / s(i);
+    d.hessian(i, i) = (h(i, i) - tau(i)) / (s(i) * s(i));
+  }
+  d.hessian(0, 1) = d.hessian(1, 0) = h(0, 1) / s.prod();
+  return d;
+}
+
 // dP/dF in the frame of U: on the diagonal entries, on the pair (01, 10) the matrix [same cross;
 // cross same], and on each entry (2i) one number.
 struct PlaneHessian {

@@ -60,15 +60,15 @@ struct VonMisesMembraneLanes {
     const Pack pq = select(flows, bulk * shear * c / det, 0);
     // tau_1,2 = t_p +- t_q / sqrt 3.
     const Pack side = r.stress(1) / root3, mixed = pq / root3;
-    PlaneDerivatives d;
+    PackVec2 tau;
+    PackMat2 h;
     for (int i = 0; i < 2; ++i) {
       const double sign = i == 0 ? 1 : -1;
-      const Pack tau = r.stress(0) + sign * side;
-      d.gradient(i) = tau / s(i);
-      d.hessian(i, i) = (pp + qq / 3 + 2 * sign * mixed - tau) / (s(i) * s(i));
+      tau(i) = r.stress(0) + sign * side;
+      h(i, i) = pp + qq / 3 + 2 * sign * mixed;
     }
-    d.hessian(0, 1) = d.hessian(1, 0) = (pp - qq / 3) / s.prod();
-    return d;
+    h(0, 1) = h(1, 0) = pp - qq / 3;
+    return of_logarithms(s, tau, h);
   }
 
   // The state stays inside the yield surface by more than round-off, so that a sheet at rest does

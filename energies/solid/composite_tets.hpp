@@ -34,6 +34,11 @@ class CompositeTets {
                                 : weight_of_parts / composite_parts;
   }
 
+  // Returns the volume of sample i % 12 of tet i / 12 in the energy [m^3].
+  double volume_of_sample(int i) const {
+    return weight(i % composite_samples) * volume_of(i / composite_samples);
+  }
+
   // Returns the gradients of corners 1 to 3 at sample k, as rows, times the history matrix of the
   // material, if there is one.
   const PackMat3& shape(int pack, int k) const {
@@ -62,6 +67,10 @@ class CompositeTets {
   PackMat3 part(int pack, int s, const CompositeNodes& x) const;
   // Returns the deformation gradient of one sample of one tet.
   Mat3 deformation(int tet, int k, const VecX& x) const;
+  // Returns that of sample i % 12 of tet i / 12.
+  Mat3 deformation(int i, const VecX& x) const {
+    return deformation(i / composite_samples, i % composite_samples, x);
+  }
 
  private:
   const CompositeTable& table_ = composite_table();

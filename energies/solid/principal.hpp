@@ -13,6 +13,22 @@ struct PrincipalDerivatives {
   PackMat3 hessian;
 };
 
+// Returns the derivatives in stretches s of a density of logarithmic strains ln s with the gradient
+// tau (Kirchhoff's stress) and the Hessian h + c I [Pa]:
+//     psi_i = tau_i / s_i,   psi_ik = (h_ik + delta_ik (c - tau_i)) / (s_i s_k).
+inline PrincipalDerivatives of_logarithms(const PackVec3& s, const PackVec3& tau, const PackMat3& h,
+                                          const Pack& c) {
+  PrincipalDerivatives d;
+  PackVec3 inverse;
+  for (int i = 0; i < 3; ++i) inverse(i) = 1 / s(i);
+  for (int i = 0; i < 3; ++i) {
+    d.gradient(i) = tau(i) * inverse(i);
+    for (int k = 0; k < 3; ++k) d.hessian(i, k) = h(i, k) * inverse(i) * inverse(k);
+    d.hessian(i, i) += (c - tau(i)) * inverse(i) * inverse(i);
+  }
+  return d;
+}
+
 // dP/dF in the principal frame F^ = diag(s): a 3x3 matrix on the diagonal entries, and for each
 // i != j a 2x2 matrix [same cross; cross same] on the entries (ij, ji). The diagonals of the latter
 // are unused.

@@ -23,16 +23,9 @@ struct StvkHencky {
   PrincipalDerivatives derivatives(const PackVec3& s) const {
     const PackVec3 e(log(s(0)), log(s(1)), log(s(2)));
     const Pack pressure = lame.lambda * e.sum();
-    PrincipalDerivatives d;
-    PackVec3 inverse;
-    for (int i = 0; i < 3; ++i) inverse(i) = 1 / s(i);
-    for (int i = 0; i < 3; ++i) {
-      const Pack tau = 2 * lame.mu * e(i) + pressure;  // Kirchhoff stress
-      d.gradient(i) = tau * inverse(i);
-      for (int k = 0; k < 3; ++k) d.hessian(i, k) = lame.lambda * inverse(i) * inverse(k);
-      d.hessian(i, i) += (2 * lame.mu - tau) * inverse(i) * inverse(i);
-    }
-    return d;
+    PackVec3 tau;
+    for (int i = 0; i < 3; ++i) tau(i) = 2 * lame.mu * e(i) + pressure;
+    return of_logarithms(s, tau, PackMat3::Constant(lame.lambda), 2 * lame.mu);
   }
 
   RootSample stretch_root(double s) const {
