@@ -75,7 +75,7 @@ class MembraneTerm : public Term, public StencilRanges {
 
   void publish(Records& records) const override {
     Term::publish(records);
-    records.add(StressRecord{[this](const VecX& x) { return cauchy_stress(x); }});
+    records.add(stress_record());
   }
 
   // Returns stresses without the elastic change of thickness and without fibres [Pa].
@@ -99,6 +99,10 @@ class MembraneTerm : public Term, public StencilRanges {
   }
 
  protected:
+  // Returns the stresses that publish() adds to the records.
+  virtual StressRecord stress_record() const {
+    return StressRecord{[this](const VecX& x) { return cauchy_stress(x); }};
+  }
   int count() const { return static_cast<int>(triangles_.size()); }
 
   // Returns the rest data of one triangle.

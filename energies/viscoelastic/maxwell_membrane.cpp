@@ -2,7 +2,7 @@
 // mu |e|^2 + lambda/2 (tr e)^2 in the Hencky strain e of the sheet's plane, lambda = 2 mu nu / (1 - nu),
 // and all of e decays, so that the thickness follows as the sheet is incompressible (nu = 0.5) or not.
 #include "energies/shell/membrane.hpp"
-#include "energies/viscoelastic/maxwell_term.hpp"
+#include "energies/viscoelastic/relaxing_term.hpp"
 
 namespace tack {
 namespace {
@@ -17,48 +17,28 @@ struct MaxwellSheet {
   }
   PlaneDerivatives derivatives(const PackVec2& s) const {
     const PackVec2 e(log(s(0)), log(s(1)));
-    PlaneDerivatives d;
-    for (int i = 0; i < 2; ++i) {
-      const Pack tau = 2 * mu * e(i) + lambda * (e(0) + e(1));
-      d.gradient(i) = tau / s(i);
-      d.hessian(i, i) = (2 * mu + lambda - tau) / (s(i) * s(i));
-    }
-    d.hessian(0, 1) = d.hessian(1, 0) = lambda / s.prod();
-    return d;
+    PackVec2 tau;
+    for (int i = 0; i < 2; ++i) tau(i) = 2 * mu * e(i) + lambda * (e(0) + e(1));
+    PackMat2 h = PackMat2::Constant(lambda);
+    for (int i = 0; i < 2; ++i) h(i, i) = 2 * mu + lambda;
+    return of_logarithms(s, tau, h);
   }
 };
 
-class MaxwellSheetTerm : public MembraneTerm<MaxwellSheet> {
+class MaxwellSheetTerm : public RelaxingTerm<MaxwellSheetTerm, MembraneTerm<MaxwellSheet>, 2> {
  public:
   MaxwellSheetTerm(std::string name, const Relaxation<2>& relaxation, const Body& body, const VecX& rest)
-      : MembraneTerm(std::move(name), MaxwellSheet{relaxation.mu, relaxation.lambda}, body, rest), history_(body, relaxation), rest_shapes_(rest_) {
+      : RelaxingTerm(ViscousHistory<2>(body, relaxation), std::move(name), MaxwellSheet{relaxation.mu, relaxation.lambda}, body, rest), rest_shapes_(rest_) {
     load_history({});
   }
 
-  void load_history(const History& history) override {
-    history_.load_history(history, count());
-    apply_history();
-  }
-  void begin_step(const StepStart& start) override {
-    history_.rewind();
-    apply_history();
-    if (start.h == 0) return;
-    history_.begin_step(start.h, [&](int t) { return strain(t, start.x); });
-    apply_history();
-  }
-  void commit(const VecX& x, History& history) const override {
-    history_.commit([&](int t) { return strain(t, x); }, history);
-  }
-  double dissipated(const VecX& x) const {
-    return history_.dissipated([&](int t) { return strain(t, x); }, [&](int t) { return rest_of(t).volume; });
-  }
-  void publish(Records& records) const override {
-    Term::publish(records);
-    records.add(StressRecord{[this](const VecX& x) { return stress(x); }});
-    publish_relaxation(records, name(), [this](const VecX& x) { return dissipated(x); });
+ protected:
+  StressRecord stress_record() const override {
+    return StressRecord{[this](const VecX& x) { return per_deformed_volume(cauchy_stress(x)); }};
   }
 
  private:
+  friend RelaxingTerm;
   void apply_history() {
     const Relaxation<2>& relaxation = history_.relaxation();
     material_ = {history_.end_factor() * relaxation.mu, history_.end_factor() * relaxation.lambda};
@@ -67,21 +47,16 @@ class MaxwellSheetTerm : public MembraneTerm<MaxwellSheet> {
         set_lane<2, 2>(rest_[p].shape, l, get_lane<2, 2>(rest_shapes_[p].shape, l) * history_.inverse(std::min(p * pack_width + l, count() - 1)));
     }, chunk_size / pack_width);
   }
-  Relaxation<2>::Strain strain(int t, const VecX& x) const {
+  int samples() const { return count(); }
+  Strain strain(int t, const VecX& x) const {
     const Mat32 f = deformation_gradient(rest_of(t), triangles_[t], x);
     PackMat32 same;
     for (int i = 0; i < 6; ++i) same(i) = f(i);
     const PlaneStretch stretch = plane_stretch(same);
     return history_.relaxation().strain(get_lane<2, 2>(stretch.v, 0), get_lane<2, 1>(stretch.s, 0));
   }
-  // Kirchhoff's stress per present area ratio: that of the elastic part has det F_e.
-  std::vector<Mat3> stress(const VecX& x) const {
-    std::vector<Mat3> all = cauchy_stress(x);
-    for (int t = 0; t < count(); ++t) all[t] *= history_.inverse(t).determinant();
-    return all;
-  }
+  double volume_of(int t) const { return rest_of(t).volume; }
 
-  ViscousHistory<2> history_;
   std::vector<SheetRest<Pack>> rest_shapes_;  // without viscous flow; rest_ includes it
 };
 

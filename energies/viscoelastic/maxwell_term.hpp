@@ -5,7 +5,7 @@
 #include "energies/solid/solid_term.hpp"
 #include "energies/solid/svd3.hpp"
 #include "energies/viscoelastic/maxwell.hpp"
-#include "energies/viscoelastic/viscous_history.hpp"
+#include "energies/viscoelastic/relaxing_term.hpp"
 
 namespace tack {
 
@@ -15,58 +15,44 @@ inline Relaxation<3>::Strain decaying_strain(const Relaxation<3>& relaxation, co
   return relaxation.strain(svd.v, svd.s);
 }
 
-// Publishes the dissipation of a step to x.
-void publish_relaxation(Records& records, const std::string& term,
-                        std::function<double(const VecX& x)> dissipated);
-
-class MaxwellTets : public SolidTerm<Maxwell> {
+class MaxwellTets : public RelaxingTerm<MaxwellTets, SolidTerm<Maxwell>, 3> {
  public:
   MaxwellTets(std::string name, const MaxwellParameters& parameters, const Body& body,
               const VecX& rest);
 
-  void load_history(const History& history) override;
-  void begin_step(const StepStart& start) override;
-  void commit(const VecX& x, History& history) const override;
-  void publish(Records& records) const override;
-  double dissipated(const VecX& x) const;  // J
-
  protected:
-  StressRecord stress_record() const override;
-
- private:
-  void apply_history();
-  Relaxation<3>::Strain strain(int t, const VecX& x) const {
-    return decaying_strain(history_.relaxation(), deformation(t, x));
+  StressRecord stress_record() const override {
+    return StressRecord{[this](const VecX& x) { return per_deformed_volume(cauchy_stress(x)); }};
   }
 
+ private:
+  friend RelaxingTerm;
+  void apply_history();
+  int samples() const { return count(); }
+  Strain strain(int t, const VecX& x) const {
+    return decaying_strain(history_.relaxation(), deformation(t, x));
+  }
+  double volume_of(int t) const { return rest_of(t).volume; }
+
   MaxwellParameters parameters_;
-  ViscousHistory<3> history_;
   std::vector<TetRest<Pack>> rest_shapes_;  // without viscous flow; rest_ includes it
 };
 
-class CompositeMaxwell : public CompositeTerm<Maxwell> {
+class CompositeMaxwell : public RelaxingTerm<CompositeMaxwell, CompositeTerm<Maxwell>, 3> {
  public:
   CompositeMaxwell(std::string name, const MaxwellParameters& parameters, const Body& body,
                    const VecX& rest);
 
-  void load_history(const History& history) override;
-  void begin_step(const StepStart& start) override;
-  void commit(const VecX& x, History& history) const override;
-  void publish(Records& records) const override;
-  double dissipated(const VecX& x) const;  // J
-
  private:
+  friend RelaxingTerm;
   void apply_history();
-  Relaxation<3>::Strain strain(int sample, const VecX& x) const {
-    return decaying_strain(history_.relaxation(), tets_.deformation(sample / composite_samples,
-                                                                    sample % composite_samples, x));
+  int samples() const { return composite_samples * count(); }
+  Strain strain(int i, const VecX& x) const {
+    return decaying_strain(history_.relaxation(), tets_.deformation(i, x));
   }
-  double volume_of(int sample) const {
-    return tets_.weight(sample % composite_samples) * tets_.volume_of(sample / composite_samples);
-  }
+  double volume_of(int i) const { return tets_.volume_of_sample(i); }
 
   MaxwellParameters parameters_;
-  ViscousHistory<3> history_;
 };
 
 }  // namespace tack

@@ -31,14 +31,14 @@ class ViscousHistory {
       committed_.resize(static_cast<size_t>(size) * samples);
       for (int i = 0; i < samples; ++i) set(committed_, i, Matrix::Identity());
     }
-    rewind();
+    restore();
   }
 
-  // Goes back to the end of the last step.
-  void rewind() {
-    h_ = 0;
-    inverse_ = committed_;
-    strains_.clear();
+  // Goes back to the end of the last step. Returns false if it was there.
+  bool rewind() {
+    if (h_ == 0) return false;
+    restore();
+    return true;
   }
   // Starts a step h > 0 [s] from the end of the last, which has the elastic strains strain(i).
   template <class StrainOf>
@@ -91,6 +91,11 @@ class ViscousHistory {
     Eigen::Map<Matrix>(all.data() + size * static_cast<size_t>(i)) = m;
   }
   int samples() const { return static_cast<int>(inverse_.size() / size); }
+  void restore() {
+    h_ = 0;
+    inverse_ = committed_;
+    strains_.clear();
+  }
 
   std::string name_;  // of its history array
   Relaxation<N> relaxation_;
