@@ -67,6 +67,7 @@ TEST_CASE("experiment integrators/top") { check_experiment("integrators/top.yaml
 TEST_CASE("experiment integrators/creep") { check_experiment("integrators/creep.yaml"); }
 TEST_CASE("experiment calibration/pull") { check_experiment("calibration/pull.yaml"); }
 TEST_CASE("experiment calibration/peel") { check_experiment("calibration/peel.yaml"); }
+TEST_CASE("experiment calibration/tack") { check_experiment("calibration/tack.yaml"); }
 TEST_CASE("experiment laws/xu_needleman") { check_experiment("laws/xu_needleman.yaml"); }
 TEST_CASE("experiment laws/dugdale") { check_experiment("laws/dugdale.yaml"); }
 TEST_CASE("experiment laws/lennard_jones") { check_experiment("laws/lennard_jones.yaml"); }
@@ -164,6 +165,14 @@ TEST_CASE("experiment plasticity/flatten") { check_experiment("plasticity/flatte
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
 
 TEST_CASE("experiment viscoelastic/standard_solid") { check_experiment("viscoelastic/standard_solid.yaml"); }
+// Near the slow limit, in the range of the power law and near the fast limit.
+TEST_CASE("experiment viscoelastic/peel") {
+  const std::string pull = GENERATE("0.11 N/m", "0.4 N/m", "0.8 N/m");
+  const Outcome o = run("viscoelastic/peel.yaml", {"--set", "pull=" + pull});
+  CAPTURE(pull);
+  CHECK(o.result.exit_code == 0);
+  check_states(o);
+}
 
 TEST_CASE("experiment friction/stick_slip") { check_experiment("friction/stick_slip.yaml"); }
 
