@@ -9,6 +9,8 @@
 
 namespace tack {
 
+struct ChunkOrder;
+
 /// Reference to a callable of one chunk index.
 class ChunkCall {
  public:
@@ -30,6 +32,11 @@ class LoopObserver {
   /// Calls chunk(0), ..., chunk(chunks - 1) in this order and thread. `loop`: the position in the
   /// source that starts the loop.
   virtual void run(const SourcePosition& loop, int chunks, const ChunkCall& chunk) = 0;
+  /// The same for a loop with dependencies between its chunks (ordered_loop.hpp).
+  virtual void run(const SourcePosition& loop, int chunks, const ChunkCall& chunk,
+                   const ChunkOrder& /*order*/) {
+    run(loop, chunks, chunk);
+  }
 };
 
 /// Active observer of this thread; null: none.

@@ -16,7 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/ordered_loop_observer.hpp"
+#include "geometry/chunk_order.hpp"
+#include "geometry/loop_observer.hpp"
 #include "geometry/thread_count.hpp"
 
 namespace tack {
@@ -39,9 +40,7 @@ class OrderedLoop {
   void run(int chunks, const Body& body, SourcePosition loop = SourcePosition::current()) {
     if (loop_observer) [[unlikely]] {
       const auto one = [&](int c) { call(body, c, c + 1); };
-      if (auto* const ordered = dynamic_cast<OrderedLoopObserver*>(loop_observer))
-        ordered->run(loop, chunks, ChunkCall(one), order_);
-      else loop_observer->run(loop, chunks, ChunkCall(one));
+      loop_observer->run(loop, chunks, ChunkCall(one), order_);
       return;
     }
     const int workers = std::min(thread_count(), chunks);

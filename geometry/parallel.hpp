@@ -84,4 +84,12 @@ double min_chunks(int n, double start, const Body& body, int chunk = chunk_size,
   return smallest;
 }
 
+// Returns the maximum of `start` and body(first, last) over all chunks.
+template <class Body>
+double max_chunks(int n, double start, const Body& body, int chunk = chunk_size,
+                  SourcePosition loop = SourcePosition::current()) {
+  const auto negative = [&](int first, int last) { return -body(first, last); };
+  return -min_chunks(n, -start, negative, chunk, loop);
+}
+
 }  // namespace tack

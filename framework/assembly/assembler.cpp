@@ -269,10 +269,10 @@ void Assembler::add_last_gradients(VecX& gradient) const {
 }
 
 double Assembler::Group::largest_force() const {
-  return -min_chunks(static_cast<int>(own_gradient_slots), 0.0, [&](int first, int last) {
+  return max_chunks(static_cast<int>(own_gradient_slots), 0.0, [&](int first, int last) {
     double largest = 0;
     for (int i = first; i < last; ++i) largest = std::max(largest, std::abs(gradient_slots[i]));
-    return -largest;
+    return largest;
   }, 4096);
 }
 

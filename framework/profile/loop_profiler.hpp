@@ -12,11 +12,12 @@
 #include "framework/core/phase_clock.hpp"
 #include "framework/profile/core_scaling.hpp"
 #include "framework/profile/loop_trace.hpp"
-#include "geometry/ordered_loop_observer.hpp"
+#include "geometry/chunk_order.hpp"
+#include "geometry/loop_observer.hpp"
 
 namespace tack {
 
-class LoopProfiler final : public OrderedLoopObserver {
+class LoopProfiler final : public LoopObserver {
  public:
   // Observes the loops of this thread from now on. cores: numbers of cores to predict for, at least
   // one; the first is the one that losses refer to. `clock` must outlive it.

@@ -31,19 +31,19 @@ bool all_of(const std::vector<int>& vertices, const Predicate& predicate) {
 
 // Returns the largest absolute value, 0 for an empty vector.
 double largest(const VecX& values) {
-  return -min_chunks(static_cast<int>(values.size()), 0.0, [&](int first, int last) {
+  return max_chunks(static_cast<int>(values.size()), 0.0, [&](int first, int last) {
     double bound = 0.0;
     for (int i = first; i < last; ++i) bound = std::max(bound, std::abs(values[i]));
-    return -bound;
+    return bound;
   }, 3 * vertices_per_task);
 }
 
 // Returns the largest absolute difference of two vectors.
 double largest_difference(const VecX& a, const VecX& b) {
-  return -min_chunks(static_cast<int>(a.size()), 0.0, [&](int first, int last) {
+  return max_chunks(static_cast<int>(a.size()), 0.0, [&](int first, int last) {
     double bound = 0.0;
     for (int i = first; i < last; ++i) bound = std::max(bound, std::abs(a[i] - b[i]));
-    return -bound;
+    return bound;
   }, 3 * vertices_per_task);
 }
 

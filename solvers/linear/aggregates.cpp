@@ -12,8 +12,8 @@ namespace {
 constexpr int flat_size = 20;       // vertices of an aggregate of a sheet or rod
 constexpr int flat_count = 2000;  // largest number of flat aggregates; aggregates of larger systems are larger
 constexpr int solid_size = 250;     // vertices of an aggregate of a solid
-// Limit of their number: the factor of their motions grows faster than the system.
-constexpr int solid_count = 400;
+// Limit of their number, which 400 000 vertices reach: the factor of their motions grows faster than the system.
+constexpr int solid_count = 1600;
 constexpr int fragment = 3;  // an aggregate smaller than its size by this factor joins a neighbour
 constexpr double flat = 0.02;       // square of thickness over width
 

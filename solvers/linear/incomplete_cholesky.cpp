@@ -12,6 +12,7 @@
 #include "framework/core/lanes.hpp"
 #include "geometry/ordered_loop.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/unset_array.hpp"
 #include "solvers/linear/lower_rows.hpp"
 #include "solvers/linear/preconditioner.hpp"
 #include "solvers/linear/row_tiles.hpp"
@@ -33,9 +34,11 @@ class IncompleteCholesky : public Preconditioner {
       version_ = matrix.version;
       column_start_ = matrix.column_start;
       row_ = matrix.row;
-      exact_.resize(matrix.values.size() + 1);
-      lower_.resize(matrix.values.size() + 1);
-      upper_.resize(matrix.values.size() + 1);
+      const size_t numbers = matrix.values.size();
+      exact_.resize(numbers + 1);  // padded blocks are read with the number that follows
+      lower_.resize(numbers + 1);
+      upper_.resize(numbers + 1);
+      exact_.data()[numbers] = 0, lower_.data()[numbers] = 0, upper_.data()[numbers] = 0;
     }
     const bool as_before = rows_.size() >= many && rows_.size() == kept_size_;
     const int systems = as_before ? systems_ + 1 : 0;
@@ -161,9 +164,9 @@ class IncompleteCholesky : public Preconditioner {
   int kept_size_ = 0;      // vertices of the last system; 0: factorisation failed
   double kept_shift_ = 0;  // shift of the last system
   int systems_ = 0;        // consecutive systems of that size
-  std::vector<double> exact_;         // blocks of L, by rows
-  std::vector<float> lower_;          // blocks of L, by rows
-  std::vector<float> upper_;          // blocks of L^T, in the order of the matrix
+  UnsetArray<double> exact_;        // blocks of L, by rows
+  UnsetArray<float> lower_;         // blocks of L, by rows
+  UnsetArray<float> upper_;         // blocks of L^T, in the order of the matrix
   VecX x_;                            // four numbers per row
 };
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/concatenate.hpp"
+#include "geometry/parallel.hpp"
+
 namespace tack {
 namespace {
 
@@ -11,6 +14,7 @@ namespace {
 constexpr int tile_min = 8, tile_max = 256;
 // Tiles that are enough for the fronts of a solid: in larger systems, short lines are joined.
 constexpr int enough_tiles = 512, joined_max = 64;
+constexpr int tiles_per_task = 32;
 
 // Fraction of all tiles that a strip may have; else lines wait for each other, as in a sheet.
 constexpr double strip_max = 1.0 / 8;
@@ -29,6 +33,26 @@ int longest_strip(const ChunkOrder& order) {
   int longest = 0;
   for (size_t s = 0; s + 1 < order.strip_start.size(); ++s) longest = std::max(longest, order.strip_start[s + 1] - order.strip_start[s]);
   return longest;
+}
+
+// Returns the tiles that find(t, mark, tiles) appends to `tiles` for each tile t. mark: a number for each tile, less
+// than t if find has not written it for t.
+template <class Find>
+ChunkOrder collect(int count, const Find& find) {
+  std::vector<std::vector<int>> found(chunk_count(count, tiles_per_task));
+  ChunkOrder order;
+  order.start.resize(count + 1);
+  for_each_chunk(count, [&](int chunk, int first, int last) {
+    std::vector<int> mark(count, -1);
+    for (int t = first; t < last; ++t) {
+      const size_t size = found[chunk].size();
+      find(t, mark, found[chunk]);
+      order.start[t + 1] = static_cast<int>(found[chunk].size() - size);
+    }
+  }, tiles_per_task);
+  std::partial_sum(order.start.begin(), order.start.end(), order.start.begin());
+  concatenate(found, order.before);
+  return order;
 }
 
 }  // namespace
@@ -64,24 +88,21 @@ void RowTiles::cut(const LowerRows& rows, int limit) {
 }
 
 void RowTiles::connect(const LowerRows& rows) {
-  before = {};
   std::vector<int> tile_of(rows.size());
-  for (int t = 0; t < count(); ++t) std::fill(tile_of.begin() + start[t], tile_of.begin() + start[t + 1], t);
-  std::vector<int> all_start = {0}, all;  // tiles of the columns of each tile's rows
-  std::vector<int> found(count(), -1), implied(count(), -1);
-  for (int t = 0; t < count(); ++t) {
+  for_each(count(), [&](int t) { std::fill(tile_of.begin() + start[t], tile_of.begin() + start[t + 1], t); }, tiles_per_task);
+  const ChunkOrder all = collect(count(), [&](int t, std::vector<int>& found, std::vector<int>& tiles) {  // of the columns of each tile's rows
     for (int e = rows.row_start[start[t]]; e < rows.row_start[start[t + 1]]; ++e)
       if (const int other = tile_of[rows.column[e]]; other != t && found[other] != t) {
         found[other] = t;
-        all.push_back(other);
+        tiles.push_back(other);
       }
-    all_start.push_back(static_cast<int>(all.size()));
-    for (int k = all_start[t]; k < all_start[t + 1]; ++k)
-      for (int l = all_start[all[k]]; l < all_start[all[k] + 1]; ++l) implied[all[l]] = t;
-    for (int k = all_start[t]; k < all_start[t + 1]; ++k)
-      if (implied[all[k]] != t) before.before.push_back(all[k]);
-    before.start.push_back(static_cast<int>(before.before.size()));
-  }
+  });
+  before = collect(count(), [&](int t, std::vector<int>& implied, std::vector<int>& tiles) {
+    for (int k = all.start[t]; k < all.start[t + 1]; ++k)
+      for (int l = all.start[all.before[k]]; l < all.start[all.before[k] + 1]; ++l) implied[all.before[l]] = t;
+    for (int k = all.start[t]; k < all.start[t + 1]; ++k)
+      if (implied[all.before[k]] != t) tiles.push_back(all.before[k]);
+  });
   find_strips(before);
 }
 
