@@ -122,10 +122,10 @@ bool NarrowPhase::may_integrate(const PointGroup& group) const {
 void NarrowPhase::look_up_patches(const std::vector<PointGroup>& groups) {
   patches_of_group_.resize(groups.size());
   for_each_chunk(static_cast<int>(groups.size()), [&](int, int first, int last) {
-    SortedCursor<GroupPatches> known(patches_);
+    SortedCursor<PatchesOf> known(patch_index_);
     for (int i = first; i < last; ++i) {
-      const GroupPatches* found = known.find(groups[i].key());
-      patches_of_group_[i] = found ? static_cast<int>(found - patches_.data()) : -1;
+      const PatchesOf* found = known.find(groups[i].key());
+      patches_of_group_[i] = found ? found->patches : -1;
     }
   });
 }
@@ -152,10 +152,12 @@ void NarrowPhase::add_patches(const Candidates& candidates, bool later) {
       }
     }
   }, groups_per_chunk);
-  std::vector<GroupPatches> added;
-  concatenate(chunks, added);
+  std::vector<PatchesOf> added;
+  for (const std::vector<GroupPatches>& chunk : chunks)
+    for (const GroupPatches& patches : chunk) added.push_back({patches.key(), static_cast<int>(patches_.size() + added.size())});
   if (added.empty()) return;
-  patches_ = merge_sorted(patches_, added, [](const GroupPatches& p) { return p.key(); });
+  append(chunks, patches_);
+  patch_index_ = merge_sorted(patch_index_, added, [](const PatchesOf& p) { return p.key(); });
   look_up_patches(groups);
 }
 
@@ -182,6 +184,7 @@ void NarrowPhase::begin_step(const Candidates& candidates) {
   begun_ = true;
   weights_at_start_ = previous_weights_;
   patches_.clear();
+  patch_index_.clear();
   add_patches(candidates, false);
   overlap_.choose_sides(patches_, sides_);
   if (overlap_.needed()) {
@@ -196,7 +199,8 @@ void NarrowPhase::make_lists(const Candidates& candidates, const EarlierVertexQu
   item_maps_.reset();
   rods_.find(candidates, lagged_);
   const VertexQuadratureRequest request{surface_, pairs_, rules_, lagged_, sides_, rods_, candidates, patches_, patches_of_group_, weights_at_start_};
-  quadrature_ = make_vertex_quadrature(request, earlier);
+  make_vertex_quadrature(request, earlier, earlier_quadrature_);
+  std::swap(quadrature_, earlier_quadrature_);
   if (earlier) update_interior_patches(earlier->changed, overlap_, surface_.mesh, lagged_, broad_phase_, interior_patches_);
   else interior_patches_ = make_interior_patches(overlap_, surface_.mesh, lagged_, broad_phase_);
 }

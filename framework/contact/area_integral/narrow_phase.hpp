@@ -80,9 +80,18 @@ class NarrowPhase {
   OverlapBoundaryForces overlap_boundary_forces_;
   const BroadPhase& broad_phase_;
   FreeVertices free_;
-  std::vector<GroupPatches> patches_;  // of the groups of this step that integrate, by key
-  std::vector<int> patches_of_group_;  // per group of the candidates: index into them, or -1
+  // Patches of the groups of this step that integrate: by key those of its first candidates, then
+  // those that each later list of candidates adds.
+  std::vector<GroupPatches> patches_;
+  struct PatchesOf {
+    std::array<int, 2> group;
+    int patches;  // index
+    const std::array<int, 2>& key() const { return group; }
+  };
+  std::vector<PatchesOf> patch_index_;  // by key
+  std::vector<int> patches_of_group_;   // per group of the candidates: index of its patches, or -1
   VertexQuadrature quadrature_;
+  VertexQuadrature earlier_quadrature_;  // memory for the next one
   InteriorPatches interior_patches_;  // of the samples of the overlap
   EdgePairs edges_;
   RodOverlaps rods_;  // of this step

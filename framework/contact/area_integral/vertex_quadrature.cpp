@@ -352,7 +352,7 @@ class QuadratureMaker {
 
 }  // namespace
 
-VertexQuadrature make_vertex_quadrature(const VertexQuadratureRequest& request, const EarlierVertexQuadrature* earlier) {
+void make_vertex_quadrature(const VertexQuadratureRequest& request, const EarlierVertexQuadrature* earlier, VertexQuadrature& all) {
   constexpr int groups_per_chunk = 64;
   const int n = static_cast<int>(request.candidates.groups.all.size());
   std::vector<VertexQuadrature> chunks(chunk_count(n, groups_per_chunk));
@@ -361,7 +361,7 @@ VertexQuadrature make_vertex_quadrature(const VertexQuadratureRequest& request, 
     for (int g = first; g < last; ++g) maker.add(g);
     chunks[c] = maker.take();
   }, groups_per_chunk);
-  return joined(chunks);
+  join(chunks, all);
 }
 
 }  // namespace tack

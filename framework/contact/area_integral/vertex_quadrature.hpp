@@ -61,10 +61,11 @@ struct EarlierVertexQuadrature {
   const VertexQuadrature& quadrature;
   const ChangedPrimitives& changed;
 };
-// Returns the quadrature points of all groups. earlier: null if there are none in this step.
-VertexQuadrature make_vertex_quadrature(const VertexQuadratureRequest& request,
-                                        const EarlierVertexQuadrature* earlier);
-// Joins the points of all chunks of groups, in their order.
-VertexQuadrature joined(const std::vector<VertexQuadrature>& chunks);
+// Replaces `all` by the quadrature points of all groups. earlier: null if there are none in this
+// step; its quadrature is another one.
+void make_vertex_quadrature(const VertexQuadratureRequest& request,
+                            const EarlierVertexQuadrature* earlier, VertexQuadrature& all);
+// Replaces `all` by the points of all chunks of groups, in their order.
+void join(const std::vector<VertexQuadrature>& chunks, VertexQuadrature& all);
 
 }  // namespace tack

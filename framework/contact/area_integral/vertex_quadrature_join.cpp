@@ -19,11 +19,10 @@ struct QuadratureOffsets {
 
 }  // namespace
 
-VertexQuadrature joined(const std::vector<VertexQuadrature>& chunks) {
+void join(const std::vector<VertexQuadrature>& chunks, VertexQuadrature& all) {
   std::vector<QuadratureOffsets> offsets(1);
   for (const VertexQuadrature& chunk : chunks) offsets.push_back(offsets.back().after(chunk));
   const QuadratureOffsets& end = offsets.back();
-  VertexQuadrature all;
   all.points.resize(end.point);
   all.group_begin.resize(end.group + 1);
   all.group_begin.back() = static_cast<int>(end.point);
@@ -56,7 +55,6 @@ VertexQuadrature joined(const std::vector<VertexQuadrature>& chunks) {
     copy(chunk.others, all.others, at.other);
     copy(chunk.lagged_weights, all.lagged_weights, at.lagged_weight);
   }, 4);
-  return all;
 }
 
 }  // namespace tack

@@ -160,9 +160,8 @@ void EdgePairs::choose(const Candidates& candidates, const ChangedPrimitives* ch
       if (law >= 0) chunks[c].push_back({i, edges, law});
     }
   }, chunk);
-  std::vector<EdgePair> all;
-  concatenate(chunks, all);
-  chosen_ = std::move(all);
+  concatenate(chunks, chosen_before_);
+  std::swap(chosen_, chosen_before_);
 }
 
 void EdgePairs::search(const Candidates& candidates, const DisplacementBounds& displacements, const std::vector<char>& free, const VecX& x, int first,

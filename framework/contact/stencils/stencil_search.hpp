@@ -120,7 +120,8 @@ class EdgePairs {
   const ContactSurface& surface_;
   const PairTable& pairs_;
   RestNeighbours neighbours_;
-  std::vector<EdgePair> chosen_;  // in the order of candidates
+  std::vector<EdgePair> chosen_;         // in the order of candidates
+  std::vector<EdgePair> chosen_before_;  // memory for the next list
 };
 
 // Replaces the stencils of a set by those of all chunks, sorted by law, and sets the thresholds of
