@@ -92,7 +92,7 @@ class NarrowPhase {
   std::vector<int> patches_of_group_;   // per group of the candidates: index of its patches, or -1
   VertexQuadrature quadrature_;
   VertexQuadrature earlier_quadrature_;  // memory for the next one
-  InteriorPatches interior_patches_;  // of the samples of the overlap
+  InteriorPatches interior_patches_;     // of the samples of the overlap
   EdgePairs edges_;
   RodOverlaps rods_;  // of this step
   // Items by vertex, made for touching().

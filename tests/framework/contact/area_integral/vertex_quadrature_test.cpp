@@ -42,9 +42,14 @@ struct Points {
     std::vector<int> patches_of_group(patches.size());
     std::iota(patches_of_group.begin(), patches_of_group.end(), 0);
     const VertexQuadratureRequest request{at.surface, pairs, rules, at.lagged, sides, rods, candidates, patches, patches_of_group, {}};
-    if (!earlier) return make_vertex_quadrature(request, nullptr);
+    VertexQuadrature all;
+    if (!earlier) {
+      make_vertex_quadrature(request, nullptr, all);
+      return all;
+    }
     const EarlierVertexQuadrature before{*earlier, *changed};
-    return make_vertex_quadrature(request, &before);
+    make_vertex_quadrature(request, &before, all);
+    return all;
   }
 
   SurfaceAt at;
@@ -205,7 +210,10 @@ TEST_CASE("joined quadrature points are those of the chunks, one after another",
         c.points.push_back(p);
       }
     }
-  const VertexQuadrature all = joined(chunks);
+  VertexQuadrature all;
+  join({chunks.rbegin(), chunks.rend()}, all);
+  all.points.emplace_back();  // what is left of other points does not matter
+  join(chunks, all);
   size_t point = 0, group = 0;
   for (const VertexQuadrature& c : chunks) {
     const size_t first = point;
