@@ -10,19 +10,16 @@
 //   fast  v = 0: the bilinear law of stiffness K + K_1 with the same work: peak sigma sqrt(1 + K_1 / K), work W
 //   between, the dashpot adds to the work, most where a bond fails within about tau
 //   held  the traction decays to K / (K + K_1) of that of a fast opening as exp(-t / tau)
-// The relaxation time at the temperature T is tau a_T (thermorheologically simple), with the shift
-//     arrhenius  ln a_T = E / R (1/T - 1/T_ref)
-//     wlf        log10 a_T = -C_1 (T - T_ref) / (C_2 + T - T_ref); below T_ref - C_2 the dashpot is rigid
+// The relaxation time at the temperature T is tau a_T (temperature_shift.hpp).
 // The stored energy does not depend on the temperature. Limit: a bond whose opening falls below its flow is slack along the normal in
 // its branch, which does not flow back.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "energies/adhesion/bilinear_envelope.hpp"
 #include "framework/bond/bond_law.hpp"
+#include "framework/bond/temperature_shift.hpp"
 #include "framework/config/field.hpp"
-#include "framework/config/thermal_units.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -42,19 +39,7 @@ class ViscoelasticAdhesion : public BondLawOf<ViscoelasticAdhesion> {
     f.optional_number("tangential_strength", given_across_, units::pressure, "tau_t: strength along the surface under slow loading; sigma unless given").nonnegative();
     f.optional_number("branch_stiffness", given_branch_, units::traction_stiffness, "K_1 of the Maxwell branch, which fast loading adds to K; K unless given").nonnegative();
     f.number("relaxation_time", relaxation_time_, units::time, "tau: in which the traction of the branch decays to 1/e at a fixed opening").required().positive();
-    f.choice("shift", shift_,
-             {{"none", Shift::none, "the relaxation time does not depend on the temperature"},
-              {"arrhenius", Shift::arrhenius, "ln a_T = E / R (1/T - 1/T_ref)"},
-              {"wlf", Shift::wlf, "Williams, Landel and Ferry: log10 a_T = -C_1 (T - T_ref) / (C_2 + T - T_ref)"}},
-             "dependence of the relaxation time on environment.temperature: a_T times that at the reference temperature");
-    f.number("reference_temperature", reference_, units::temperature, "T_ref, at which relaxation_time holds").positive();
-    f.optional_number("activation_energy", activation_, units::molar_energy, "E of the shift `arrhenius`").nonnegative();
-    f.number("wlf_c1", c1_, units::none, "C_1 of the shift `wlf`; the default is that of many polymers from their glass transition").nonnegative();
-    f.number("wlf_c2", c2_, units::temperature_difference, "C_2 of the shift `wlf`").positive();
-    f.check("activation_energy", [this]() -> std::string {
-      if (shift_ == Shift::arrhenius) return activation_ ? "" : "is missing: `shift: arrhenius` needs it";
-      return activation_ ? "is of `shift: arrhenius`; choose that, or take it away" : "";
-    });
+    shift_.fields(f, "relaxation_time");
     f.check("stiffness", [this]() -> std::string { return given_stiffness_ && given_onset_ ? "follows from onset: drop one of the two" : ""; });
   }
   void prepare(const PairMaterials&) override {
@@ -71,7 +56,7 @@ class ViscoelasticAdhesion : public BondLawOf<ViscoelasticAdhesion> {
   }
   double peak_traction() const override { return strength_; }
   double work_of_adhesion() const override { return work_; }
-  bool depends_on_temperature() const override { return shift_ != Shift::none; }
+  bool depends_on_temperature() const override { return shift_.shifts(); }
 
   template <class T>
   T energy(const T& d, const Slip<T>& u, const HistoryVariables& m, double h, const SiteState& site) const {
@@ -103,15 +88,9 @@ class ViscoelasticAdhesion : public BondLawOf<ViscoelasticAdhesion> {
     double growth;  // by Y
   };
 
-  enum class Shift { none, arrhenius, wlf };
-
   // Returns tau a_T [s].
   double relaxation_time(const SiteState& site) const {
-    const double warmer = site.temperature - reference_;
-    double exponent = 0;  // ln a_T
-    if (shift_ == Shift::arrhenius) exponent = -*activation_ / gas_constant * warmer / (site.temperature * reference_);
-    if (shift_ == Shift::wlf) exponent = c2_ + warmer > 0 ? -std::numbers::ln10 * c1_ * warmer / (c2_ + warmer) : shift_max;
-    return relaxation_time_ * std::exp(std::clamp(exponent, -shift_max, shift_max));
+    return relaxation_time_ * shift_.factor(site.temperature);
   }
   StepDamage damage_of_step(double y, double before) const {
     const double x = std::sqrt(2 * y / stiffness_);
@@ -122,13 +101,7 @@ class ViscoelasticAdhesion : public BondLawOf<ViscoelasticAdhesion> {
   }
   double spent(double before, double after) const { return after > before ? envelope_.spent(after) - envelope_.spent(before) : 0; }
 
-  static constexpr double gas_constant = 8.31446261815324;  // J/(mol K)
-  static constexpr double shift_max = 300;                  // |ln a_T|
-
-  Shift shift_ = Shift::none;
-  double reference_ = room_temperature;   // K
-  std::optional<double> activation_;      // J/mol
-  double c1_ = 17.44, c2_ = 51.6;         // 1, K
+  TemperatureShift shift_;
   double strength_ = 1e4, work_ = 1, relaxation_time_ = 0.1;  // Pa, J/m^2, s
   std::optional<double> given_onset_, given_stiffness_, given_across_, given_branch_;
   double stiffness_ = 1e8, branch_ = 1e8;  // K, K_1 [Pa/m]
