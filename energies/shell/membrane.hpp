@@ -32,6 +32,7 @@ class MembraneEnergy : public Energy {
     add_sheet_mass(body, rest, density_, mass);
   }
   std::optional<double> young() const override { return young_; }
+  std::optional<double> shear() const override { return plane_stress(young_, poisson_).mu; }
 
  protected:
   // Checks the body first.

@@ -74,7 +74,7 @@ class CompositeTerm : public Term, public StencilRanges {
 
   // Returns the stresses of the parts: a part at a corner has the stress of its point, an inner
   // part the mean of the four. The pressure of U is equal in all parts.
-  std::vector<Mat3> cauchy_stress(const VecX& x) const {
+  virtual std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(tets_.parts().size());
     for_each(
         tets_.packs(),

@@ -26,7 +26,9 @@ class CompositeTets {
   int packs() const { return static_cast<int>(shape_.size()); }
   const std::vector<Tet>& parts() const { return parts_; }
   const std::vector<CompositeTet>& nodes() const { return nodes_; }
-  const Pack& volume(int pack) const { return volume_[pack]; }
+  // Returns the volumes at rest times the factors of the energy, if there are any [m^3].
+  const Pack& volume(int pack) const { return scaled_.empty() ? volume_[pack] : scaled_[pack]; }
+  // Returns the volume at rest [m^3].
   double volume_of(int tet) const { return volume_[tet / pack_width][tet % pack_width]; }
   // Returns the weight of sample k in the energy, a fraction of the volume of a tet.
   static double weight(int k) {
@@ -60,6 +62,16 @@ class CompositeTets {
                   inverse(composite_samples * std::min(p * pack_width + l, count() - 1) + k));
   }
 
+  // Multiplies the energy of each tet by factor(tet), or by 1 from now on.
+  template <class Factor>
+  void set_factors(const Factor& factor) {
+    scaled_ = volume_;
+    for (int p = 0; p < packs(); ++p)
+      for (int l = 0; l < pack_width; ++l)
+        scaled_[p].set(l, volume_[p][l] * factor(std::min(p * pack_width + l, count() - 1)));
+  }
+  void clear_factors() { scaled_.clear(); }
+
   // Returns the nodes of the tets first .. first + n at x, relative to their first nodes:
   // differences are exact far from the origin. Further lanes repeat the last tet.
   CompositeNodes at(int first, int n, const VecX& x) const;
@@ -78,7 +90,8 @@ class CompositeTets {
   std::vector<CompositeTet> nodes_;
   std::vector<PackMat3> shape_, turned_;  // of pack_width tets each; the last lanes repeat the last
                                           // tet. turned_: of each sample, or empty
-  std::vector<Pack> volume_;              // of pack_width tets each [m^3]
+  std::vector<Pack> volume_, scaled_;     // of pack_width tets each [m^3]. scaled_: times factors,
+                                          // or empty
 };
 
 }  // namespace tack

@@ -36,6 +36,7 @@ class SolidEnergy : public Energy {
   }
   std::optional<double> young() const override { return young_; }
   std::optional<double> poisson() const override { return poisson_; }
+  std::optional<double> shear() const override { return lame().mu; }
 
  protected:
   Lame lame() const { return tack::lame(young_, poisson_); }

@@ -20,6 +20,7 @@
 
 #include "energies/solid/stvk_hencky.hpp"
 #include "energies/viscoelastic/relaxation.hpp"
+#include "framework/bond/temperature_shift.hpp"
 
 namespace tack {
 
@@ -32,6 +33,7 @@ struct MaxwellParameters {
   double modulus = 1e4;  // shear modulus mu of the spring [Pa]
   double bulk = 0;       // its bulk modulus K [Pa]
   double time = 1;       // relaxation time at constant strain [s]
+  TemperatureShift shift = {};
 
   double lambda() const { return bulk - 2 * modulus / 3; }
   Relaxation<3> relaxation() const { return {modulus, lambda(), time, bulk == 0}; }

@@ -2,6 +2,7 @@
 // mu |e|^2 + lambda/2 (tr e)^2 in the Hencky strain e of the sheet's plane, lambda = 2 mu nu / (1 - nu),
 // and all of e decays, so that the thickness follows as the sheet is incompressible (nu = 0.5) or not.
 #include "energies/shell/membrane.hpp"
+#include "energies/viscoelastic/branch_parameters.hpp"
 #include "energies/viscoelastic/relaxing_term.hpp"
 
 namespace tack {
@@ -27,8 +28,10 @@ struct MaxwellSheet {
 
 class MaxwellSheetTerm : public RelaxingTerm<MaxwellSheetTerm, MembraneTerm<MaxwellSheet>, 2> {
  public:
-  MaxwellSheetTerm(std::string name, const Relaxation<2>& relaxation, const Body& body, const VecX& rest)
-      : RelaxingTerm(ViscousHistory<2>(body, relaxation), std::move(name), MaxwellSheet{relaxation.mu, relaxation.lambda}, body, rest), rest_shapes_(rest_) {
+  MaxwellSheetTerm(std::string name, const Relaxation<2>& relaxation, const TemperatureShift& shift, const Body& body, const VecX& rest)
+      : RelaxingTerm(ViscousHistory<2>(body, relaxation), ShiftedTimes(shift, body, body.sheet, rest), std::move(name), MaxwellSheet{relaxation.mu, relaxation.lambda},
+                     body, rest),
+        rest_shapes_(rest_) {
     load_history({});
   }
 
@@ -41,10 +44,13 @@ class MaxwellSheetTerm : public RelaxingTerm<MaxwellSheetTerm, MembraneTerm<Maxw
   friend RelaxingTerm;
   void apply_history() {
     const Relaxation<2>& relaxation = history_.relaxation();
-    material_ = {history_.end_factor() * relaxation.mu, history_.end_factor() * relaxation.lambda};
+    material_ = {material_factor() * relaxation.mu, material_factor() * relaxation.lambda};
     for_each(static_cast<int>(rest_.size()), [&](int p) {
-      for (int l = 0; l < pack_width; ++l)
-        set_lane<2, 2>(rest_[p].shape, l, get_lane<2, 2>(rest_shapes_[p].shape, l) * history_.inverse(std::min(p * pack_width + l, count() - 1)));
+      for (int l = 0; l < pack_width; ++l) {
+        const int t = std::min(p * pack_width + l, count() - 1);
+        set_lane<2, 2>(rest_[p].shape, l, get_lane<2, 2>(rest_shapes_[p].shape, l) * history_.inverse(t));
+        rest_[p].volume.set(l, volume_of(t) * volume_factor(t));
+      }
     }, chunk_size / pack_width);
   }
   int samples() const { return count(); }
@@ -55,7 +61,7 @@ class MaxwellSheetTerm : public RelaxingTerm<MaxwellSheetTerm, MembraneTerm<Maxw
     const PlaneStretch stretch = plane_stretch(same);
     return history_.relaxation().strain(get_lane<2, 2>(stretch.v, 0), get_lane<2, 1>(stretch.s, 0));
   }
-  double volume_of(int t) const { return rest_of(t).volume; }
+  double volume_of(int t) const { return rest_shapes_[t / pack_width].volume[t % pack_width]; }
 
   std::vector<SheetRest<Pack>> rest_shapes_;  // without viscous flow; rest_ includes it
 };
@@ -64,17 +70,21 @@ class MaxwellMembrane : public Energy {
  public:
   void fields(Fields& f) override {
     Energy::fields(f);
-    f.number("modulus", modulus_, units::pressure, "shear modulus of the spring").required().positive();
+    branch_.stiffness_fields(f);
     f.number("poisson", poisson_, units::none, "Poisson's ratio of the spring; 0.5: its volume does not change").range(0, 0.5);
-    f.number("time", time_, units::time, "relaxation time: the stress at constant strain falls by 1/e").required().positive();
+    branch_.time_fields(f);
   }
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
     require_sheet(body, rest, type());
-    return std::make_unique<MaxwellSheetTerm>(std::string(type()), Relaxation<2>{modulus_, 2 * modulus_ * poisson_ / (1 - poisson_), time_, false}, body, rest);
+    const double shear = branch_.shear(body, type());
+    return std::make_unique<MaxwellSheetTerm>(std::string(type()), Relaxation<2>{shear, 2 * shear * poisson_ / (1 - poisson_), branch_.time, false}, branch_.shift, body,
+                                              rest);
   }
+  bool depends_on_temperature() const override { return branch_.shift.shifts(); }
 
  private:
-  double modulus_ = 1e4, poisson_ = 0.5, time_ = 1;
+  BranchParameters branch_;
+  double poisson_ = 0.5;
 };
 
 TACK_REGISTER(Energy, MaxwellMembrane, "maxwell_membrane",

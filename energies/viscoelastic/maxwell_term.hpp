@@ -32,7 +32,7 @@ class MaxwellTets : public RelaxingTerm<MaxwellTets, SolidTerm<Maxwell>, 3> {
   Strain strain(int t, const VecX& x) const {
     return decaying_strain(history_.relaxation(), deformation(t, x));
   }
-  double volume_of(int t) const { return rest_of(t).volume; }
+  double volume_of(int t) const { return rest_shapes_[t / pack_width].volume[t % pack_width]; }
 
   MaxwellParameters parameters_;
   std::vector<TetRest<Pack>> rest_shapes_;  // without viscous flow; rest_ includes it
@@ -42,6 +42,9 @@ class CompositeMaxwell : public RelaxingTerm<CompositeMaxwell, CompositeTerm<Max
  public:
   CompositeMaxwell(std::string name, const MaxwellParameters& parameters, const Body& body,
                    const VecX& rest);
+
+ protected:
+  std::vector<Mat3> cauchy_stress(const VecX& x) const override;
 
  private:
   friend RelaxingTerm;

@@ -41,21 +41,25 @@ class ViscousHistory {
     return true;
   }
   // Starts a step h > 0 [s] from the end of the last, which has the elastic strains strain(i).
+  // shifts: factors of the relaxation time, of equal numbers of successive samples; none: 1.
   template <class StrainOf>
-  void begin_step(double h, const StrainOf& strain) {
+  void begin_step(double h, std::vector<double> shifts, const StrainOf& strain) {
     h_ = h;
+    shifts_ = std::move(shifts);
     strains_.resize(inverse_.size());
     for_each(samples(), [&](int i) {
       const Strain first = strain(i);
+      const Relaxation<N> relaxation = shifted(i);
       set(strains_, i, first.tensor());
-      set(inverse_, i, inverse(i) * relaxation_.flow(first, relaxation_.start(h)));
+      set(inverse_, i, inverse(i) * relaxation.flow(first, relaxation.start(h)));
     });
   }
 
   // Returns F_v^-1 of the step: between steps that of the end of the last one.
   Matrix inverse(int i) const { return matrix(inverse_, i); }
-  // Returns the factor a of the potential.
-  double end_factor() const { return relaxation_.end(h_); }
+  // Returns the factor a of the potential of sample i, and whether it is that of all samples.
+  double end_factor(int i) const { return shifted(i).end(h_); }
+  bool uniform() const { return shifts_.size() <= 1; }
   const Relaxation<N>& relaxation() const { return relaxation_; }
 
   // Stores F_v^-1 at the end of a step with the trial strains strain(i).
@@ -64,7 +68,7 @@ class ViscousHistory {
     HistoryArray inverses{size, inverse_, {}};
     if (h_ > 0)
       for_each(samples(), [&](int i) {
-        set(inverses.values, i, inverse(i) * relaxation_.flow(strain(i), relaxation_.end(h_)));
+        set(inverses.values, i, inverse(i) * relaxation_.flow(strain(i), end_factor(i)));
       });
     history[name_] = std::move(inverses);
   }
@@ -76,7 +80,7 @@ class ViscousHistory {
     return sum_chunks(samples(), [&](int first, int last) {
       double sum = 0;
       for (int i = first; i < last; ++i)
-        sum += volume(i) * relaxation_.dissipated(h_, matrix(strains_, i), strain(i).tensor());
+        sum += volume(i) * shifted(i).dissipated(h_, matrix(strains_, i), strain(i).tensor());
       return sum;
     });
   }
@@ -91,8 +95,14 @@ class ViscousHistory {
     Eigen::Map<Matrix>(all.data() + size * static_cast<size_t>(i)) = m;
   }
   int samples() const { return static_cast<int>(inverse_.size() / size); }
+  Relaxation<N> shifted(int i) const {
+    Relaxation<N> relaxation = relaxation_;
+    if (!shifts_.empty()) relaxation.time *= shifts_[i / (samples() / shifts_.size())];
+    return relaxation;
+  }
   void restore() {
     h_ = 0;
+    shifts_.clear();
     inverse_ = committed_;
     strains_.clear();
   }
@@ -102,6 +112,7 @@ class ViscousHistory {
   std::vector<double> committed_;  // F_v^-1 after the last step, column major
   std::vector<double> inverse_;    // F_v'^-1 of this step
   std::vector<double> strains_;    // e_n of this step, the part that decays
+  std::vector<double> shifts_;     // factors of the relaxation time in this step
   double h_ = 0;                   // step size [s]; 0: between steps
 };
 

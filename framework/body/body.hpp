@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@
 
 namespace tack {
 
+class Energy;
+class Environment;
 class RodFrames;
 
 // Rest shape of a tet that its vertices at rest do not determine.
@@ -29,7 +32,9 @@ struct Body {
   bool movable = true;  // some vertex is free at some time
   // Index of the energy that is being made, from 0; it distinguishes the histories of terms.
   int energy = 0;
-  std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
+  std::span<const std::unique_ptr<Energy>> energies;  // of the object, in the order of the scene
+  const Environment* environment = nullptr;           // null: room temperature
+  std::map<std::string, std::vector<int>> tags;       // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
   // Rest shapes of the tets after remeshing with flow (flowed_mesh.hpp); else empty.
   std::vector<TetReference> references;

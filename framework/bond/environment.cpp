@@ -11,7 +11,7 @@
 namespace tack {
 
 void Environment::fields(Fields& f) {
-  f.schedule("temperature", temperature_, units::temperature, "temperature of all bonds").positive();
+  f.schedule("temperature", temperature_, units::temperature, "temperature of everything that depends on it").positive();
   f.text("profile", profile_, "formula of the time t [s], the position at rest x, y, z [m] and the parameters: temperature that is added [K]").formula({"t", "x", "y", "z"});
   f.quantities("parameters", parameters_, "parameters of the profile, with their units");
   f.check("profile", [this] { return compile(); });

@@ -1,5 +1,5 @@
 // The temperature of a scene: a schedule, and a profile over the positions at rest. Bond laws that
-// depend on the temperature read it (site_state.hpp).
+// depend on the temperature read it (site_state.hpp), and energies (Energy).
 #pragma once
 
 #include <map>
@@ -18,6 +18,8 @@ class Environment {
   /// Returns the temperature [K] of a material point, given its position at rest [m]. Throws
   /// SimulationError unless it is finite and above zero. Not thread-safe.
   double temperature(double time, const Vec3& rest_position) const;
+  /// Returns true if the temperature is that of the schedule everywhere.
+  bool uniform() const { return !compiled_; }
 
  private:
   std::string compile();

@@ -34,6 +34,11 @@ class Energy : public Component {
   virtual std::optional<double> young() const { return std::nullopt; }
   /// Poisson's ratio of a solid [1].
   virtual std::optional<double> poisson() const { return std::nullopt; }
+  /// Shear modulus of small strains of a solid or a membrane [Pa]. Branches that relax beside it
+  /// are fractions of it.
+  virtual std::optional<double> shear() const { return std::nullopt; }
+  /// Returns true if the term reads Body::environment.
+  virtual bool depends_on_temperature() const { return false; }
   /// Bending stiffness of a sheet or rod per width [N m]; 0 if it does not resist bending.
   virtual double bending_stiffness(const Body& /*body*/) const { return 0; }
 

@@ -165,7 +165,7 @@ void SceneConfig::fields(Fields& f) {
   f.list("selections", selections, "named sets of vertices as those of an object, for all objects in which they select a vertex");
   f.component_list("interactions", interactions, "joints, springs, ropes, fluid cavities and other connections of objects");
   f.optional_object("contact", contact, "contact between all objects; without it there is none");
-  f.optional_object("environment", environment, "temperature, for adhesion laws that depend on it; 293.15 K unless given");
+  f.optional_object("environment", environment, "temperature, for adhesion laws and energies that depend on it; 293.15 K unless given");
   f.optional_object("start", start, "initial state from a run: objects start at time 0 in the state of a checkpoint of that run");
   f.check("start", [this]() -> std::string {
     return start && contact && contact->overclosure_adjustment ? "places objects, as contact.overclosure_adjustment does; take one of them out" : "";

@@ -292,6 +292,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     world->bodies.back().digest = digests[i];
     world->bodies.back().from_file = scene.objects[i].shape->reads_files();
     world->bodies.back().notes = std::move(notes[i]);
+    world->bodies.back().energies = scene.objects[i].energies;
+    world->bodies.back().environment = scene.environment ? &*scene.environment : nullptr;
   });
   meshes.clear();
   world->mass = world->gravitational_mass = VecX::Zero(world->rest.size() / 3);

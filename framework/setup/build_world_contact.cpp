@@ -72,12 +72,15 @@ void check_range(const PairTable& table, const Value& root, const VecX& rest) {
                                "the range of the adhesion", contact ? contact->mark.text() + ": " : "", range, size));
 }
 
-// Throws InputError at a temperature that no law of the scene reads.
+// Throws InputError at a temperature that no energy of the scene reads, and no law.
 void refuse_environment(const SceneConfig& scene, const Value& root) {
   if (!scene.environment) return;
+  for (const ObjectConfig& object : scene.objects)
+    for (const auto& energy : object.energies)
+      if (energy->depends_on_temperature()) return;
   const Value* environment = root.find("environment");
   throw InputError((environment ? environment->mark.text() + ": " : "") +
-                   "no adhesion law of the scene depends on the temperature, which acts on nothing else; take `environment` away, or choose such a law (`viscoelastic` with `shift`)");
+                   "no adhesion law or energy of the scene depends on the temperature, which acts on nothing else; take `environment` away, or choose one that does (`viscoelastic` with `shift`, or a `maxwell` energy with `shift`)");
 }
 
 // Returns the rigid group of each vertex: prescribed rigid motions and affine bodies; empty without

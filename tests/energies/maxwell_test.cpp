@@ -1,9 +1,10 @@
-// Maxwell branches: relaxation, creep and moduli over frequency against closed forms of linear viscoelasticity, derivatives, dissipation.
+// Maxwell branches: relaxation, creep and moduli over frequency against closed forms of linear viscoelasticity, derivatives, dissipation, temperature.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
 
+#include "framework/bond/environment.hpp"
 #include "framework/scene/energy.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/dense_term.hpp"
@@ -260,4 +261,105 @@ TEST_CASE("maxwell_membrane: a sheet relaxes in its plane, with derivatives and 
     const double s = t / relaxation_time;
     CHECK(lost == Approx((2 * modulus + lambda) * rate * rate * relaxation_time * relaxation_time * (s + 2 * std::expm1(-s) - std::expm1(-2 * s) / 2)).epsilon(1e-8));
   }
+}
+
+TEST_CASE("maxwell: a fraction is that of the energy beside it", "[maxwell]") {
+  std::vector<std::unique_ptr<Energy>> beside;
+  beside.push_back(component<Energy>("{type: neo_hookean, young: 26 kPa, poisson: 0.3}"));  // G = 10 kPa, K = 65/3 kPa
+  TetBody box(Vec3(0.3, 0.2, 0.1), {1, 1, 1});
+  const auto gradient = [&](const std::string& yaml) {
+    const auto term = component<Energy>(yaml)->make_term(box.body, box.rest);
+    return VecX(dense_gradient(*term, box.deformed(stretch(0.2) * shear(0.1) * 1.1)));
+  };
+  CHECK_THROWS_WITH(gradient("{type: maxwell, fraction: 2, time: 1}"), Catch::Contains("none of its energies have one; give `modulus`"));
+  box.body.energies = beside;
+  const VecX given = gradient("{type: maxwell, modulus: 20 kPa, bulk: 65 kPa, time: 1}");
+  CHECK((gradient("{type: maxwell, fraction: 2, bulk_fraction: 3, time: 1}") - given).norm() <= 1e-12 * given.norm());
+  beside.push_back(component<Energy>("{type: gent, shear_modulus: 1 kPa, j_m: 10}"));
+  box.body.energies = beside;
+  CHECK_THROWS_WITH(gradient("{type: maxwell, fraction: 2, time: 1}"), Catch::Contains("2 of its energies have one"));
+  CHECK_THROWS_WITH(component<Energy>("{type: maxwell, time: 1}"), Catch::Contains("give one of the two"));
+  CHECK_THROWS_WITH(component<Energy>("{type: maxwell, modulus: 1 Pa, fraction: 1, time: 1}"), Catch::Contains("give one of the two"));
+  CHECK_THROWS_WITH(component<Energy>("{type: maxwell, modulus: 1 Pa, bulk: 1 Pa, bulk_fraction: 1, time: 1}"), Catch::Contains("give one of the two"));
+  CHECK_THROWS_WITH(component<Energy>("{type: maxwell, modulus: 1 Pa, time: 1, shift: arrhenius}"), Catch::Contains("activation_energy"));
+}
+
+TEST_CASE("maxwell: the temperature shifts the time of each element", "[maxwell]") {
+  const std::string arrhenius = ", shift: arrhenius, activation_energy: 60 kJ/mol, reference_temperature: 300", wlf = ", shift: wlf, wlf_c1: 8.86, wlf_c2: 101.6, reference_temperature: 300";
+  const auto factor = [&](const std::string& shift, double kelvin) {
+    return shift == wlf ? std::pow(10, -8.86 * (kelvin - 300) / (101.6 + kelvin - 300)) : std::exp(60e3 / 8.31446261815324 * (1 / kelvin - 1 / 300.0));
+  };
+  for (const std::string& shift : {arrhenius, wlf})
+    for (const bool profile : {false, true}) {
+      // Between 290 and 310 K along the body; everywhere 10 K more at each 0.4 s.
+      Environment environment;
+      bind(parse_string(profile ? "{temperature: 300, profile: (x - 0.15) * 66 + 25 * t}" : "{temperature: [[0, 300], [10, 550]]}", "test.yaml"), environment, "environment");
+      const auto check = [&](Body& body, const VecX& rest, const std::string& yaml, const auto& elements) {
+        INFO(yaml << shift);
+        body.environment = &environment;
+        const auto term = component<Energy>(yaml + shift + "}")->make_term(body, rest);
+        CHECK(component<Energy>(yaml + shift + "}")->depends_on_temperature());
+        VecX x = rest;
+        for (int v = 0; v < x.size() / 3; ++v) vertex(x, v) = stretch(0.1) * vertex(rest, v);
+        // The energies of elements at once, and their sum after each step.
+        std::vector<double> energies, times;
+        term->begin_step({rest, 0, 1e-12});
+        History history;
+        term->commit(x, history);
+        term->load_history(history);
+        const double first = term->value(x);
+        double t = 0;
+        std::vector<double> reduced(elements.size(), 0.0);
+        for (const double h : {0.1, 0.3, 0.02}) {
+          term->begin_step({x, t, h});
+          double expected = 0, all = 0;
+          for (size_t e = 0; e < elements.size(); ++e) {
+            const auto& [volume, centre] = elements[e];
+            reduced[e] += h / (relaxation_time * factor(shift, environment.temperature(t + h / 2, centre)));
+            expected += volume * std::exp(-2 * reduced[e]);
+            all += volume;
+          }
+          const double before = term->value(x), lost = Published(*term).flow("dissipated_viscous", x);
+          CHECK(dense_gradient(*term, x).norm() > 0);
+          CHECK((dense_gradient(*term, x) - gradient_by_differences([&](const VecX& y) { return term->value(y); }, x, 1e-5)).norm() < 1e-7 * dense_gradient(*term, x).norm());
+          const double stored = [&] {
+            term->begin_step({x, t, 0});
+            return term->value(x);
+          }();
+          term->begin_step({x, t, h});
+          CHECK(term->value(x) == before);  // a step that is tried again
+          term->commit(x, history);
+          term->load_history(history);
+          t += h;
+          CHECK(term->value(x) == Approx(first * expected / all).epsilon(1e-8));
+          CHECK(stored - term->value(x) == Approx(lost).epsilon(1e-6));
+        }
+      };
+      using Element = std::pair<double, Vec3>;
+      for (const Elements kind : kinds) {
+        TetBody box(Vec3(0.3, 0.2, 0.1), {2, 1, 1}, kind);
+        std::vector<Element> elements;
+        const int per = kind == Elements::composite ? 8 : 1;
+        for (size_t t = 0; t < box.body.tets.size(); t += per) {
+          double volume = 0;
+          Vec3 centre = Vec3::Zero();
+          for (int k = 0; k < per; ++k) {
+            const Tet& tet = box.body.tets[t + k];
+            Mat3 edges;
+            for (int a = 0; a < 3; ++a) edges.col(a) = vertex(box.rest, tet[a + 1]) - vertex(box.rest, tet[0]);
+            volume += edges.determinant() / 6;
+            for (const int v : tet) centre += vertex(box.rest, v) / (4 * per);
+          }
+          elements.emplace_back(volume, centre);
+        }
+        check(box.body, box.rest, fmt::format("{{type: maxwell, modulus: 2e4, time: {}", relaxation_time), elements);
+      }
+      SheetBody sheet(Vec2(0.3, 0.2), {3, 2}, 1e-3);
+      std::vector<Element> elements;
+      for (const Triangle& t : sheet.body.sheet) {
+        const Vec3 a = vertex(sheet.rest, t[0]), b = vertex(sheet.rest, t[1]), c = vertex(sheet.rest, t[2]);
+        elements.emplace_back((b - a).cross(c - a).norm(), (a + b + c) / 3);
+      }
+      check(sheet.body, sheet.rest, fmt::format("{{type: maxwell_membrane, modulus: 2e4, time: {}", relaxation_time), elements);
+    }
 }

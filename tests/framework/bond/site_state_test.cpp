@@ -139,7 +139,7 @@ TEST_CASE("warming that softens bonds is work of the environment, and the energy
 
 TEST_CASE("a temperature that nothing reads, and one below zero, are refused", "[bonds]") {
   CHECK_THROWS_WITH(TestScene(plates("{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}", "environment: {temperature: 300}\n")),
-                    Catch::Contains("no adhesion law of the scene depends on the temperature") && Catch::Contains("environment"));
+                    Catch::Contains("no adhesion law or energy of the scene depends on the temperature") && Catch::Contains("environment"));
   CHECK_THROWS_WITH(TestScene(plates(solid, "environment: {temperature: 300}\n")), Catch::Contains("`viscoelastic` with `shift`"));
   CHECK_THROWS_WITH(TestScene(plates(thermal, "environment: {temperature: -3 degC, profile: q + 1}\n")), Catch::Contains("q"));
   CHECK_THROWS_WITH(TestScene(plates(thermal, "environment: {temperature: 30 mm}\n")), Catch::Contains("expects a temperature (K)"));

@@ -114,7 +114,7 @@ TEST_CASE("residual view of solids", "[residual_view]") {
     const TetBody box(Vec3(0.1, 0.07, 0.05), {1, 1, 1}, elements);
     RandomMotions random(3);
     int views = 0;
-    for (const ComponentVariant& v : variants<Energy>({{}, {{"poisson", "0"}}, {{"poisson", "0.45"}}, {{"stiffness", "1"}}})) {
+    for (const ComponentVariant& v : variants<Energy>({{}, {{"poisson", "0"}}, {{"poisson", "0.45"}}, {{"stiffness", "1"}}, {{"modulus", "1e4"}}, {{"activation_energy", "6e4"}}, {{"modulus", "1e4"}, {"activation_energy", "6e4"}}})) {
       INFO(v.yaml << ", elements " << static_cast<int>(elements));
       const auto energy = component<Energy>(v.yaml);
       if (dynamic_cast<const EnergyWithUnknowns*>(energy.get())) continue;

@@ -60,7 +60,7 @@ void for_each_energy(const Check& check) {
   static const RodBody rod({{0, 0, 0}, {0.03, 0.01, 0}, {0.06, 0, 0.01}, {0.08, 0.02, 0.01}}, {{0, 1}, {1, 2}, {2, 3}}, {0, 3e-3, 2e-3, Vec3(0, 0, 1)});
   const DampedBody shapes[] = {{&linear.body, &linear.rest}, {&composite.body, &composite.rest}, {&patches.body, &patches.rest}, {&sheet.body, &sheet.rest}, {&rod.body, &rod.rest, &rod}};
   std::set<std::string> checked;
-  for (const ComponentVariant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"stiffness", "1e-3"}}})) {
+  for (const ComponentVariant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"stiffness", "1e-3"}}, {{"modulus", "1e4"}}, {{"activation_energy", "6e4"}}, {{"modulus", "1e4"}, {"activation_energy", "6e4"}}})) {
     if (v.type.starts_with("toy_") || v.type == "remembering") continue;  // components of other tests
     for (const DampedBody& shape : shapes) {
       const auto energy = component<Energy>(v.yaml);
