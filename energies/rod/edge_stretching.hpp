@@ -43,6 +43,19 @@ class EdgeStretching {
   void lengths(const VecX& x, double* out) const {
     for (int e = 0; e < count(); ++e) out[e] = span(e, x).norm();
   }
+  // Lengths at rest, which springs of branches change (strain_spring.hpp).
+  void rest_lengths(double* out) const {
+    for (int e = 0; e < count(); ++e) out[e] = springs_[e].length;
+  }
+  void set_rest_lengths(const double* lengths) {
+    for (int e = 0; e < count(); ++e) springs_[e].length = lengths[e];
+  }
+  // Returns the energy of changes of the lengths [J].
+  double energy_of(const double* changes) const {
+    double sum = 0;
+    for (int e = 0; e < count(); ++e) sum += springs_[e].stiffness / 2 * changes[e] * changes[e];
+    return sum;
+  }
   // See ResidualView: one for each edge.
   ResidualBatch residual_batch() const { return {2, 1, count(), batch().vertices}; }
   void residuals(const VecX& x, double* r, double* jacobian) const {

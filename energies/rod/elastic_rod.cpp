@@ -7,11 +7,12 @@
 #include "energies/rod/rod_term.hpp"
 #include "framework/config/field.hpp"
 #include "framework/scene/rolling_energy.hpp"
+#include "framework/scene/strain_energy.hpp"
 
 namespace tack {
 namespace {
 
-class ElasticRod : public RollingEnergy {
+class ElasticRod : public RollingEnergy, public StrainEnergy {
  public:
   void fields(Fields& f) override {
     Energy::fields(f);
@@ -29,14 +30,15 @@ class ElasticRod : public RollingEnergy {
     rolling_field(f);
   }
   bool twists() const override { return true; }
-  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
+  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override { return make_scaled(body, rest, 1); }
+  std::unique_ptr<Term> make_scaled(const Body& body, const VecX& rest, double scale) const override {
     const RodSection& section = section_of(body, type());
-    const double shear = shear_.value_or(young_ / (2 * (1 + poisson_)));
-    const RodMaterial material{young_ * section.area(), {young_ * section.moment_across(), young_ * section.moment_along(),
-                                                         shear * section.torsion_constant()}};
+    const double young = scale * young_, shear = scale * shear_.value_or(young_ / (2 * (1 + poisson_)));
+    const RodMaterial material{young * section.area(), {young * section.moment_across(), young * section.moment_along(), shear * section.torsion_constant()}};
     return std::make_unique<RodTerm>(std::string(type()), fmt::format("{}/energies/{}/", body.name, body.energy), material,
                                      RodRest{straight_, curvature_, twist_}, body.edges, body.rod, rest);
   }
+  std::string_view branch() const override { return "maxwell_rod"; }
   void add_mass(const Body& body, const VecX& rest, VecX& mass) const override {
     add_edge_mass(body, rest, density_, mass);
     for (const Edge& e : body.edges)

@@ -97,6 +97,24 @@ VecX RodTerm::strains(const VecX& x) const {
   return strains;
 }
 
+VecX RodTerm::rest_strains() const {
+  VecX rest(stretching_.count() + 3 * pair_count());
+  stretching_.rest_lengths(rest.data());
+  for (int p = 0; p < pair_count(); ++p) rest.segment<3>(stretching_.count() + 3 * p) = pairs_[p].rest;
+  return rest;
+}
+
+void RodTerm::set_rest_strains(const VecX& rest) {
+  stretching_.set_rest_lengths(rest.data());
+  for (int p = 0; p < pair_count(); ++p) pairs_[p].rest = rest.segment<3>(stretching_.count() + 3 * p);
+}
+
+double RodTerm::energy_of(const VecX& strains) const {
+  double sum = stretching_.energy_of(strains.data());
+  for (int p = 0; p < pair_count(); ++p) sum += (pairs_[p].root * strains.segment<3>(stretching_.count() + 3 * p)).squaredNorm() / 2;
+  return sum;
+}
+
 double RodTerm::value_of(const VecX& x, const double* strains) const {
   return stretching_.value(x, strains) + sum_chunks(pair_count(), [&](int first, int last) {
     double sum = 0;

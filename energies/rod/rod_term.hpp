@@ -16,6 +16,7 @@
 #include "energies/rod/bend_twist.hpp"
 #include "energies/rod/edge_stretching.hpp"
 #include "energies/rod/rod_pairs.hpp"
+#include "framework/core/strain_spring.hpp"
 #include "framework/core/strain_view.hpp"
 
 namespace tack {
@@ -32,7 +33,7 @@ struct RodRest {
   double twist = 0;               // 1/m
 };
 
-class RodTerm : public Term, public ResidualView, public StrainView {
+class RodTerm : public Term, public ResidualView, public StrainView, public StrainSpring {
  public:
   // frames: of these edges, perhaps among others. history_name: prefix of its history arrays.
   RodTerm(std::string name, std::string history_name, const RodMaterial& material,
@@ -58,6 +59,12 @@ class RodTerm : public Term, public ResidualView, public StrainView {
                         double* hessian) const override {
     derivatives_of(x, rest.data(), projection, gradient, hessian);
   }
+
+  // In the order of strains().
+  VecX spring_strains(const VecX& x) const override { return strains(x); }
+  VecX rest_strains() const override;
+  void set_rest_strains(const VecX& rest) override;
+  double energy_of(const VecX& strains) const override;
 
   // Stretches, and three strains of each pair.
   const ResidualView* residual_view() const override { return this; }

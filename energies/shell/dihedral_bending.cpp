@@ -2,11 +2,12 @@
 #include "energies/shell/sheet_geometry.hpp"
 #include "framework/config/field.hpp"
 #include "framework/scene/energy.hpp"
+#include "framework/scene/strain_energy.hpp"
 
 namespace tack {
 namespace {
 
-class DihedralBending : public Energy {
+class DihedralBending : public Energy, public StrainEnergy {
  public:
   enum class Rest { flat, mesh };
 
@@ -23,10 +24,12 @@ class DihedralBending : public Energy {
     });
   }
 
-  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
+  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override { return make_scaled(body, rest, 1); }
+  std::unique_ptr<Term> make_scaled(const Body& body, const VecX& rest, double scale) const override {
     require_sheet(body, rest, type());
-    return std::make_unique<DihedralTerm>(std::string(type()), body, rest, bending_stiffness(body), poisson_, rest_ == Rest::mesh);
+    return std::make_unique<DihedralTerm>(std::string(type()), body, rest, scale * bending_stiffness(body), poisson_, rest_ == Rest::mesh);
   }
+  std::string_view branch() const override { return "maxwell_bending"; }
   std::optional<double> young() const override { return young_; }
   double bending_stiffness(const Body& body) const override {
     const double t = body.thickness;

@@ -70,6 +70,44 @@ std::vector<const StencilRanges*> DihedralTerm::ranges() const {
   return all;
 }
 
+VecX DihedralTerm::spring_strains(const VecX& x) const {
+  VecX all(static_cast<Eigen::Index>(turns_.size()));
+  double* angles = all.data();
+  for (const FanStencils& fans : fans_) {
+    fans.angles(x, angles);
+    angles += fans.edge_count();
+  }
+  return all;
+}
+
+VecX DihedralTerm::rest_strains() const {
+  VecX all(static_cast<Eigen::Index>(turns_.size()));
+  double* angles = all.data();
+  for (const FanStencils& fans : fans_) {
+    fans.rest_angles(angles);
+    angles += fans.edge_count();
+  }
+  return all;
+}
+
+void DihedralTerm::set_rest_strains(const VecX& rest) {
+  const double* angles = rest.data();
+  for (FanStencils& fans : fans_) {
+    fans.set_rest_angles(angles);
+    angles += fans.edge_count();
+  }
+}
+
+double DihedralTerm::energy_of(const VecX& strains) const {
+  double sum = 0;
+  const double* angles = strains.data();
+  for (const FanStencils& fans : fans_) {
+    sum += fans.energy_of(angles);
+    angles += fans.edge_count();
+  }
+  return sum;
+}
+
 void DihedralTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
   for (const FanStencils& fans : fans_) {
     const StencilBatch batch = fans.batch();

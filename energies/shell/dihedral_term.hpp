@@ -4,10 +4,11 @@
 
 #include "energies/shell/fan_stencils.hpp"
 #include "framework/body/body.hpp"
+#include "framework/core/strain_spring.hpp"
 
 namespace tack {
 
-class DihedralTerm : public Term {
+class DihedralTerm : public Term, public StrainSpring {
  public:
   // stiffness: D [N m]. rest_angles: true if the rest mesh is free of stress, false if the flat
   // sheet is.
@@ -23,6 +24,12 @@ class DihedralTerm : public Term {
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
   std::vector<const StencilRanges*> ranges() const override;
+
+  // The angles of the dihedral edges of each fan.
+  VecX spring_strains(const VecX& x) const override;
+  VecX rest_strains() const override;
+  void set_rest_strains(const VecX& rest) override;
+  double energy_of(const VecX& strains) const override;
 
  private:
   std::string history_name_;  // of its history array

@@ -76,7 +76,7 @@ void FanStencils::begin_step(const VecX& x, const double* turns) {
     find_edges(at, all);
     for (int i = 0; i < shape_.edge_count; ++i)
       for (int l = 0; l < pack_width; ++l)
-        start_[p][i].set(l, all[i].angle[l] + 2 * pi * turns[shape_.edge_count * (p * pack_width + std::min(l, lanes(p) - 1)) + i]);
+        start_[p][i].set(l, all[i].angle[l] + 2 * pi * turns[entry(p, l, i)]);
   }, chunk_size / pack_width);
 }
 
@@ -92,6 +92,40 @@ void FanStencils::turns(const VecX& x, double* turns) const {
         turns[shape_.edge_count * (p * pack_width + l) + i] = std::round((angle[l] - all[i].angle[l]) / (2 * pi));
     }
   }, chunk_size / pack_width);
+}
+
+void FanStencils::angles(const VecX& x, double* angles) const {
+  for_each(packs(), [&](int p) {
+    Corners at;
+    DihedralEdges all;
+    corners(p, x, at);
+    find_edges(at, all);
+    for (int i = 0; i < shape_.edge_count; ++i) {
+      const Pack angle = unwound(p, i, all[i].angle);
+      for (int l = 0; l < lanes(p); ++l) angles[entry(p, l, i)] = angle[l];
+    }
+  }, chunk_size / pack_width);
+}
+
+void FanStencils::rest_angles(double* angles) const {
+  for (int p = 0; p < packs(); ++p)
+    for (int i = 0; i < shape_.edge_count; ++i)
+      for (int l = 0; l < lanes(p); ++l) angles[entry(p, l, i)] = resting_[p][i][l];
+}
+
+void FanStencils::set_rest_angles(const double* angles) {
+  for (int p = 0; p < packs(); ++p)
+    for (int i = 0; i < shape_.edge_count; ++i)
+      for (int l = 0; l < pack_width; ++l) resting_[p][i].set(l, angles[entry(p, l, i)]);
+}
+
+double FanStencils::energy_of(const double* angles) const {
+  double sum = 0;
+  for (int p = 0; p < packs(); ++p)
+    for (int l = 0; l < lanes(p); ++l)
+      for (int i = 0; i < shape_.edge_count; ++i)
+        for (int k = 0; k < shape_.edge_count; ++k) sum += c(p, i, k)[l] / 2 * angles[entry(p, l, i)] * angles[entry(p, l, k)];
+  return sum;
 }
 
 void FanStencils::corners(int pack, const VecX& x, Corners& out) const {

@@ -37,6 +37,14 @@ class FanStencils final : public StencilRanges {
   void begin_step(const VecX& x, const double* turns);
   void turns(const VecX& x, double* turns) const;
 
+  // Angles of each dihedral edge of each fan: those at x, next to those at the start of the step;
+  // and those without moments.
+  void angles(const VecX& x, double* angles) const;
+  void rest_angles(double* angles) const;
+  void set_rest_angles(const double* angles);
+  // Returns 1/2 a^T C a of angles a [J].
+  double energy_of(const double* angles) const;
+
   double value(const VecX& x) const;
   void range_derivatives(const VecX& x, Projection projection, int first, int last,
                          double* gradient, double* hessian) const override;
@@ -58,6 +66,10 @@ class FanStencils final : public StencilRanges {
 
   int packs() const { return static_cast<int>(resting_.size()); }
   int lanes(int pack) const { return std::min(pack_width, count_ - pack * pack_width); }
+  // Index of an edge of a fan in arrays of angles; further lanes repeat the last fan.
+  int entry(int pack, int lane, int i) const {
+    return shape_.edge_count * (pack * pack_width + std::min(lane, lanes(pack) - 1)) + i;
+  }
   const Pack& c(int pack, int i, int k) const {
     return c_[(static_cast<size_t>(pack) * shape_.edge_count + i) * shape_.edge_count + k];
   }
