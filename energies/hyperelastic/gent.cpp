@@ -1,5 +1,6 @@
 // Gent solid: W = -mu J_m / 2 ln(1 - (I1 - 3) / J_m), infinite from I1 - 3 = J_m on, where the
 // chains of rubber are fully extended.
+#include "energies/hyperelastic/hyperelastic_membrane.hpp"
 #include "energies/hyperelastic/hyperelastic_solid.hpp"
 
 namespace tack {
@@ -29,6 +30,10 @@ struct Gent {
 
 using GentSolid = HyperelasticSolid<Gent>;
 TACK_REGISTER(Energy, GentSolid, "gent", "Gent solid: rubber with limited extensibility.",
+              "Gent 1996, A new constitutive relation for rubber");
+
+using GentMembrane = HyperelasticMembrane<Gent>;
+TACK_REGISTER(Energy, GentMembrane, "gent_membrane", "Gent membrane: an incompressible rubber sheet with limited extensibility.",
               "Gent 1996, A new constitutive relation for rubber");
 
 }  // namespace tack

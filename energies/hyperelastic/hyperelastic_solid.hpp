@@ -96,6 +96,7 @@ class HyperelasticSolid : public Energy {
   }
   std::optional<double> young() const override { return 2 * law_.shear() * (1 + poisson_); }
   std::optional<double> poisson() const override { return poisson_; }
+  std::optional<double> shear() const override { return law_.shear(); }
 
  private:
   Law law_;

@@ -1,4 +1,5 @@
 // Mooney-Rivlin solid: W = c10 (I1 - 3) + c01 (I2 - 3), shear modulus 2 (c10 + c01).
+#include "energies/hyperelastic/hyperelastic_membrane.hpp"
 #include "energies/hyperelastic/hyperelastic_solid.hpp"
 
 namespace tack {
@@ -28,6 +29,10 @@ struct MooneyRivlin {
 using MooneyRivlinSolid = HyperelasticSolid<MooneyRivlin>;
 TACK_REGISTER(Energy, MooneyRivlinSolid, "mooney_rivlin",
               "Mooney-Rivlin solid: rubber up to moderate stretches.",
+              "Mooney 1940; Rivlin 1948, Large elastic deformations of isotropic materials IV");
+
+using MooneyRivlinMembrane = HyperelasticMembrane<MooneyRivlin>;
+TACK_REGISTER(Energy, MooneyRivlinMembrane, "mooney_rivlin_membrane", "Mooney-Rivlin membrane: an incompressible rubber sheet up to moderate stretches.",
               "Mooney 1940; Rivlin 1948, Large elastic deformations of isotropic materials IV");
 
 }  // namespace tack

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "energies/hyperelastic/hyperelastic_membrane.hpp"
 #include "energies/hyperelastic/hyperelastic_solid.hpp"
 
 namespace tack {
@@ -66,6 +67,10 @@ struct Ogden {
 
 using OgdenSolid = HyperelasticSolid<Ogden>;
 TACK_REGISTER(Energy, OgdenSolid, "ogden", "Ogden solid: sums of powers of the stretches, for rubber.",
+              "Ogden 1972, Large deformation isotropic elasticity: on the correlation of theory and experiment for incompressible rubberlike solids");
+
+using OgdenMembrane = HyperelasticMembrane<Ogden>;
+TACK_REGISTER(Energy, OgdenMembrane, "ogden_membrane", "Ogden membrane: an incompressible rubber sheet, by sums of powers of the stretches.",
               "Ogden 1972, Large deformation isotropic elasticity: on the correlation of theory and experiment for incompressible rubberlike solids");
 
 }  // namespace tack

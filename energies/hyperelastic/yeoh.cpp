@@ -1,4 +1,5 @@
 // Yeoh solid: W = c10 x + c20 x^2 + c30 x^3 in x = I1 - 3, shear modulus 2 c10.
+#include "energies/hyperelastic/hyperelastic_membrane.hpp"
 #include "energies/hyperelastic/hyperelastic_solid.hpp"
 
 namespace tack {
@@ -30,6 +31,10 @@ struct Yeoh {
 
 using YeohSolid = HyperelasticSolid<Yeoh>;
 TACK_REGISTER(Energy, YeohSolid, "yeoh", "Yeoh solid: a cubic in I1 - 3, for filled rubber.",
+              "Yeoh 1993, Some forms of the strain energy function for rubber");
+
+using YeohMembrane = HyperelasticMembrane<Yeoh>;
+TACK_REGISTER(Energy, YeohMembrane, "yeoh_membrane", "Yeoh membrane: an incompressible sheet of filled rubber, a cubic in I1 - 3.",
               "Yeoh 1993, Some forms of the strain energy function for rubber");
 
 }  // namespace tack
