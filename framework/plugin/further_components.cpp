@@ -21,8 +21,10 @@ Further further = Further::here;
 
 const std::map<std::string, std::vector<std::string>, std::less<>> further_names = {
     {"contact_model", {"clipped", "gcp", "ipc", "ogc"}},
-    {"energy", {"elastic_rod", "gent", "hinge_bending", "maxwell", "maxwell_membrane", "mooney_rivlin", "neo_hookean_membrane", "ogden", "particle", "string", "stvk_membrane", "von_mises",
-                "von_mises_membrane", "yeoh"}},
+    {"energy", {"elastic_rod", "expression", "expression_membrane", "gent", "gent_membrane", "hgo_fibres",
+                "hinge_bending", "maxwell", "maxwell_bending", "maxwell_membrane", "maxwell_rod", "mooney_rivlin",
+                "mooney_rivlin_membrane", "neo_hookean_membrane", "ogden", "ogden_membrane", "particle", "string",
+                "stvk_membrane", "von_mises", "von_mises_membrane", "yeoh", "yeoh_membrane"}},
     {"field", {"plastic_strain"}},
     {"filling", {"gas", "liquid"}},
     {"interaction", {"ball", "chamber", "hinge", "rope", "slider", "spring", "weld"}},

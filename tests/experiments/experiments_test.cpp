@@ -155,6 +155,9 @@ TEST_CASE("experiments hard: blocks of composite tets and of patches are pressed
   }
 }
 
+TEST_CASE("experiment hyperelastic/balloons") { check_experiment("hyperelastic/balloons.yaml"); }
+TEST_CASE("experiment hyperelastic/expression") { check_experiment("hyperelastic/expression.yaml"); }
+TEST_CASE("experiment hyperelastic/fibres") { check_experiment("hyperelastic/fibres.yaml"); }
 TEST_CASE("experiment hyperelastic/inflation") { check_experiment("hyperelastic/inflation.yaml"); }
 TEST_CASE("experiment hyperelastic/treloar") { check_experiment("hyperelastic/treloar.yaml"); }
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
@@ -164,6 +167,8 @@ TEST_CASE("experiment plasticity/upset") { check_experiment("plasticity/upset.ya
 TEST_CASE("experiment plasticity/flatten") { check_experiment("plasticity/flatten.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
 
+TEST_CASE("experiment viscoelastic/cantilevers") { check_experiment("viscoelastic/cantilevers.yaml"); }
+TEST_CASE("experiment viscoelastic/master_curve") { check_experiment("viscoelastic/master_curve.yaml"); }
 TEST_CASE("experiment viscoelastic/standard_solid") { check_experiment("viscoelastic/standard_solid.yaml"); }
 // Near the slow limit, in the range of the power law and near the fast limit.
 TEST_CASE("experiment viscoelastic/peel") {
