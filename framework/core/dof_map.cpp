@@ -9,7 +9,8 @@
 namespace tack {
 namespace {
 
-constexpr int blocks_per_chunk = 2048;  // copying that many takes 5 to 10 us
+constexpr int blocks_per_chunk = 2048;     // copying that many takes 5 to 10 us
+constexpr int dependents_per_chunk = 512;  // of affine frames: 5 us
 
 }  // namespace
 
@@ -82,11 +83,11 @@ void DofMap::copy_fixed_directions(const VecX& x, VecX& q) const {
 }
 
 void DofMap::update_dependents(VecX& x) const {
-  for (size_t k = 0; k < dependents_.size(); ++k) {
+  for_each(static_cast<int>(dependents_.size()), [&](int k) {
     Vec3 sum = Vec3::Zero();
-    for (const WeightedIndex& entry : independents(static_cast<int>(k))) sum += entry.weight * vertex(x, entry.index);
+    for (const WeightedIndex& entry : independents(k)) sum += entry.weight * vertex(x, entry.index);
     vertex(x, dependents_[k]) = sum;
-  }
+  }, dependents_per_chunk);
 }
 
 Dependences DofMap::dependences() const {
