@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "framework/bond/environment.hpp"
 #include "framework/scene/energy.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/dense_term.hpp"
@@ -138,6 +139,32 @@ TEST_CASE("branches of strains: derivatives agree with differences, and a step t
       CHECK(b.branch->value(x) == value);
     }
   });
+}
+
+TEST_CASE("branches of strains have the time of the temperature, which is one for all", "[maxwell][rod]") {
+  const RodBody rod({{0, 0, 0}, {0.1, 0, 0}}, {{0, 1}}, {0, 3e-3, 2e-3, Vec3(0, 0, 1)});
+  std::vector<std::unique_ptr<Energy>> beside;
+  beside.push_back(component<Energy>("{type: string, young: 1e7}"));
+  Environment warm, uneven;
+  bind(parse_string("{temperature: 310}", "test.yaml"), warm, "environment");
+  bind(parse_string("{temperature: 310, profile: 10 * x}", "test.yaml"), uneven, "environment");
+  Body body = rod.body;
+  body.energies = beside;
+  body.environment = &warm;
+  const auto branch = component<Energy>("{type: maxwell_rod, fraction: 1, time: 2, shift: arrhenius, activation_energy: 60 kJ/mol, reference_temperature: 300}");
+  CHECK(branch->depends_on_temperature());
+  const auto term = branch->make_term(body, rod.rest);
+  VecX x = rod.rest;
+  x(3) += 1e-3;
+  History history;
+  term->begin_step({rod.rest, 0, 1e-12});
+  term->commit(x, history);
+  term->load_history(history);
+  term->begin_step({x, 0, 0.5});
+  const double time = 2 * std::exp(60e3 / 8.31446261815324 * (1 / 310.0 - 1 / 300.0));
+  CHECK(dense_gradient(*term, x)(3) == Approx(1e7 * 6e-6 / 0.1 * 1e-3 * std::exp(-0.5 / time)).epsilon(1e-8));
+  body.environment = &uneven;
+  CHECK_THROWS_WITH(branch->make_term(body, rod.rest), Catch::Contains("has one temperature") && Catch::Contains("`profile`"));
 }
 
 TEST_CASE("branches of strains need one energy beside them", "[maxwell][rod][shells]") {
