@@ -26,6 +26,8 @@ class EnergyFormula {
                 bool of_volume = false);
   EnergyFormula() = default;
 
+  bool uses(const std::string& parameter) const { return program_ && program_->uses(parameter); }
+
   /// Returns psi of three stretches that depend on N variables [J/m^3].
   template <class Jet>
   Jet operator()(const std::array<Jet, 3>& s) const {

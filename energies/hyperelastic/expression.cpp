@@ -47,6 +47,12 @@ struct ExpressionFields {
   }
   EnergyFormula formula() const { return {energy, parameters}; }
   EnergyFormula volume_formula() const { return {volume, parameters, true}; }
+  // Throws InputError at a parameter that neither formula has.
+  void check_parameters() const {
+    const EnergyFormula w = formula(), u = volume_formula();
+    for (const auto& [name, quantity] : parameters)
+      if (!w.uses(name) && !u.uses(name)) throw InputError(fmt::format("the parameter '{}' does not occur in a formula; take it out, or mend one of them", name));
+  }
 };
 
 using RestJet = PackJet<double, 3>;
@@ -94,6 +100,7 @@ class ExpressionSolid : public Energy {
   }
   std::string error() const {
     try {
+      fields_.check_parameters();
       const RestJet w = fields_.formula()(rest_stretches()), u = fields_.volume_formula()(rest_stretches());
       const Lame l = lame_of(w + u);
       const double bulk = l.lambda + 2 * l.mu / 3;
@@ -137,6 +144,7 @@ class ExpressionMembrane : public Energy {
   }
   std::string error() const {
     try {
+      fields_.check_parameters();
       const double mu = shear_of(fields_.formula());
       return mu > 0 ? "" : fmt::format("'{}' has the shear modulus {:.4g} Pa at small strains, which must be positive", fields_.energy, mu);
     } catch (const InputError& error) {

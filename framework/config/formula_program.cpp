@@ -20,11 +20,12 @@ class FormulaProgram::Parser {
   Parser(const std::string& text, const std::vector<std::string>& variables, const std::map<std::string, double>& constants)
       : text_(text), variables_(variables), constants_(constants) {}
 
-  std::vector<Operation> parse() {
+  void parse_into(FormulaProgram& program) {
     sum();
     skip();
     if (at_ < text_.size()) refuse(fmt::format("'{}' (position {}) is not among its operations", text_.substr(at_, 1), at_));
-    return std::move(out_);
+    program.operations_ = std::move(out_);
+    program.constants_ = std::move(used_);
   }
 
  private:
@@ -102,7 +103,7 @@ class FormulaProgram::Parser {
     if (takes('(')) return function(name);
     if (const auto found = std::find(variables_.begin(), variables_.end(), name); found != variables_.end())
       return emit({Code::variable, static_cast<int>(found - variables_.begin())}, 1);
-    if (const auto found = constants_.find(name); found != constants_.end()) return emit({Code::number, -1, found->second}, 1);
+    if (const auto found = constants_.find(name); found != constants_.end()) return used_.insert(name), emit({Code::number, -1, found->second}, 1);
     if (name == "pi") return emit({Code::number, -1, std::numbers::pi}, 1);
     refuse(fmt::format("'{}' is unknown", name));
   }
@@ -127,6 +128,7 @@ class FormulaProgram::Parser {
   const std::vector<std::string>& variables_;
   const std::map<std::string, double>& constants_;
   std::vector<Operation> out_;
+  std::set<std::string> used_;  // constants
   size_t at_ = 0;
   int depth_ = 0;
 };
@@ -166,7 +168,7 @@ FormulaProgram::FormulaProgram(const std::string& text, const std::vector<std::s
   std::vector<std::string> names = variables;
   for (const auto& [name, value] : constants) names.push_back(name);
   static_cast<void>(Formula(text, names));  // its errors name positions
-  operations_ = Parser(text, variables, constants).parse();
+  Parser(text, variables, constants).parse_into(*this);
 }
 
 bool FormulaProgram::uses(int variable) const {

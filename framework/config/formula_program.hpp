@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ class FormulaProgram {
                  const std::map<std::string, double>& constants);
 
   bool uses(int variable) const;
+  bool uses(const std::string& constant) const { return constants_.contains(constant); }
 
   /// Returns the value. variables: in the order of their names. T has +, -, *, /, and by
   /// argument-dependent lookup exp, log, sqrt, abs, sin, cos, tanh, min, max and
@@ -93,6 +95,7 @@ class FormulaProgram {
   }
 
   std::vector<Operation> operations_;
+  std::set<std::string> constants_;  // that the formula has
 };
 
 }  // namespace tack

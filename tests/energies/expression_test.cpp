@@ -142,6 +142,8 @@ TEST_CASE("expressions that are no isotropic material at rest are refused", "[hy
   CHECK_THAT(error_of("type: expression, energy: 1e5 * (I1_bar - 3), volume: 1e5 * (I1 - 3)"), Catch::Contains("formula of J"));
   CHECK_THAT(error_of("type: expression, energy: 1e5 * (I1_bar - 3), volume: 1e5 * (J - 1)"), Catch::Contains("has a stress of 100000 Pa at rest"));
   CHECK_THAT(error_of("type: expression, energy: 1e5 * (I1_bar - 3), volume: 1e5 * ln(J)^2, parameters: {J: 1}"), Catch::Contains("something else"));
+  CHECK_THAT(error_of("type: expression, energy: k * (I1_bar - 3), volume: 1e5 * ln(J)^2, parameters: {k: 1 kPa, z: 1}"), Catch::Contains("'z' does not occur"));
+  CHECK_THAT(error_of("type: expression_membrane, energy: k * (I1 - 3), parameters: {k: 1 kPa, z: 1}"), Catch::Contains("'z' does not occur"));
   CHECK_THAT(error_of("type: expression_membrane, energy: -1e5 * (I1 - 3)"), Catch::Contains("shear modulus"));
   CHECK(error_of("type: expression_membrane, energy: 1e5 * (I1 - 3)").empty());
 }
