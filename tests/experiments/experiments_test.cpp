@@ -87,6 +87,7 @@ TEST_CASE("experiment laws/cantilevers") { check_experiment("laws/cantilevers.ya
 TEST_CASE("experiment laws/rcc_against_fang") { check_experiment("laws/rcc_against_fang.yaml"); }
 TEST_CASE("experiment laws/t_peel") { check_experiment("laws/t_peel.yaml"); }
 TEST_CASE("experiment measured/jkr_dmt") { check_experiment("measured/jkr_dmt.yaml"); }
+TEST_CASE("experiment measured/viscoelastic_jkr") { check_experiment("measured/viscoelastic_jkr.yaml"); }
 // Cells of half a millimetre, twice the shipped ones; whole: the nightly tests.
 TEST_CASE("experiment measured/dcb_tijs2022_a40, coarse") {
   const Outcome o = run("measured/dcb_tijs2022_a40.yaml", {"--set", "objects.arm.shape.cells=[240, 3]"});
