@@ -6,7 +6,7 @@ include_guard()
 # templates.
 set(TACK_COLD_FOLDERS
     framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/body
-    framework/motion framework/world framework/scene framework/setup framework/checks framework/remesh framework/output
+    framework/motion framework/protocol framework/world framework/scene framework/setup framework/checks framework/remesh framework/output
     framework/experiment framework/probes framework/profile framework/sensitivity framework/run framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
 
@@ -41,4 +41,4 @@ set(TACK_UNITY_EXCEPT
     framework/output/provenance.cpp)
 
 # Folders below framework/ that are compiled together with another folder: "FROM|FROM=INTO".
-set(TACK_MERGED_FOLDERS "body|motion|world=scene" "checks=setup")
+set(TACK_MERGED_FOLDERS "body|motion|protocol|world=scene" "checks=setup")

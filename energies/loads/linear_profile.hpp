@@ -16,6 +16,7 @@ struct LoadProfile {
   Vec3 axis = Vec3::UnitX();
   Vec3 centre = Vec3::Zero();  // m
   bool symmetric = false;
+  std::string drive;  // of a protocol: a further factor (world/load_terms.hpp); empty: none
 
   void fields(Fields& f) {
     f.schedule("ramp", ramp, units::none, "factor over time: a number or [[t, factor], ...]");
@@ -25,6 +26,9 @@ struct LoadProfile {
     f.vector("centre", centre, units::length, "point at which the linear term is zero");
     f.flag("symmetric", symmetric,
            "the linear term grows with the distance from the centre on both sides");
+    f.text("drive", drive,
+           "drive of a protocol: a further factor over time, 0 until a stage sets it")
+        .line();
     f.check("axis", [this]() -> std::string { return axis.norm() > 0 ? "" : "must not be zero"; });
   }
 

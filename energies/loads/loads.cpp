@@ -39,6 +39,7 @@ class Traction : public Load {
   }
 
   std::vector<double> corners() const override { return profile_.corners(); }
+  std::string drive() const override { return profile_.drive; }
 
  private:
   Vec3 value_ = Vec3::Zero();  // Pa
@@ -59,6 +60,7 @@ class Force : public Load {
   }
 
   std::vector<double> corners() const override { return profile_.corners(); }
+  std::string drive() const override { return profile_.drive; }
 
  private:
   Vec3 value_ = Vec3::Zero();  // N
@@ -84,6 +86,7 @@ class BodyForce : public Load {
   }
 
   std::vector<double> corners() const override { return profile_.corners(); }
+  std::string drive() const override { return profile_.drive; }
 
  private:
   Vec3 value_ = Vec3::Zero();  // m/s^2

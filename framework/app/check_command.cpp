@@ -22,6 +22,7 @@
 #include "framework/output/used_stiffness.hpp"
 #include "framework/run/equilibrium_check.hpp"
 #include "framework/run/gradient_check.hpp"
+#include "framework/run/protocol_run.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/tets/divide_tets.hpp"
 
@@ -123,7 +124,8 @@ int check_command(const CheckOptions& options) {
   BuiltExperiment built(load_experiment(options.file, options.overrides));
   const Experiment& experiment = built.experiment();
   World& world = built.world();
-  probes_of(built);
+  if (built.experiment().protocols.empty()) probes_of(built);
+  else ProtocolRun{built};
   print_warnings(retired_key_warnings(built.root(), experiment));
   print_contents(world);
   for (const std::string& line : world.start_notes) fmt::print("{}\n", line);

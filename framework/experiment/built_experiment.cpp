@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "framework/config/nearest.hpp"
 #include "framework/experiment/read_initial_state.hpp"
 #include "framework/experiment/tolerances.hpp"
+#include "framework/protocol/stage_metrics.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/setup/remesh_checks.hpp"
 
@@ -17,6 +21,18 @@ void check_damping(const Experiment& e, const Value& root) {
       throw InputError(fmt::format("{}object '{}': damping acts on velocities, and with time.integrator: {} there are none; take "
                                    "another integrator, or the damping out", source_location(root, "objects", i), e.objects[i].name,
                                    e.time.integrator->type()));
+}
+
+// Throws InputError at an expectation of a stage that no protocol has.
+void check_stages(const Experiment& e, const Value& root) {
+  for (size_t i = 0; i < e.expect.size(); ++i) {
+    const std::string& stage = e.expect[i].stage;
+    std::vector<std::string> names;
+    for (const ProtocolConfig& protocol : e.protocols)
+      for (const StageConfig& one : protocol.stages) names.push_back(one.name);
+    if (stage.empty() || std::find(names.begin(), names.end(), stage) != names.end()) continue;
+    throw InputError(fmt::format("{}expectation '{}': no protocol has a stage '{}'{}", source_location(root, "expect", i), name_of(e.expect[i]), stage, suggestion(stage, names, "stages")));
+  }
 }
 
 }  // namespace
@@ -39,6 +55,7 @@ void BuiltExperiment::build() {
   check_damping(e, loaded_.root);
   with_source_location(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
   world_->step_metrics = e.time.stepper->metrics();
+  for (const ProtocolConfig& protocol : e.protocols) world_->step_metrics.push_back(stage_metric(protocol, 0));
   with_source_location(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
 }
 
@@ -50,6 +67,7 @@ std::unique_ptr<World> BuiltExperiment::rebuild(FlowedMeshes flowed) {
 }
 
 ProbeSet probes_of(const BuiltExperiment& built) {
+  check_stages(built.experiment(), built.root());
   ProbeSet probes(built.experiment().probes, built.root(), built.world());
   probes.check(built.experiment().expect, built.root());
   return probes;

@@ -19,6 +19,7 @@
 #include "framework/body/rigid_map.hpp"
 #include "framework/body/selection.hpp"
 #include "framework/config/field.hpp"
+#include "framework/protocol/drives.hpp"
 
 namespace tack {
 
@@ -55,6 +56,13 @@ class Motion : public Component {
   // Returns the rigid map from the start of the motion to time t [s]. Returns nothing if the motion
   // is not rigid; then it cannot be the carrier of another motion.
   virtual std::optional<RigidMap> pose(double) const { return {}; }
+  // Returns the drive of a protocol that moves the vertices; empty: none. Worlds have instances of
+  // their own of such a motion, which follow the drives of the world.
+  virtual std::string drive() const { return {}; }
+  virtual FollowerKind drive_kind() const { return FollowerKind::unused; }
+  virtual void follow(const Drive& /*drive*/) {}
+  // Returns whether its positions are unknown before the run.
+  virtual bool unbounded() const { return false; }
 
  private:
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");

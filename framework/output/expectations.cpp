@@ -67,6 +67,7 @@ void Expectation::fields(Fields& f) {
   f.raw("within", within, "tolerance of the target: a number of the same kind, or a percentage of the target");
   f.optional_quantity("at_least", at_least, "smallest value accepted, in a unit of the target's kind");
   f.optional_quantity("at_most", at_most, "largest value accepted, in a unit of the target's kind");
+  f.text("stage", stage, "stage of a protocol: the statistic is that of the samples in this stage, every time that it is run through");
   f.check("target", [this] { return check_criterion(*this); });
   f.check("within", [this] { return check_tolerance(*this); });
 }

@@ -26,6 +26,7 @@ struct Expectation : SpecifiedStatistic {
   Value within;  // as written: "5%" or a number
   std::optional<Quantity> at_least;
   std::optional<Quantity> at_most;
+  std::string stage;  // of a protocol: samples in that stage alone; empty: of the whole run
 
   void fields(Fields& f);
 };

@@ -17,6 +17,7 @@ class ProbeSet {
            const World& world);
 
   const std::vector<std::string>& columns() const { return columns_; }  // without time
+  const std::vector<Unit>& units() const { return units_; }             // of the columns
   // Throws InputError, with the source location, for an expectation that does not fit the columns
   // and their units.
   void check(const std::vector<Expectation>& expectations, const Value& root) const;

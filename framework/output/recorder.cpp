@@ -28,12 +28,12 @@ void Recorder::start(const State& state) {
   if (output_.frames) write_frame(state);
 }
 
-void Recorder::step(const State& state, const StepReport& report) {
+void Recorder::step(const State& state, const StepReport& report, bool last) {
   const PhaseScope scope(clock_, Phase::io);
   steps_.add(report);
   sample(state);
   if (!output_.frames) return;
-  const bool last = state.time >= time_.duration - 1e-9 * time_.step;
+  last = last || state.time >= time_.duration - 1e-9 * time_.step;
   if (state.time >= next_frame_ - 1e-9 * time_.step || last) write_frame(state);
 }
 

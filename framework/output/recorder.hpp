@@ -21,8 +21,8 @@ class Recorder {
 
   void start(const State& state);  // records the state before the first step
   // Samples probes and starts to write frames that are due. The time for this is not in
-  // `report.phases`.
-  void step(const State& state, const StepReport& report);
+  // `report.phases`. last: the run is over, whatever its duration.
+  void step(const State& state, const StepReport& report, bool last = false);
   // Returns once all frames are written (frame_writer.hpp).
   void flush();
   const ProbeSeries& series() const { return probes_.series(); }

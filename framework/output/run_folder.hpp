@@ -34,6 +34,7 @@ class RunFolder {
   std::filesystem::path scene() const { return root_ / "scene.yaml"; }
   std::filesystem::path pvd() const { return root_ / "run.pvd"; }
   std::filesystem::path steps() const { return root_ / "steps.csv"; }
+  std::filesystem::path stages() const { return root_ / "stages.csv"; }    // of protocols
   std::filesystem::path profile() const { return root_ / "profile.csv"; }  // of `tack profile`
   std::filesystem::path probes() const { return root_ / "probes.csv"; }
   // Gradients of probes, if requested.

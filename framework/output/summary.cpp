@@ -69,6 +69,14 @@ OrderedJson remeshings_json(const std::vector<Remeshing>& all) {
   return list;
 }
 
+OrderedJson stages_json(const std::vector<StageVisit>& visits) {
+  OrderedJson list = OrderedJson::array();
+  for (const StageVisit& v : visits)
+    list.push_back({{"protocol", v.protocol}, {"stage", v.stage}, {"number", v.number}, {"begin", finite(v.begin)}, {"end", finite(v.end)},
+                    {"ended_by", v.ended_by}, {"value", finite(v.value)}, {"repeated", v.repeated}});
+  return list;
+}
+
 OrderedJson totals_json(const RunSummary& s) {
   return {{"newton_iterations", s.newton_iterations},
           {"linear_solves", s.linear_solves},
@@ -100,7 +108,7 @@ OrderedJson energy_json(const RunSummary& s) {
 }
 
 OrderedJson to_json(const RunSummary& s) {
-  return {{"name", s.name},
+  OrderedJson json = {{"name", s.name},
           {"version", s.provenance.build.version},
           {"commit", s.provenance.build.revision()},
           {"provenance", to_json(s.provenance)},
@@ -135,6 +143,8 @@ OrderedJson to_json(const RunSummary& s) {
           {"remeshings", remeshings_json(s.remeshings)},
           {"warnings", warnings_json(s.warnings)},
           {"expect", expect_json(s.expect)}};
+  if (!s.stages.empty()) json["stages"] = stages_json(s.stages);
+  return json;
 }
 
 }  // namespace

@@ -25,6 +25,9 @@
 //    meeting_groups     [[object]]
 //    remeshings         [{object, step, time [s], quality_before, quality_after, tets_before,
 //                       tets_after, lost [J]}], if objects may be remeshed
+//    stages             [{protocol, stage, number, begin, end [s], ended_by, value, repeated}], if
+//    the
+//                       scene has protocols (output/stages_csv.hpp)
 //    warnings           [{kind, text, times}]: the first of those that are counted together
 //                       (warning.hpp), and their number
 //    expect             [{name, value, target, tolerance, at_least, at_most, pass, text}]
@@ -42,6 +45,7 @@
 #include "framework/output/energy_losses.hpp"
 #include "framework/output/expectations.hpp"
 #include "framework/output/provenance.hpp"
+#include "framework/output/stages_csv.hpp"
 #include "framework/output/used_stiffness.hpp"
 #include "framework/remesh/remeshing.hpp"
 #include "framework/stepping/step_report.hpp"
@@ -97,6 +101,7 @@ struct RunSummary {
   UsedStiffness stiffness;
   std::vector<std::vector<std::string>> meeting_groups;  // names of bodies (used_stiffness.hpp)
   std::vector<Remeshing> remeshings;
+  std::vector<StageVisit> stages;  // of protocols
   std::vector<WarningCount> warnings;
   std::vector<ExpectationResult> expect;
 

@@ -147,6 +147,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
   next_checkpoint_ = next_checkpoint_after(simulation_.state().time);
   progress_.begin(simulation_.state().time, experiment_.time.duration);
   if (settings_.control) settings_.control->begin(simulation_.state().time, experiment_.time.duration, simulation_.state().step);
+  report_stages();
   while (!simulation_.finished() && (settings_.steps == 0 || summary_.steps < settings_.steps)) {
     wait_while_paused();
     prepare_dump();
@@ -158,7 +159,8 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
     }
     if (profiler_) profiler_->step(simulation_.state(), report);
     dump_.after(report.solve.iterations);
-    recorder->step(simulation_.state(), report);
+    recorder->step(simulation_.state(), report, simulation_.finished());
+    report_stages();
     warn_of_lost_probes();
     if (gradients_) gradients_->accept(simulation_.state()), add_gradients(*recorder);
     summary_.add(report);
@@ -172,9 +174,27 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
     report_linear_solver();
     progress_.step(report);
     if (settings_.control) settings_.control->step(report);
+    simulation_.check_stages();
     remesh(recorder);
     write_checkpoint(*recorder);
   }
+}
+
+// Reports a stage that begins.
+void RecordedRun::report_stages() {
+  const ProtocolRun* protocols = simulation_.protocols();
+  if (!protocols) return;
+  const bool first = ended_stages_ < 0;
+  if (protocols->ended_stages() == ended_stages_) return;
+  ended_stages_ = protocols->ended_stages();
+  progress_.message(fmt::format("t = {:.6g} s, {}", simulation_.state().time, protocols->stages_text()));
+  if (!first) write_stages_so_far();
+}
+
+void RecordedRun::write_stages_so_far() {
+  if (!simulation_.protocols() || !simulation_.started()) return;
+  summary_.stages = simulation_.protocols()->visits(simulation_.state().time);
+  write_stages(folder_.stages(), summary_.stages);
 }
 
 // Remeshes worn tetrahedra. Monitors of the world start again, as in a resumed run.
@@ -367,10 +387,11 @@ std::string RecordedRun::profile_of_run() {
 }
 
 void RecordedRun::finish(const ProbeSeries* series) {
+  write_stages_so_far();
   const bool complete = series && summary_.status == RunStatus::done && settings_.steps == 0;
   if (complete) {
     for (const Expectation& expectation : experiment_.expect) {
-      summary_.expect.push_back(evaluate(expectation, *series));
+      summary_.expect.push_back(evaluate(expectation, expectation.stage.empty() ? *series : rows_of_stage(*series, summary_.stages, expectation.stage)));
       if (!summary_.expect.back().pass) summary_.status = RunStatus::expectation_failed;
     }
     write_measured(folder_.measured(), experiment_.expect, *series);

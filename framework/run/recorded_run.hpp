@@ -51,6 +51,8 @@ class RecordedRun {
   void report_start();
   void warn(const Warning& warning);
   void simulate(std::optional<Recorder>& recorder);
+  void report_stages();
+  void write_stages_so_far();
   void remesh(std::optional<Recorder>& recorder);
   void wait_while_paused();
   void begin_gradients(const Recorder& recorder);
@@ -102,6 +104,7 @@ class RecordedRun {
   PhaseClock::Seconds phases_before_{};  // of the resumed run
   std::optional<Profiler> profiler_;
   double next_checkpoint_ = 0;  // s
+  int ended_stages_ = -1;       // of protocols, as reported; -1: none yet
 };
 
 }  // namespace tack

@@ -16,7 +16,9 @@
 namespace tack {
 
 Simulation::Simulation(LoadedExperiment loaded, WarningFunction warn)
-    : built_(std::move(loaded)), warn_(std::move(warn)), remesher_(experiment()) {}
+    : built_(std::move(loaded)), warn_(std::move(warn)), remesher_(experiment()) {
+  if (!experiment().protocols.empty()) protocols_.emplace(built_);
+}
 
 void Simulation::start_from(State state) {
   world().start = std::move(state);
@@ -30,6 +32,7 @@ void Simulation::start_from(State state) {
     stepper_->stop_at([interval = output.frame_interval, step = experiment().time.step](double t) { return next_due(interval, t, step); });
   stepper_->observe(observers_);
   stepper_->observe_solved(solved_);
+  if (protocols_) stepper_->follow(*protocols_);
 }
 
 void Simulation::move(const VecX& x, const VecX& v) {
@@ -55,6 +58,11 @@ StepReport Simulation::step() {
   if (!elements_examined_) throw std::logic_error("objects of the scene may be meshed anew (remesh): due_elements() has to be called between two steps");
   elements_examined_ = !any_remeshed(experiment());
   return stepper_->advance();
+}
+
+void Simulation::check_stages() const {
+  if (!protocols_) return;
+  if (const std::string fault = protocols_->fault(state().time, stepper_->finished()); !fault.empty()) throw SimulationError(fault);
 }
 
 std::vector<NewElements> Simulation::due_elements() {

@@ -9,6 +9,7 @@
 #include "framework/core/warning.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/remesh/remesher.hpp"
+#include "framework/run/protocol_run.hpp"
 #include "framework/stepping/time_stepper.hpp"
 
 namespace tack {
@@ -44,6 +45,15 @@ class Simulation {
   /// step.
   StepReport step();
   bool finished() const { return stepper_->finished(); }
+  /// Returns the protocols of the scene; null: it has none.
+  const ProtocolRun* protocols() const { return protocols_ ? &*protocols_ : nullptr; }
+  /// Takes up the actions of this scene in a state of the scene before a change
+  /// (changed_scene.hpp).
+  void renew_protocols(State& state) {
+    if (protocols_) protocols_->renew(state);
+  }
+  /// Throws SimulationError for a stage that has not ended in its time.
+  void check_stages() const;
   bool interrupted() const { return stepper_->interrupted(); }
   const State& state() const { return stepper_->state(); }
   const Minimizer& solver() const { return *solver_; }
@@ -76,6 +86,7 @@ class Simulation {
   bool elements_examined_ = true;  // due_elements() was called since the last step
   std::function<std::unique_ptr<Minimizer>()> make_solver_;
   std::unique_ptr<Minimizer> solver_;
+  std::optional<ProtocolRun> protocols_;
   std::optional<TimeStepper> stepper_;
 };
 

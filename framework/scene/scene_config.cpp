@@ -99,6 +99,13 @@ void PairConfig::fields(Fields& f) {
          "that faces the other, if equal the one with more points there; without adhesion both, weighted by the "
          "sizes of their cells), finer (the side with the finer surface), both (half each), or one of the two names. "
          "Between a surface and a rod or particle it is always the width or cross-section of the latter");
+  f.text("drive", drive, "drive of a protocol: factor of the adhesion over time, 1 until a stage sets it").line();
+  f.check("drive", [this]() -> std::string {
+    if (drive.empty()) return "";
+    if (!adhesion) return "is the factor of an adhesion, and this pair has none; give one";
+    if (bonds()) return "cannot change an adhesion by bonds, whose strength is history; take a traction-separation law (tack list adhesion)";
+    return tangential_adhesion ? "does not change a tangential_adhesion, which takes its strength from the adhesion; take one of the two away" : "";
+  });
   f.check("between", [this]() -> std::string {
     return between.size() == 2 ? "" : "expects two names";
   });
@@ -165,6 +172,7 @@ void SceneConfig::fields(Fields& f) {
   f.list("selections", selections, "named sets of vertices as those of an object, for all objects in which they select a vertex");
   f.component_list("interactions", interactions, "joints, springs, ropes, fluid cavities and other connections of objects");
   f.optional_object("contact", contact, "contact between all objects; without it there is none");
+  f.list("protocols", protocols, "how a laboratory runs a test: stages with what moves, until when, and what comes next");
   f.optional_object("environment", environment, "temperature, for adhesion laws and energies that depend on it; 293.15 K unless given");
   f.optional_object("start", start, "initial state from a run: objects start at time 0 in the state of a checkpoint of that run");
   f.check("start", [this]() -> std::string {

@@ -13,6 +13,7 @@
 #include "framework/contact/contact_model.hpp"
 #include "framework/contact/normal_law.hpp"
 #include "framework/motion/motion.hpp"
+#include "framework/protocol/protocol_config.hpp"
 #include "framework/scene/attachment.hpp"
 #include "framework/scene/body_model.hpp"
 #include "framework/scene/damping_config.hpp"
@@ -93,6 +94,7 @@ struct PairConfig {
   std::optional<double> bond_distance;  // m
   Unstressed unstressed = Unstressed::as_bonded;
   std::string integrate = "automatic";
+  std::string drive;   // of a protocol: factor of the adhesion; empty: none
   bool bonds() const;  // true if its adhesion is by bonds
   void fields(Fields& f);
 };
@@ -124,6 +126,7 @@ struct SceneConfig {
   std::vector<NamedSelection> selections;
   std::vector<std::unique_ptr<Interaction>> interactions;
   std::optional<ContactConfig> contact;
+  std::vector<ProtocolConfig> protocols;
   std::optional<Environment> environment;
   std::optional<StartConfig> start;
   void fields(Fields& f);

@@ -31,7 +31,9 @@ void add_loads(const SceneConfig& scene, const Value& root, World& world) {
           return;
         }
         load.add_forces(world.bodies[i], world.rest, world.mass, 0, force);
-        world.load_term.add(load, world.bodies[i], world.rest, world.mass);
+        const std::string drive = load.drive();
+        world.load_term.add(load, world.bodies[i], world.rest, world.mass,
+                            drive.empty() ? nullptr : &world.drives.follow(drive, FollowerKind::load, fmt::format("load {} of '{}'", j, world.bodies[i].name)));
       });
   }
 }

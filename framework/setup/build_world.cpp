@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/body/selected_elements.hpp"
+#include "framework/config/bind.hpp"
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/terms/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
@@ -124,6 +125,11 @@ void prescribe_motions(const SceneConfig& scene, int index, World& world) {
   for (size_t i = 0; i < object.motion.size(); ++i) {
     const std::string name = fmt::format("motion {} ({}) of '{}'", i, object.motion[i]->type(), object.name);
     auto relative = relative_motion(*object.motion[i], name, object.name, scene);
+    if (!object.motion[i]->drive().empty()) {
+      if (relative) throw InputError(fmt::format("{}: follows the drive '{}', and cannot have a carrier; take one of the two away", name, object.motion[i]->drive()));
+      relative = instance_of(*object.motion[i]);
+      relative->follow(world.drives.follow(relative->drive(), relative->drive_kind(), name));
+    }
     const Motion& motion = relative ? *relative : *object.motion[i];
     std::vector<int> vertices = select(object.motion[i]->selection(), world.selection_context(index));
     if (object.remesh) drop_interior_vertices(name, world.bodies[index], vertices);
@@ -256,6 +262,16 @@ void publish(World& world, bool friction_record) {
   for (const auto& term : world.damping_terms) world.records.publish(*term);
 }
 
+// Checks the drives against what follows them, and starts the protocols.
+void begin_protocols(const SceneConfig& scene, const Value& root, World& world) {
+  if (scene.protocols.empty()) return;
+  with_source_location(root.find("protocols"), [&] {
+    if (any_remeshed(scene)) throw InputError("protocols follow objects whose vertices stay, and objects may be meshed anew (remesh); take one of the two away");
+    world.drives.check();
+  });
+  world.drives.begin(world.start.time, world.start.history);
+}
+
 }  // namespace
 
 const Value* entry_of(const Value* list, size_t i) { return list && i < list->items.size() ? &list->items[i] : nullptr; }
@@ -308,6 +324,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   add_named_selections(scene, root, *world);
   for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
   for_each_object(scene, root, [&](size_t i) { add_spins(scene.objects[i], static_cast<int>(i), *world); });
+  world->drives.add(scene.protocols);
   for_each_object(scene, root, [&](size_t i) { prescribe_motions(scene, static_cast<int>(i), *world); });
   for (const Dependence& d : world->constraints.lasting()) world->prescribed_motion.add_dependence(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
@@ -334,6 +351,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     with_source_location(root.find("start"), [&] { world->start_notes.push_back(start_from_run(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
   world->meeting = meeting_groups(scene, *world, times.duration);
   build_contact(scene, root, times, clock, *world);
+  begin_protocols(scene, root, *world);
   if (flowed.empty()) check_start(scene, root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
@@ -342,6 +360,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
   for (const auto& load : world->load_terms) world->terms.push_back(load.get());
   for (const Term* term : world->contact_terms()) world->terms.push_back(term);
+  if (!world->drives.empty()) world->participants.add(&world->drives);
   if (world->contact) world->participants.add(world->contact.get());
   for (const Body& body : world->bodies)
     if (body.rod) world->participants.add(body.rod.get());

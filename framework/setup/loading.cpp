@@ -32,6 +32,9 @@ std::vector<double> prescribed_displacements(const World& world, double duration
     if (assignment.motion->moves())
       for (const int v : assignment.vertices)
         if (const int body = world.body_of(v); body >= 0 && !world.is_scalar_dof(v)) moved.emplace_back(body, v);
+  for (const PrescribedMotion::Assignment& assignment : prescribed_motion.assignments())
+    if (assignment.motion->unbounded() && !assignment.vertices.empty())
+      if (const int body = world.body_of(assignment.vertices.front()); body >= 0) displacements[body] = std::numeric_limits<double>::infinity();
   if (moved.empty()) return displacements;
   for (int k = 1; k <= motion_samples; ++k) {
     const double t = duration * k / motion_samples;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/setup/contact_support.hpp"
+#include "framework/setup/driven_law.hpp"
 #include "framework/setup/dynamic_pressure.hpp"
 #include "framework/setup/sheet_stiffness.hpp"
 #include "geometry/errors.hpp"
@@ -226,6 +227,8 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
     rule = bonds_.add(rule_of(*pair, bond, prepared.barrier_and_adhesion(), config));
     report(a, b, region, *bond);
   }
+  if (adhesion && pair && !pair->drive.empty())
+    prepared.adhesion = std::make_shared<DrivenLaw>(adhesion, world_.drives.follow(pair->drive, FollowerKind::adhesion, fmt::format("contact.pairs[{}]", config)));
   PairSetup setup = setup_of(a, b);
   setup.region = region >= 0;
   setup.gap_adhesion = adhesion != nullptr;

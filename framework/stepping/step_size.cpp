@@ -37,6 +37,13 @@ double StepSizeController::constant_size() const {
   return h >= step ? step : left;
 }
 
+// Returns the planned size, or what is left to the next event.
+double StepSizeController::size_to_event() const {
+  const double h = planned_size(), stop = event_(state_.time), left = stop - state_.time;
+  const double size = left <= h * (1 + round_off) + time_tolerance() ? left : h;
+  return event_size_ > 0 ? std::min(size, event_size_) : size;
+}
+
 // Within two steps of the next corner, the remaining time is divided evenly.
 double StepSizeController::adaptive_size() const {
   const StepSizeState& s = state_.step_size;
@@ -56,6 +63,7 @@ double StepSizeController::adaptive_size() const {
 
 void StepSizeController::begin() {
   begin_ = state_.time;
+  event_size_ = 0;
   first_size_ = size();
   rejections_ = {};
   inaccurate_ = {};

@@ -1,7 +1,7 @@
 // Step size controller: the size of the next step, and of the repetition of a rejected one.
 //
-// docs/theory/step_sizes.md has all rules and numbers. A search for the time of an event rejects
-// with the factor that ends the repetition where it looks next.
+// docs/theory/step_sizes.md has all rules and numbers. A search for the time of an event
+// (step_events.hpp) repeats a try by retry(), with the size at which it looks next.
 //
 // - Constant steps: a cut size stays until the end of the whole step of size time.step.
 // - Adaptive steps (time.adaptive) follow the error ratio r = e / time.adaptive.error; e falls with
@@ -36,8 +36,13 @@ class StepSizeController {
 
   // Sets the first time after t at which an adaptive step has to end [s], besides the corners.
   void stop_at(std::function<double(double t)> next) { next_ = std::move(next); }
+  // Sets the first time after t at which a step of either kind has to end [s]: events
+  // (step_events.hpp).
+  void end_at(std::function<double(double t)> event) { event_ = std::move(event); }
   // Returns the size of the next try [s].
-  double size() const { return time_.adaptive ? adaptive_size() : constant_size(); }
+  double size() const { return event_ ? size_to_event() : planned_size(); }
+  // Repeats the try with another size [s], which counts for this step alone.
+  void retry(double size) { event_size_ = size; }
 
   // Begins a step at the time of the state.
   void begin();
@@ -63,6 +68,8 @@ class StepSizeController {
   const RejectionCounts& rejections() const { return rejections_; }
 
  private:
+  double planned_size() const { return time_.adaptive ? adaptive_size() : constant_size(); }
+  double size_to_event() const;
   double constant_size() const;
   double adaptive_size() const;
   double whole_steps(double t) const;
@@ -71,7 +78,8 @@ class StepSizeController {
   const TimeConfig& time_;
   State& state_;
   std::vector<double> corners_;
-  std::function<double(double)> next_;
+  std::function<double(double)> next_, event_;
+  double event_size_ = 0;  // largest size of this step, after retry() [s]; 0: none
   double begin_ = 0;       // time at the start of the step [s]
   double first_size_ = 0;  // first size of the step, before cutbacks [s]
   double h_ = 0;           // size of the try [s]

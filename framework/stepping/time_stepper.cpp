@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/scene/scene_config.hpp"
@@ -15,12 +16,22 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   if (time.adaptive) errors_.emplace(world, time.adaptive->error);
 }
 
+void TimeStepper::follow(StepEvents& events) {
+  events_ = &events;
+  world_.participants.move_to(state_.x);
+  events.start(state_);
+  world_.participants.load_history(state_.history);
+  sizes_.end_at([this](double t) { return std::min(events_->next_stop(t), time_.duration); });
+}
+
 StepReport TimeStepper::advance() {
   reporter_.begin();
   sizes_.begin();
   check_wall_limit("");
+  if (events_) events_->begin_step(state_.time);
   for (;;) {
     const double h = sizes_.next();
+    if (events_) events_->begin_try(h);
     const auto [result, validation] = solve_stages(h);
     interrupted_ = result.minimizer.status == MinimizerStatus::interrupted;
     if (interrupted_) return {};
@@ -28,10 +39,13 @@ StepReport TimeStepper::advance() {
     const ErrorRatio error = error_of(result.x, h);
     if (error.ratio > 1 && rejects_error(error)) continue;
     std::optional<State> start;
-    if (repeats_for_energy()) start = step_start();
+    const bool for_energy = repeats_for_energy();
+    if (for_energy || events_) start = step_start();
     StepReport report = commit_with_report(result, h);
-    if (start && rejects_energy(report, *std::move(start))) continue;
+    if (for_energy && (events_ ? rejects_energy(report, *start) : rejects_energy(report, *std::move(start)))) continue;
+    if (events_ && repeats_for_event(report, h, *start)) continue;
     sizes_.accept(error);
+    if (events_) accept_event();
     end(report, validation, error);
     return report;
   }
@@ -119,6 +133,24 @@ bool TimeStepper::rejects_energy(const StepReport& report, State start) {
   set_state(std::move(start));
   use_fallback_integrator(!finer);
   return sizes_.reject(reason, finer ? 0.5 : 1);
+}
+
+// Undoes a committed step of size h that does not end where an event is. Returns false if the step is accepted.
+bool TimeStepper::repeats_for_event(StepReport& report, double h, State& start) {
+  for (const StepMetric& metric : events_->metrics()) report.metrics.push_back(metric);
+  world_.step_metrics = report.metrics;
+  const std::optional<double> size = events_->repetition(state_, h);
+  if (!size) return false;
+  start.step_size = state_.step_size;
+  set_state(std::move(start));
+  use_fallback_integrator(false);
+  sizes_.retry(*size);
+  return true;
+}
+
+void TimeStepper::accept_event() {
+  events_->accept(state_);
+  world_.participants.load_history(state_.history);
 }
 
 // Completes the report of an accepted step.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "framework/stepping/adaptive_steps.hpp"
+#include "framework/stepping/step_events.hpp"
 #include "framework/stepping/step_reporter.hpp"
 #include "framework/stepping/step_size.hpp"
 #include "framework/stepping/step_stages.hpp"
@@ -35,7 +36,12 @@ class TimeStepper : public StepStages {
   StepReport advance();
   // Sets further times at which adaptive steps end: next(t) is the first one after t [s].
   void stop_at(std::function<double(double t)> next) { sizes_.stop_at(std::move(next)); }
-  bool finished() const { return state_.time >= time_.duration - sizes_.time_tolerance(); }
+  // Sets what happens between steps, and begins there. It must outlive the stepper.
+  void follow(StepEvents& events);
+  bool finished() const {
+    return state_.time >= time_.duration - sizes_.time_tolerance() ||
+           (events_ && events_->finished());
+  }
   bool interrupted() const { return interrupted_; }
   // Returns the size that advance() tries first [s].
   double next_step_size() const { return sizes_.size(); }
@@ -57,6 +63,8 @@ class TimeStepper : public StepStages {
   bool repeats_for_energy() const;
   StepReport commit_with_report(const SolveResult& result, double h);
   bool rejects_energy(const StepReport& report, State start);
+  bool repeats_for_event(StepReport& report, double h, State& start);
+  void accept_event();
   void end(StepReport& report, const Validation& validation, const ErrorRatio& error);
   void check_wall_limit(const std::string& fault) const;
 
@@ -65,6 +73,7 @@ class TimeStepper : public StepStages {
   std::optional<StepErrors> errors_;  // in adaptive steps
   StepReporter reporter_;
   SolvedObserver solved_;
+  StepEvents* events_ = nullptr;
   bool interrupted_ = false;
 };
 

@@ -26,6 +26,8 @@ class Load : public Component {
                                                    const VecX& /*mass*/) const;
   /// Returns the times of abrupt changes [s], at which adaptive steps end.
   virtual std::vector<double> corners() const { return {}; }
+  /// Returns the drive of a protocol that is a factor of the forces; empty: none.
+  virtual std::string drive() const { return {}; }
 };
 
 }  // namespace tack

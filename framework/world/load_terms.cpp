@@ -1,5 +1,6 @@
 #include "framework/world/load_terms.hpp"
 
+#include "framework/protocol/drives.hpp"
 #include "framework/world/load.hpp"
 
 namespace tack {
@@ -12,7 +13,15 @@ void GravityTerm::set_up(const VecX& mass, const Vec3& gravity) {
 
 VecX LoadTerm::forces_at(double t, Eigen::Index size) const {
   VecX force = VecX::Zero(size);
-  for (const Acting& a : loads_) a.load->add_forces(*a.body, *a.rest, *a.mass, t, force);
+  for (const Acting& a : loads_) {
+    if (!a.factor) {
+      a.load->add_forces(*a.body, *a.rest, *a.mass, t, force);
+      continue;
+    }
+    VecX whole = VecX::Zero(size);
+    a.load->add_forces(*a.body, *a.rest, *a.mass, t, whole);
+    force += a.factor->at(t) * whole;
+  }
   return force;
 }
 

@@ -8,6 +8,7 @@
 
 namespace tack {
 
+class Drive;
 class Load;
 
 // Potential m g . (x_start - x) of gravity.
@@ -23,9 +24,11 @@ class GravityTerm : public LinearTerm {
 class LoadTerm : public LinearTerm {
  public:
   LoadTerm() : LinearTerm("loads") {}
-  // Adds a load. All arguments must outlive the term. rest: 3n [m]; mass: per vertex [kg].
-  void add(const Load& load, const Body& body, const VecX& rest, const VecX& mass) {
-    loads_.push_back({&load, &body, &rest, &mass});
+  // Adds a load. All arguments must outlive the term. rest: 3n [m]; mass: per vertex [kg]; factor:
+  // drive of a protocol, or null.
+  void add(const Load& load, const Body& body, const VecX& rest, const VecX& mass,
+           const Drive* factor) {
+    loads_.push_back({&load, &body, &rest, &mass, factor});
   }
   std::vector<double> abrupt_times() const override;
   bool empty() const { return loads_.empty(); }
@@ -38,6 +41,7 @@ class LoadTerm : public LinearTerm {
     const Load* load;
     const Body* body;
     const VecX *rest, *mass;
+    const Drive* factor;
   };
   std::vector<Acting> loads_;
 };

@@ -13,6 +13,7 @@
 #include "framework/core/step_metric.hpp"
 #include "framework/motion/motion.hpp"
 #include "framework/motion/prescribed_motion.hpp"
+#include "framework/protocol/drives.hpp"
 #include "framework/world/acting_interaction.hpp"
 #include "framework/world/multi_point_constraints.hpp"
 #include "framework/world/load_terms.hpp"
@@ -44,6 +45,7 @@ struct World {
   /// Motions beside those of the scene: relative motions in space, motions of prescribed unknowns.
   std::vector<std::unique_ptr<Motion>> own_motions;
   PrescribedMotion prescribed_motion;  ///< motion of vertices by time
+  Drives drives;                       ///< of protocols; motions, loads and laws point to them
   MultiPointConstraints constraints;   ///< dependent vertices
   /// Pairs of bodies without contact, because one is attached or joined to the other, ascending.
   std::vector<std::pair<int, int>> attached;

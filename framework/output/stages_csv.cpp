@@ -1,0 +1,42 @@
+#include "framework/output/stages_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/io/replace_file.hpp"
+
+namespace tack {
+namespace {
+
+constexpr const char* stages_header = "protocol,stage,number,begin,end,ended_by,value,repeated";
+
+}  // namespace
+
+CsvTable rows_of_stage(const CsvTable& table, const std::vector<StageVisit>& visits, const std::string& stage) {
+  CsvTable within{table.columns, {}};
+  for (const std::vector<double>& row : table.rows)
+    if (std::any_of(visits.begin(), visits.end(), [&](const StageVisit& v) { return v.stage == stage && v.begin <= row[0] && row[0] <= v.end; })) within.rows.push_back(row);
+  return within;
+}
+
+void write_stages(const std::filesystem::path& path, const std::vector<StageVisit>& visits) {
+  std::string text = std::string(stages_header) + "\n";
+  for (const StageVisit& v : visits)
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", csv_cell(v.protocol), csv_cell(v.stage), v.number, v.begin, v.end, csv_cell(v.ended_by),
+                        std::isnan(v.value) ? "nan" : fmt::format("{}", v.value), v.repeated);
+  replace_file(path, text);
+}
+
+std::vector<StageVisit> read_stages(const std::filesystem::path& path) {
+  if (std::error_code none; !std::filesystem::exists(path, none)) return {};
+  std::vector<StageVisit> visits;
+  for (const std::vector<std::string>& row : read_csv_texts(path).rows) {
+    const auto number = [&](size_t i) { return csv_number(row[i]).value_or(std::nan("")); };
+    visits.push_back({row[0], row[1], static_cast<int>(number(2)), number(3), number(4), row[5], number(6), static_cast<int>(number(7))});
+  }
+  return visits;
+}
+
+}  // namespace tack
