@@ -57,6 +57,9 @@ bool drawable(const Plot& plot, const std::pair<double, double>& point) {
   return std::isfinite(x) && std::isfinite(y) && !(plot.log_x && x <= 0) && !(plot.log_y && y <= 0);
 }
 
+constexpr size_t band_titles_max = 12;
+constexpr double band_letter = 0.6;  // width of a letter, over the size of the font
+
 bool drawable(const Plot& plot, const Curve& curve) {
   return std::any_of(curve.points.begin(), curve.points.end(), [&](const auto& p) { return drawable(plot, p); });
 }
@@ -81,6 +84,7 @@ Plot scaled(Plot plot) {
   }
   for (LevelLine& l : plot.levels) l.at *= up.factor;
   for (LevelLine& l : plot.verticals) l.at *= along.factor;
+  for (Band& b : plot.bands) b.low *= along.factor, b.high *= along.factor;
   return plot;
 }
 
@@ -88,6 +92,7 @@ std::string data_block(const Plot& plot, const Curve& curve, size_t i) {
   std::string out = fmt::format("$curve{} << END\n", i);
   for (size_t k = 0; k < curve.points.size(); ++k) {
     const auto& [x, y] = curve.points[k];
+    if (std::isnan(x)) out += "\n";
     if (!drawable(plot, curve.points[k])) continue;
     const auto [low, high] = k < curve.spread.size() ? curve.spread[k] : std::pair(y, y);
     out += fmt::format("{} {} {} {}\n", x, y, plot.log_y && low <= 0 ? y : low, high);
@@ -233,6 +238,16 @@ std::string script_of(const Plot& given, const std::string& name, const FigureSt
       out += fmt::format("set key at screen 0.02, screen {:.4f} left top Left reverse noenhanced samplen 3 maxrows {}\nset bmargin at screen {:.4f}\n",
                          names / (plain.height + below), rows, (names + plain.axis()) / (plain.height + below));
     }
+  }
+  for (size_t i = 0; i < plot.bands.size(); ++i) {
+    const Band& b = plot.bands[i];
+    const double low = std::max(b.low, s.x.low), high = std::min(b.high, s.x.high);
+    if (!(low < high)) continue;
+    if (i % 2 == 1) out += fmt::format("set object rectangle from first {}, graph 0 to first {}, graph 1 fc rgb '#eeeeee' fs solid noborder behind\n", low, high);
+    if (plot.bands.size() > band_titles_max) continue;
+    const bool across = (s.x.position(high) - s.x.position(low)) * plain.width > band_letter * plain.font * static_cast<double>(b.title.size());
+    out += fmt::format("set label {} at first {}, graph 0.985 {} noenhanced tc rgb '#606060' front\n", in_quotes(b.title), (low + high) / 2,
+                       across ? "center offset 0,-0.5" : "right rotate by 90");
   }
   for (const LevelLine& l : plot.levels)
     out += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#808080' dt (4,4) lw 1.5\n"

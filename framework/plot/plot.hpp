@@ -11,7 +11,7 @@ namespace tack {
 
 struct Curve {
   std::string title;
-  std::vector<std::pair<double, double>> points;
+  std::vector<std::pair<double, double>> points;  // a point without an x breaks the line
   // Ranges of y, {low, high} per point, drawn as error bars; empty: none.
   std::vector<std::pair<double, double>> spread;
   // Marks without a line, whatever the style of the plot.
@@ -21,6 +21,12 @@ struct Curve {
 // A labelled line across the plot: horizontal in `levels`, vertical in `verticals`.
 struct LevelLine {
   double at = 0;
+  std::string title;
+};
+
+// A labelled range of x, shaded behind the curves.
+struct Band {
+  double low = 0, high = 0;
   std::string title;
 };
 
@@ -34,6 +40,7 @@ struct Plot {
   std::vector<Curve> curves;
   std::vector<LevelLine> levels;
   std::vector<LevelLine> verticals = {};
+  std::vector<Band> bands = {};
   std::vector<std::string> notes;  // below the plot: omitted data and the reason
 };
 

@@ -23,6 +23,29 @@ std::optional<Curve> over(const CsvTable& table, const std::string& x, const std
   return curve;
 }
 
+// Returns the stages of the first protocol of a run.
+std::vector<StageVisit> stages_of(const PlottedRun& run) {
+  std::vector<StageVisit> stages;
+  for (const StageVisit& v : run.stages)
+    if (v.protocol == run.stages.front().protocol) stages.push_back(v);
+  return stages;
+}
+
+// Returns a curve for each stage, in their order, broken where another stage comes between.
+std::vector<Curve> by_stage(const PlottedRun& run, const std::string& x, const std::string& y) {
+  const auto time = run.probes.column("time"), along = run.probes.column(x), at = run.probes.column(y);
+  std::vector<Curve> curves;
+  if (!time || !along || !at) return curves;
+  for (const StageVisit& v : stages_of(run)) {
+    auto curve = std::find_if(curves.begin(), curves.end(), [&](const Curve& c) { return c.title == v.stage; });
+    if (curve == curves.end()) curve = curves.insert(curves.end(), Curve{v.stage, {}, {}});
+    else curve->points.emplace_back(std::nan(""), 0);
+    for (const auto& row : run.probes.rows)
+      if (v.begin <= row[*time] && row[*time] <= v.end) curve->points.emplace_back(row[*along], row[*at]);
+  }
+  return curves;
+}
+
 std::optional<Curve> over_time(const CsvTable& table, const std::string& column, const std::string& title) {
   return over(table, "time", column, title);
 }
@@ -98,9 +121,10 @@ PlottedRun plotted_run(const fs::path& folder, const std::string& name) {
   if (!fs::exists(folder / "steps.csv"))
     throw InputError(fmt::format("{}: has no results of a run (no steps.csv); give a folder of `tack run`, `tack batch` or "
                                  "`tack compare`", folder.string()));
-  PlottedRun run{name, read_csv(folder / "steps.csv"), {}, {}, {}, {}};
+  PlottedRun run{name, read_csv(folder / "steps.csv"), {}, {}, {}, {}, {}};
   if (fs::exists(folder / "probes.csv")) run.probes = read_csv(folder / "probes.csv");
   if (fs::exists(folder / "laws.csv")) run.laws = read_csv_texts(folder / "laws.csv");
+  run.stages = read_stages(folder / "stages.csv");
   if (fs::exists(folder / "measured.csv")) run.measured = read_csv_texts(folder / "measured.csv");
   return run;
 }
@@ -118,6 +142,8 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
     plot.log_y = log;
     plot.style = Plot::Style::lines;
     plot.curves.push_back(std::move(*curve));
+    if (runs.size() == 1 && plot.bands.empty())
+      for (const StageVisit& v : stages_of(runs.front())) plot.bands.push_back({v.begin, v.end, v.stage});
   };
   for (const PlottedRun& run : runs) {
     for (const std::string& column : run.probes.columns)
@@ -140,7 +166,13 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
 Plot probe_curves(const std::vector<PlottedRun>& runs, const std::string& x, const std::string& y) {
   Plot plot{.title = y + " over " + x, .x_label = x, .y_label = y, .x_unit = unit_of(runs.front(), x), .y_unit = unit_of(runs.front(), y), .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
   std::vector<std::string> without;
+  if (runs.size() == 1 && x == "time")
+    for (const StageVisit& v : stages_of(runs.front())) plot.bands.push_back({v.begin, v.end, v.stage});
   for (const PlottedRun& run : runs) {
+    if (runs.size() == 1 && x != "time" && !run.stages.empty()) {
+      plot.curves = by_stage(run, x, y);
+      if (!plot.curves.empty()) break;
+    }
     auto curve = over(run.probes, x, y, run.name);
     if (curve && !curve->points.empty()) plot.curves.push_back(std::move(*curve));
     else without.push_back(run.name);

@@ -8,7 +8,8 @@
 //   energies         of a single run: stored energy by term
 //   measured_PROBE   a probe over the x of its measured data (measured.csv), with the data as marks
 //   laws             of a single run: traction over gap of adhesive pairs, closed form (laws.csv)
-// and plots of any probe over any other.
+// and plots of any probe over any other. Of a single run with a protocol (stages.csv), probes over
+// time have its stages as bands, and a probe over another one has a curve for each stage.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/output/csv.hpp"
+#include "framework/output/stages_csv.hpp"
 #include "framework/plot/plot.hpp"
 
 namespace tack {
@@ -28,6 +29,7 @@ struct PlottedRun {
   CsvTexts laws, measured;
   // Units of the probes by column, if known.
   std::map<std::string, std::string> units;
+  std::vector<StageVisit> stages;  // of protocols
 };
 
 // Reads the tables of a run's folder. Throws InputError if the folder holds no run.

@@ -6,6 +6,7 @@
 #include "framework/config/read_file.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/output/probe_units.hpp"
+#include "framework/protocol/stage_metrics.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -88,7 +89,13 @@ Json scene_data(const std::filesystem::path& scene) {
 Json scene_data(const Experiment& e, const Value& root, const std::string& text) {
   Json objects = Json::array();
   for (const ObjectConfig& object : e.objects) objects.push_back({{"name", object.name}, {"radius", radius_of(object)}, {"reach", contact_half_range(object, e)}});
-  return {{"name", e.name}, {"about", e.about}, {"text", text}, {"up", up_of(e)}, {"duration", e.time.duration}, {"objects", std::move(objects)},
+  Json protocols = Json::array();
+  for (const ProtocolConfig& protocol : e.protocols) {
+    Json stages = Json::array();
+    for (const StageConfig& stage : protocol.stages) stages.push_back(stage.name);
+    protocols.push_back({{"name", protocol.name}, {"column", stage_metric(protocol, 0).name}, {"stages", std::move(stages)}});
+  }
+  return {{"name", e.name}, {"protocols", std::move(protocols)}, {"about", e.about}, {"text", text}, {"up", up_of(e)}, {"duration", e.time.duration}, {"objects", std::move(objects)},
           {"probes", probes_of(e, root)}, {"expect", expectations_of(e)}};
 }
 

@@ -11,7 +11,8 @@ namespace tack {
 struct Experiment;
 struct Value;
 
-// Returns {name, about, text, up, duration [s], objects [{name, radius [m], reach [m]}], probes
+// Returns {name, protocols [{name, column of steps.csv, stages [name]}], about, text, up, duration
+// [s], objects [{name, radius [m], reach [m]}], probes
 // [{column, type, unit, on, from, between}], expect [{name, unit, probe, along, wanted {target,
 // tolerance, at_least, at_most}}]}. reach: half of the contact range, from the object's surface;
 // null without contact. Throws InputError for a scene that this program cannot read.

@@ -57,7 +57,7 @@ function logTicks(low, high) {
 const groups = new Map();
 
 /*
- options: title, x and y {name, unit, log, loose: with a margin at both ends, span: range that is always shown, zero: include zero}, series [{label, x, y, lower, index, points, line}], stacked, group, height, note, plain: without labels.
+ options: title, bands [{from, to, label}] of x behind the lines, x and y {name, unit, log, loose: with a margin at both ends, span: range that is always shown, zero: include zero}, series [{label, x, y, lower, index, points, line}], stacked, group, height, note, plain: without labels.
  lower: lower side of a stacked area. index: of colour and dashes; by default the index in the list.
 */
 export function chart(options) {
@@ -172,6 +172,32 @@ export function chart(options) {
     }
     ctx.restore();
   };
+  // Every second band is shaded; labels stand at the top where they fit.
+  const bands = (u) => {
+    if (!options.bands?.length) return;
+    const { ctx } = u;
+    const { left, top, width, height } = u.bbox;
+    const size = 10 * devicePixelRatio;
+    ctx.save();
+    ctx.font = `${size}px system-ui, sans-serif`;
+    ctx.textAlign = "center";
+    ctx.textBaseline = "top";
+    options.bands.forEach(({ from, to, label }, i) => {
+      const low = Math.max(left, u.valToPos(from * unitX.factor, "x", true));
+      const high = Math.min(left + width, u.valToPos(to * unitX.factor, "x", true));
+      if (!(low < high)) return;
+      if (i % 2 === 1) {
+        ctx.fillStyle = style("--grid");
+        ctx.globalAlpha = 0.55;
+        ctx.fillRect(low, top, high - low, height);
+        ctx.globalAlpha = 1;
+      }
+      if (ctx.measureText(label).width + size > high - low) return;
+      ctx.fillStyle = style("--quiet");
+      ctx.fillText(label, (low + high) / 2, top + size / 3);
+    });
+    ctx.restore();
+  };
   const roomRight = (u) => (direct && u.width >= 480 && longest <= 22 ? 12 + 6.4 * longest : 14);
 
   // The legend shows the values at the cursor.
@@ -255,6 +281,7 @@ export function chart(options) {
         paths: path,
       }))],
       hooks: {
+        drawClear: [bands],
         draw: [endLabels],
         setCursor: [(u) => {
           if (u.cursor.left < 0) return show(null);

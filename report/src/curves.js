@@ -11,18 +11,46 @@ export const unitsOf = (run) => Object.fromEntries((run.scene?.probes ?? []).map
 
 const columnsOf = (runs, table, wanted) => [...new Set(runs.flatMap((run) => run[table]?.columns ?? []))].filter(wanted);
 
+// The stages of the first protocol of a single run, from the column of its steps.
+export function bandsOf(runs) {
+  const run = runs[0];
+  const protocol = run?.scene?.protocols?.[0];
+  const [numbers, times] = [protocol && run.steps?.get(protocol.column), run?.steps?.get("time")];
+  if (runs.length !== 1 || !numbers || !times) return undefined;
+  if (run.summary?.stages) return run.summary.stages.filter((one) => one.protocol === protocol.name).map((one) => ({ from: one.begin, to: one.end, label: one.stage }));
+  const bands = [];
+  numbers.forEach((number, i) => {
+    const label = protocol.stages[number - 1];
+    if (bands.at(-1)?.label === label) bands.at(-1).to = times[i];
+    else bands.push({ from: bands.at(-1)?.to ?? 0, to: times[i], label });
+  });
+  return bands;
+}
+
 // One line per run for a column; several runs keep their colours in every chart.
 const linesOf = (runs, table, x, y) => runs.flatMap((run, i) => {
   const [xs, ys] = [run[table]?.get(x), run[table]?.get(y)];
   return xs && ys ? [{ label: run.label, x: xs, y: ys, index: i }] : [];
 });
 
+// One line per stage of a single run's protocol; nothing without one.
+function linesByStage(runs, x, y) {
+  const bands = bandsOf(runs);
+  const table = runs[0].probes;
+  const [times, xs, ys] = [table?.get("time"), table?.get(x), table?.get(y)];
+  if (!bands?.length || !xs || !ys) return null;
+  return [...new Set(bands.map((band) => band.label))].map((label) => {
+    const own = bands.filter((band) => band.label === label);
+    return { label, x: xs, y: ys.map((v, i) => (own.some(({ from, to }) => from <= times[i] && times[i] <= to) ? v : NaN)) };
+  });
+}
+
 export function probeSection(runs) {
   const columns = columnsOf(runs, "probes", (name) => name !== "time");
   if (columns.length === 0) return section("probes", "Probes", h("p", { class: "note" }, "The run has no probes."));
   const units = byName(...runs.map(unitsOf));
   const charts = runs.length === 1 ? probesByUnit(runs[0], columns, units)
-    : columns.map((name) => chart({ title: words(name), x: time, y: { name: words(name), unit: units[name] }, group: "time", series: linesOf(runs, "probes", "time", name) }));
+    : columns.map((name) => chart({ title: words(name), bands: bandsOf(runs), x: time, y: { name: words(name), unit: units[name] }, group: "time", series: linesOf(runs, "probes", "time", name) }));
   return section("probes", "Probes", h("p", { class: "note", id: "chart-keys" },
     "Drag across a chart to zoom, double-click to show all. Keys: arrows move along the curve, + and − zoom, 0 shows all."),
     grid(charts), columns.length > 1 && against(runs, columns, units));
@@ -39,7 +67,7 @@ function probesByUnit(run, columns, units) {
     else charts.push({ unit: units[name], names: [name], size });
   }
   return charts.map(({ unit, names }) => chart({
-    title: names.map(words).join(", "), x: time, y: { name: names.length > 1 ? quantityOf(unit) : words(names[0]), unit }, group: "time",
+    title: names.map(words).join(", "), bands: bandsOf([run]), x: time, y: { name: names.length > 1 ? quantityOf(unit) : words(names[0]), unit }, group: "time",
     series: names.map((name) => ({ label: words(name), x: run.probes.get("time"), y: run.probes.get(name) })),
   }));
 }
@@ -61,7 +89,8 @@ function against(runs, columns, units) {
   let [x, y] = chosen?.every((name) => all.includes(name)) ? chosen : axesOf(runs, columns, units);
   const holder = h("div", { class: "charts wide" });
   const draw = () => holder.replaceChildren(chart({
-    title: `${words(y)} over ${words(x)}`, x: { name: words(x), unit: of[x], loose: x !== "time" }, y: { name: words(y), unit: of[y] }, height: 300, series: linesOf(runs, "probes", x, y),
+    title: `${words(y)} over ${words(x)}`, bands: x === "time" ? bandsOf(runs) : undefined, x: { name: words(x), unit: of[x], loose: x !== "time" }, y: { name: words(y), unit: of[y] },
+    height: 300, series: (x !== "time" && linesByStage(runs, x, y)) || linesOf(runs, "probes", x, y),
   }));
   const options = all.map((name) => [name, words(name)]);
   const choose = () => {
