@@ -53,6 +53,12 @@ void check_experiment(const std::string& file) {
   check_states(o);
 }
 
+TEST_CASE("experiment protocols/probe_tack") { check_experiment("protocols/probe_tack.yaml"); }
+TEST_CASE("experiment protocols/loop_tack") { check_experiment("protocols/loop_tack.yaml"); }
+TEST_CASE("experiment protocols/peel_90") { check_experiment("protocols/peel_90.yaml"); }
+TEST_CASE("experiment protocols/lap_shear_creep") { check_experiment("protocols/lap_shear_creep.yaml"); }
+TEST_CASE("experiment protocols/cyclic_debonding") { check_experiment("protocols/cyclic_debonding.yaml"); }
+TEST_CASE("experiment protocols/friction_sled") { check_experiment("protocols/friction_sled.yaml"); }
 TEST_CASE("experiment debonding/pull") { check_experiment("debonding/pull.yaml"); }
 TEST_CASE("experiment debonding/pull_squared") { check_experiment("debonding/pull_squared.yaml"); }
 TEST_CASE("experiment debonding/peel") { check_experiment("debonding/peel.yaml"); }
