@@ -244,8 +244,9 @@ std::string script_of(const Plot& given, const std::string& name, const FigureSt
     const double low = std::max(b.low, s.x.low), high = std::min(b.high, s.x.high);
     if (!(low < high)) continue;
     if (i % 2 == 1) out += fmt::format("set object rectangle from first {}, graph 0 to first {}, graph 1 fc rgb '#eeeeee' fs solid noborder behind\n", low, high);
-    if (plot.bands.size() > band_titles_max) continue;
-    const bool across = (s.x.position(high) - s.x.position(low)) * plain.width > band_letter * plain.font * static_cast<double>(b.title.size());
+    const double width = (s.x.position(high) - s.x.position(low)) * plain.width;
+    if (plot.bands.size() > band_titles_max || width < plain.font) continue;
+    const bool across = width > band_letter * plain.font * static_cast<double>(b.title.size());
     out += fmt::format("set label {} at first {}, graph 0.985 {} noenhanced tc rgb '#606060' front\n", in_quotes(b.title), (low + high) / 2,
                        across ? "center offset 0,-0.5" : "right rotate by 90");
   }
