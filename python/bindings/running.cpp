@@ -140,7 +140,6 @@ void Running::change(const std::vector<std::string>& overrides) {
   all.insert(all.end(), overrides.begin(), overrides.end());
   std::unique_ptr<Simulation> before;
   try {
-    const py::gil_scoped_release released;
     arena_.execute([&] {
       auto after = std::make_unique<Simulation>(load_(all), collect());
       State state = changed_state(*simulation_, *after);
