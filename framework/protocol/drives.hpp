@@ -17,7 +17,7 @@
 
 namespace tack {
 
-// What follows a drive, and so the unit of the drive.
+// Kind of the followers of a drive, which gives the drive its unit.
 enum class FollowerKind { unused, displacement, angle, load, adhesion };
 const Unit& unit_of(FollowerKind kind);    // m, rad, 1
 Unit velocity_unit_of(FollowerKind kind);  // m/s, rad/s, 1/s

@@ -21,7 +21,7 @@
 
 namespace tack {
 
-// What a stage does with a drive: one of velocity, position, factor, formula, control.
+// Action of a stage on a drive: one of velocity, position, factor, formula, control.
 struct DriveAction {
   std::optional<Quantity> velocity;  // m/s or rad/s
   std::optional<Quantity> position;  // from where the run began [m or rad]
