@@ -7,6 +7,8 @@
 //     f_s0' = f_s = f1 for y < e = eps_v h, then 1 - t^2 (3 - 2t), t = (y - e) / w, for y < e + w =
 //     v_s h, then 0: friction falls from static to kinetic up to the Stribeck speed v_s
 //     (Armstrong-Helouvry, Dupont, Canudas de Wit 1994, section 2.1; here with a cubic)
+// With an elastic slip l, friction sticks: y is the slip from an anchor (stick_anchors.hpp), and l
+// takes the place of eps_v h, l + v_s h that of v_s h.
 // All integrals start at f(0) = 0. f_t0 is concave between e and 2e, f_s0 from e on.
 #pragma once
 
@@ -23,7 +25,10 @@ struct TangentialLaw {
   double mu_a = 0;           // tangential adhesion over normal adhesion
   double peak_traction = 0;  // of the normal adhesion [Pa]
   double eps_a = 1e-3;       // sliding speed of the largest tangential adhesion [m/s]
+  double across = 1;         // friction across the grain over that along it
+  double elastic_slip = 0;   // l: slip up to which a contact sticks [m]; 0: it creeps below eps_v
 
+  bool sticks() const { return elastic_slip > 0; }
   bool acts() const { return mu_static > 0 || mu_a * peak_traction > 0; }
 };
 

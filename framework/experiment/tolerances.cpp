@@ -36,16 +36,29 @@ double smallest_number(const World& world) {
   return smallest;
 }
 
-// Returns the sticking speeds with their keys.
-std::vector<std::pair<std::string, double>> sticking_speeds(const ContactConfig& contact) {
-  std::vector<std::pair<std::string, double>> speeds;
-  if (contact.friction) speeds.emplace_back("contact.friction.eps_v", contact.friction->eps_v);
+// Speed below which contacts stick.
+struct StickingSpeed {
+  std::string key;
+  double speed;   // m/s
+  double finest;  // m/s: the finest tolerance that it asks for by default
+};
+
+// Returns the sticking speeds with their keys. step: size of steps [s].
+std::vector<StickingSpeed> sticking_speeds(const Experiment& experiment, double step) {
+  const ContactConfig& contact = *experiment.contact;
+  std::vector<StickingSpeed> speeds;
+  const auto add = [&](const std::string& friction, const FrictionConfig& of) {
+    if (!of.sticks()) speeds.push_back({friction + ".eps_v", of.full_speed(), finest_sticking});
+    else speeds.push_back({friction + ".elastic_slip over time.step,", of.slip_of_stick(contact.contact_distance) / step, 0});
+  };
+  const auto has_own = [](const ObjectConfig& object) { return object.friction.has_value(); };
+  if (contact.friction || std::any_of(experiment.objects.begin(), experiment.objects.end(), has_own)) add("contact.friction", contact.friction.value_or(FrictionConfig()));
   for (size_t i = 0; i < contact.pairs.size(); ++i) {
     const PairConfig& pair = contact.pairs[i];
     const auto key = [&](const char* name) { return fmt::format("contact.pairs[{}].{}", i, name); };
-    if (pair.friction) speeds.emplace_back(key("friction.eps_v"), pair.friction->eps_v);
+    if (pair.friction) add(key("friction"), *pair.friction);
     if (pair.tangential_adhesion && pair.tangential_adhesion->eps_a)
-      speeds.emplace_back(key("tangential_adhesion.eps_a"), *pair.tangential_adhesion->eps_a);
+      speeds.push_back({key("tangential_adhesion.eps_a"), *pair.tangential_adhesion->eps_a, finest_sticking});
   }
   return speeds;
 }
@@ -55,7 +68,7 @@ double velocity_tolerance(const Experiment& experiment, const World& world) {
   if (experiment.contact) way = std::min(way, of_distance * experiment.contact->contact_distance);
   double speed = way > 0 ? std::min(usual, way / experiment.time.step) : usual;
   if (!experiment.contact) return speed;
-  for (const auto& [key, sticking] : sticking_speeds(*experiment.contact)) speed = std::min(speed, std::max(sticking, finest_sticking));
+  for (const auto& [key, sticking, finest] : sticking_speeds(experiment, experiment.time.step)) speed = std::min(speed, std::max(sticking, finest));
   return speed;
 }
 
@@ -77,7 +90,7 @@ std::vector<Warning> tolerance_warnings(const Experiment& experiment) {
         "solver.tolerance {:.4g} m/s lets a step of {:.4g} s end {:.4g} m off, and the contact distance is {:.4g} m; "
         "lower solver.tolerance to {:.4g} m/s or less", tolerance, experiment.time.step, way, distance,
         of_distance * distance / experiment.time.step));
-  for (const auto& [key, speed] : sticking_speeds(*experiment.contact))
+  for (const auto& [key, speed, finest] : sticking_speeds(experiment, experiment.time.step))
     if (speed < tolerance * (1 - 1e-9))
       warnings.emplace_back(WarningKind::sticking_speed, fmt::format("{} {:.4g} m/s is below solver.tolerance {:.4g} m/s, so sticking is not resolved; "
                                   "lower the tolerance below it, or raise it", key, speed, tolerance));

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "framework/contact/points/stick_anchors.hpp"
 #include "framework/core/term_gradient.hpp"
 #include "framework/world/energy_records.hpp"
 #include "framework/world/remeshed_energy.hpp"
@@ -96,6 +97,7 @@ History transfer_history(const State& state, const World& old_world, const World
       result.values.insert(result.values.end(), array.values.begin() + i * array.width, array.values.begin() + (i + 1) * array.width);
     }
   }
+  history.erase(StickAnchors::history_name);  // holds indices of vertices: contacts find new anchors
   for (const NewElements& e : exchanged) {
     const std::string& body = old_world.bodies[e.body].name;
     std::erase_if(history, [&](const auto& entry) { return entry.first.starts_with(body + "/energies/"); });

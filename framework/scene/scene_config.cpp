@@ -48,6 +48,10 @@ void ObjectConfig::fields(Fields& f) {
   f.number("contact_offset", contact_offset, units::length,
            "distance of its contact surface from the mesh, on every side: half the thickness of a shell, the radius "
            "of a rod or particle").nonnegative();
+  f.optional_number("friction", friction, units::none,
+                    "coefficient of friction of its surface: two objects that have one rub with both, combined by contact.blend, unless their pair names its friction").nonnegative();
+  f.optional_vector("grain", grain, units::none, "direction of the grain of its surface, as it is placed, for friction with mu_across; it turns with the material");
+  f.check("grain", [this]() -> std::string { return grain && !(grain->norm() > 0) ? "is a direction, and has no length" : ""; });
   f.component("body", body, "kinematics as a whole; unless given, its vertices move freely");
   f.component_list("energies", energies, "its potential energies; not needed by an affine body or if all its motion is prescribed");
   f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");
@@ -144,6 +148,14 @@ void ContactConfig::fields(Fields& f) {
                     "are moved apart by at most this distance, to a gap of half the contact distance; objects that "
                     "are prescribed, attached or joined by an interaction stay. Unless given, such a start is refused").positive();
   f.optional_object("friction", friction, "friction of every pair");
+  f.choice("blend", blend,
+           {{"geometric", FrictionBlend::geometric, "the square root of their product"},
+            {"arithmetic", FrictionBlend::arithmetic, "their mean"},
+            {"harmonic", FrictionBlend::harmonic, "twice their product over their sum"},
+            {"minimum", FrictionBlend::minimum, "the smaller one"},
+            {"maximum", FrictionBlend::maximum, "the larger one"},
+            {"product", FrictionBlend::product, "their product"}},
+           "coefficient of friction of two surfaces with coefficients of their own (objects[].friction)");
   f.object("lagging", lagging, "updates of the lagged normal forces of friction within a step");
   f.list("pairs", pairs, "contact settings of pairs of objects");
   f.check("weights", [this] { return weights == Weights::pair ? replace_model("ipc") : std::string(); });

@@ -61,6 +61,8 @@ struct ObjectConfig {
   std::optional<RodConfig> rod;
   std::optional<ParticleConfig> particle;
   double contact_offset = 0;        // m
+  std::optional<double> friction;   // coefficient of its surface
+  std::optional<Vec3> grain;        // direction of its surface at rest
   std::unique_ptr<BodyModel> body;  // null: vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;
@@ -112,6 +114,7 @@ struct ContactConfig {
   std::unique_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");
   std::optional<double> overclosure_adjustment;  // m
   std::optional<FrictionConfig> friction;
+  FrictionBlend blend = FrictionBlend::geometric;
   LaggingConfig lagging;
   std::vector<PairConfig> pairs;
   void fields(Fields& f);

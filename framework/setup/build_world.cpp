@@ -248,6 +248,7 @@ ForceRecord zero_friction_record() {
 bool has_friction(const SceneConfig& scene) {
   if (!scene.contact) return false;
   const auto& pairs = scene.contact->pairs;
+  if (std::any_of(scene.objects.begin(), scene.objects.end(), [](const auto& object) { return object.friction.has_value(); })) return true;
   return scene.contact->friction || std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.friction.has_value(); });
 }
 

@@ -9,6 +9,8 @@
 #include "framework/contact/terms/friction_term.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/setup/pair_builder.hpp"
+#include "framework/setup/pair_friction.hpp"
+#include "framework/scene/rolling_energy.hpp"
 #include "framework/setup/refined_surface.hpp"
 #include "framework/setup/spins.hpp"
 #include "framework/world/hulls.hpp"
@@ -83,6 +85,23 @@ void refuse_environment(const SceneConfig& scene, const Value& root) {
                    "no adhesion law or energy of the scene depends on the temperature, which acts on nothing else; take `environment` away, or choose one that does (`viscoelastic` with `shift`, or a `maxwell` energy with `shift`)");
 }
 
+// Throws InputError for a rolling object whose friction sticks: anchors follow no rotation of rods
+// and particles.
+void refuse_rolling_that_sticks(const SceneConfig& scene, const Value& root, const World& world) {
+  const PairTable& pairs = world.contact->pairs();
+  if (!StickAnchors::any(pairs)) return;
+  const auto sticks = [&](int law) { return law >= 0 && pairs.tangential(law).sticks(); };
+  for (int a = 0; a < static_cast<int>(world.bodies.size()); ++a) {
+    if (!rolls(scene.objects[a])) continue;
+    for (int b = 0; b < static_cast<int>(world.bodies.size()); ++b) {
+      if (!sticks(pairs.point(a, b).law) && !sticks(pairs.point(b, a).law) && !sticks(pairs.codimensional(a, b).law)) continue;
+      const Value* contact = root.find("contact");
+      throw InputError(fmt::format("{}'{}' rolls, and its friction with '{}' is `model: stick`, whose anchors follow no rotation of rods and particles; give the two smoothed friction in "
+                                   "contact.pairs, or take `rolling` away", contact ? contact->mark.text() + ": " : "", world.bodies[a].name, world.bodies[b].name));
+    }
+  }
+}
+
 // Returns the rigid group of each vertex: prescribed rigid motions and affine bodies; empty without
 // either.
 std::vector<int> rigid_groups(const World& world) {
@@ -108,6 +127,7 @@ std::vector<int> rigid_groups(const World& world) {
 }  // namespace
 
 void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock, World& world) {
+  refuse_surface_friction_without_use(scene, root);
   if (!scene.contact) return refuse_environment(scene, root);
   ContactSurface surface;
   std::vector<ContactPrimitives> primitives;
@@ -140,8 +160,12 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
     for (const Body& body : world.bodies) names.push_back(body.name);
     world.bonds->set_environment(scene.environment ? &*scene.environment : nullptr, std::move(names));
   }
-  if (world.contact->pairs().any_tangential())
-    world.friction = std::make_unique<FrictionTerm>(*world.contact, contact_spins(scene, world));
+  refuse_rolling_that_sticks(scene, root, world);
+  if (!world.contact->pairs().any_tangential()) return;
+  world.friction = std::make_unique<FrictionTerm>(*world.contact, contact_spins(scene, world));
+  std::vector<Vec3> grains;
+  for (const ObjectConfig& object : scene.objects) grains.push_back(object.grain.value_or(Vec3::Zero()));
+  world.friction->set_grains(std::move(grains));
 }
 
 }  // namespace tack

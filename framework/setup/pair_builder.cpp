@@ -8,6 +8,7 @@
 #include "framework/setup/contact_support.hpp"
 #include "framework/setup/driven_law.hpp"
 #include "framework/setup/dynamic_pressure.hpp"
+#include "framework/setup/pair_friction.hpp"
 #include "framework/setup/sheet_stiffness.hpp"
 #include "geometry/errors.hpp"
 
@@ -33,7 +34,7 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std
     for (const PairSide& side : pair.between) names.insert(side.object);
   std::vector<std::set<int>> attached(world.bodies.size());
   for (const auto& [a, b] : world.attached) attached[a].insert(b), attached[b].insert(a);
-  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double, double, double, double>;
+  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double, double, double, double, double, bool>;
   std::map<Key, int> known;
   std::vector<int> classes;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
@@ -41,7 +42,7 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std
     const Body& body = world.bodies[i];
     std::vector<NamedAs> named;
     for (const std::string& name : names) named.push_back(named_as(object, name));
-    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness, pressures[i], sheets[i], resting[i]};
+    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness, pressures[i], sheets[i], resting[i], object.friction.value_or(-1), object.grain.has_value()};
     classes.push_back(known.emplace(key, static_cast<int>(known.size())).first->second);
   }
   return ObjectClasses(std::move(classes));
@@ -102,6 +103,9 @@ void PairBuilder::refuse_unsupported_barriers() const {
 
 void PairBuilder::build() {
   refuse_unsupported_barriers();
+  for (size_t i = 0; i < scene_.objects.size(); ++i)
+    if (scene_.objects[i].grain && !primitives_[i].triangles)
+      throw InputError(fmt::format("object '{}': a grain is of surfaces of triangles, and it has none; take it away", scene_.objects[i].name));
   const std::set<std::pair<int, int>> all_attached(world_.attached.begin(), world_.attached.end());
   for (const auto& [a, b] : classes_.examples()) {
     const int index = configs_.of(a, b);
@@ -147,16 +151,24 @@ std::string PairBuilder::model_location() const {
   return model ? model->mark.text() + ": " : contact_location();
 }
 
-// Returns the tangential law of a pair whose adhesion has the given peak traction.
-TangentialLaw PairBuilder::tangential_of(const PairConfig* pair, double peak_traction) const {
+// Returns the tangential law of two objects whose adhesion has the given peak traction.
+TangentialLaw PairBuilder::tangential_of(const PairConfig* pair, double peak_traction, int a, int b) const {
   TangentialLaw law;
-  if (const auto& friction = pair && pair->friction ? pair->friction : contact_.friction) {
+  const ObjectConfig &first = scene_.objects[a], &second = scene_.objects[b];
+  if (const auto friction = friction_of(pair, contact_, first, second)) {
     law.mu = friction->mu;
-    law.eps_v = friction->eps_v;
+    law.across = across_of(*friction, pair && pair->friction, first, second);
+    law.eps_v = friction->full_speed();
+    if (friction->sticks()) law.elastic_slip = friction->slip_of_stick(contact_.contact_distance);
     law.mu_static = friction->largest();
-    law.stribeck = friction->stribeck_speed.value_or(10 * friction->eps_v);
+    law.stribeck = friction->stribeck_speed.value_or(10 * friction->full_speed());
   }
   if (pair && pair->tangential_adhesion) {
+    if (law.sticks())
+      throw InputError("tangential_adhesion acts by the slip of a step, and friction of `model: stick` by the slip from an anchor; take tangential_adhesion away (bonds resist shear at "
+                       "rest: `tack list adhesion`), or give this pair smoothed friction");
+    if (law.across != 1)
+      throw InputError("tangential_adhesion is the same in all directions; take it away, or mu_across");
     law.mu_a = pair->tangential_adhesion->mu;
     law.eps_a = pair->tangential_adhesion->eps_a.value_or(law.eps_v);
     law.peak_traction = peak_traction;
@@ -190,7 +202,11 @@ double PairBuilder::safety_barrier_range_of(int a, int b) const {
 PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
   PairMaterials materials = materials_of(a, b);
   const double offset = table_.offset(a, b), barrier_range = safety_barrier_range_of(a, b), resting = std::max(resting_[a], resting_[b]);
-  const auto key = std::tuple{config, region, materials.softer_young, materials.softer_stiffness, offset, barrier_range, resting};
+  // Friction depends on the coefficients of both surfaces and on the number of grains.
+  const ObjectConfig &first = scene_.objects[a], &second = scene_.objects[b];
+  const double own_friction = first.friction && second.friction ? blended(contact_.blend, *first.friction, *second.friction) : -1;
+  const int grains = first.grain.has_value() + (a != b && second.grain.has_value());
+  const auto key = std::tuple{config, region, materials.softer_young, materials.softer_stiffness, offset, barrier_range, resting, own_friction, grains};
   if (const auto found = laws_.find(key); found != laws_.end()) {
     if (found->second.summary >= 0) add_to(world_.adhesion[found->second.summary], a, b);
     return found->second;
@@ -216,7 +232,7 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int region) {
     full->prepare(of_barrier);
     of_barrier.contact_distance *= barrier_range;
     close->prepare(of_barrier);
-    prepared = {offset, full, close, adhesion, tangential_of(pair, materials.adhesion_peak)};
+    prepared = {offset, full, close, adhesion, tangential_of(pair, materials.adhesion_peak, a, b)};
   } catch (const InputError& error) {
     if (!pair) throw InputError(contact_location() + error.what());
     throw configs_.error(config, error.what());

@@ -47,7 +47,7 @@ class PairBuilder {
 
   std::string contact_location() const;
   std::string model_location() const;
-  TangentialLaw tangential_of(const PairConfig* pair, double peak_traction) const;
+  TangentialLaw tangential_of(const PairConfig* pair, double peak_traction, int a, int b) const;
   double offset_of(int a, int b) const;
   PairMaterials materials_of(int a, int b) const;
   double safety_barrier_range_of(int a, int b) const;
@@ -86,7 +86,7 @@ class PairBuilder {
   PairTable table_;
   CollidingObjects colliding_;
   BondTable bonds_;
-  std::map<std::tuple<int, int, double, double, double, double, double>, LawIds> laws_;
+  std::map<std::tuple<int, int, double, double, double, double, double, double, int>, LawIds> laws_;
 };
 
 }  // namespace tack

@@ -101,6 +101,8 @@ void LcpPgsStepper::admit(const World& world, const SceneConfig& scene, const Ti
   refuse_unless(pairs.region_sets().empty(), "has one friction and adhesion for two objects, and contact.pairs names parts of some", "name whole objects");
   for (size_t i = 0; i < pairs.laws().size(); ++i) {
     refuse_unless(pairs.tangential(static_cast<int>(i)).mu_static == pairs.tangential(static_cast<int>(i)).mu, "has one coefficient of friction", "take `mu_static` away");
+    refuse_unless(pairs.tangential(static_cast<int>(i)).across == 1, "has the same friction in all directions", "take `mu_across` away");
+    refuse_unless(!pairs.tangential(static_cast<int>(i)).sticks(), "sticks without `model: stick`", "take it away");
     refuse_unless(pairs.tangential(static_cast<int>(i)).mu_a == 0, "knows no tangential adhesion beside that of RCC", "take `tangential_adhesion` away");
     for (const auto& law : pairs.laws()[i].laws())
       refuse_unless(dynamic_cast<const NormalAdhesion*>(law.get()) == nullptr, fmt::format("has rows for RCC adhesion alone, and a pair adheres by '{}'", law->name()),

@@ -188,6 +188,10 @@ TEST_CASE("experiment viscoelastic/peel") {
 }
 
 TEST_CASE("experiment friction/stick_slip") { check_experiment("friction/stick_slip.yaml"); }
+TEST_CASE("experiment friction/stick") { check_experiment("friction/stick.yaml"); }
+TEST_CASE("experiment friction/house_of_cards") { check_experiment("friction/house_of_cards.yaml"); }
+TEST_CASE("experiment friction/grain") { check_experiment("friction/grain.yaml"); }
+TEST_CASE("experiment friction/surfaces") { check_experiment("friction/surfaces.yaml"); }
 
 TEST_CASE("experiment rod/cantilever") { check_experiment("rod/cantilever.yaml"); }
 TEST_CASE("experiment rod/twist") { check_experiment("rod/twist.yaml"); }

@@ -27,7 +27,7 @@ bool press_alike(const PairTable& table, int a, int b) {
   constexpr int gaps = 32;  // over the range
   const PairLaw &first = table.laws()[a], &second = table.laws()[b];
   const TangentialLaw &rubs = table.tangential(a), &rubs_too = table.tangential(b);
-  if (first.offset() != second.offset() || first.range() != second.range() || rubs.mu != rubs_too.mu || rubs.mu_static != rubs_too.mu_static || rubs.stribeck != rubs_too.stribeck || rubs.eps_v != rubs_too.eps_v) return false;
+  if (first.offset() != second.offset() || first.range() != second.range() || rubs.mu != rubs_too.mu || rubs.mu_static != rubs_too.mu_static || rubs.stribeck != rubs_too.stribeck || rubs.eps_v != rubs_too.eps_v || rubs.elastic_slip != rubs_too.elastic_slip || rubs.across != rubs_too.across) return false;
   for (int i = 1; i <= gaps; ++i) {
     const double distance = first.offset() + (first.range() - first.offset()) * i / gaps;
     if (first.at(distance).slope != second.at(distance).slope) return false;

@@ -52,6 +52,9 @@ struct ContactPoint {
   int object;    // of the point
   int opposite;  // the object that it faces; its own in self-contact
   int law;       // of the pair table
+  // Elastic slip at the start of the step along both tangents [m]; of laws that stick
+  // (stick_anchors.hpp).
+  Vec2 elastic = Vec2::Zero();
 
   PointKind kind() const {
     return own_vertex_count == 1   ? PointKind::vertex

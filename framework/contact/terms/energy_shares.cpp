@@ -29,7 +29,8 @@ bool ContactTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) cons
 void FrictionTerm::visit_dissipation(const VecX& x, const EnergyVisitor& visit) const {
   const auto dissipated_at = [&](const auto& point) {
     const Slip slip(point, x, start_);
-    return slip.sample(system_.pairs().tangential(point.law), h_, TangentialTerm::all).slope_over_y * slip.y * slip.y;
+    const TangentialLaw& law = system_.pairs().tangential(point.law);
+    return slip.work(slip.sample(law, h_, TangentialTerm::all), law);
   };
   for_each_record(sliding(), [&](const auto& point) { visit(point.vertices, dissipated_at(point)); });
   for (const RollingGroup& group : rolling_)

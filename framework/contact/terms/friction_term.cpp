@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "framework/contact/points/grain.hpp"
 #include "framework/contact/terms/slip.hpp"
 #include "framework/core/local_stencils.hpp"
 #include "geometry/parallel.hpp"
@@ -30,9 +31,14 @@ double FrictionTerm::sum_of(const VecX& x, const Number& number) const {
 }
 
 FrictionTerm::FrictionTerm(const ContactSystem& system, ContactSpins spins)
-    : Term("friction"), system_(system), spins_(std::move(spins)) {
+    : Term("friction"), system_(system), sticks_(StickAnchors::any(system.pairs())), spins_(std::move(spins)) {
   for (size_t law = 0; law < system.pairs().laws().size(); ++law)
     wanted_.push_back(system.pairs().tangential(static_cast<int>(law)).acts());
+}
+
+void FrictionTerm::set_grains(std::vector<Vec3> grains) {
+  grains_ = std::move(grains);
+  for (size_t law = 0; law < wanted_.size(); ++law) grained_ = grained_ || system_.pairs().tangential(static_cast<int>(law)).across != 1;
 }
 
 void FrictionTerm::publish(Records& records) const {
@@ -60,6 +66,8 @@ ContactPoints FrictionTerm::lagged_at(const VecX& x) const {
     const TangentialLaw& law = system_.pairs().tangential(c.law);
     return c.normal_force == 0 && law.mu_a * law.peak_traction == 0;
   });
+  if (grained_) scale_across_grain(system_, grains_, x, points);
+  if (sticks_) anchors_.assign(system_.pairs(), start_, points);
   return points;
 }
 
@@ -121,7 +129,11 @@ double FrictionTerm::term_value(const VecX& x, TangentialTerm term) const {
 }
 
 double FrictionTerm::dissipated(const VecX& x, TangentialTerm term) const {
-  return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, term).slope_over_y * slip.y * slip.y; });
+  return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.work(slip.sample(law, h_, term), law); });
+}
+
+void FrictionTerm::commit(const VecX& x, History& history) const {
+  if (sticks_) StickAnchors::write(points_, system_.pairs(), system_.lagged_surface().topology(), system_.surface().mesh, start_, x, history);
 }
 
 // Without points that roll, whose contact points have batches of their own.

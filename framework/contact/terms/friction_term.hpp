@@ -4,8 +4,10 @@
 // with the slip laws of tangential_law.hpp. Contact points k (contact_points.hpp) have lagged
 // magnitudes, closest points and tangents: those of the start of the step, or of the latest
 // solution when the step is solved again. The slip always counts from the start of the step, and
-// eps h follows h. Rods and particles that roll turn by friction: their contact points depend on
-// scalar dofs as well (rolling_points.hpp), and have batches of their own after the others.
+// eps h follows h. Friction that sticks adds the elastic slip of earlier steps, which is a history
+// variable (stick_anchors.hpp). Rods and particles that roll turn by friction: their contact points
+// depend on scalar dofs as well (rolling_points.hpp), and have batches of their own after the
+// others.
 //
 // The Hessian of a point is c c^T (x) T H T^T (slip.hpp). Its only nonzero eigenvalues are |c|^2
 // times those of H, so that its projection has a closed form.
@@ -19,6 +21,7 @@
 #include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/points/rolling_points.hpp"
+#include "framework/contact/points/stick_anchors.hpp"
 #include "framework/contact/tangential_law.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/residual_view.hpp"
@@ -31,8 +34,16 @@ class FrictionTerm : public Term, public ResidualView {
   // system: must outlive the term. spins: rotations of rods and particles by friction.
   explicit FrictionTerm(const ContactSystem& system, ContactSpins spins = ContactSpins());
 
+  // Sets the grain of each object's surface, a direction at rest; 0: none. Laws whose friction
+  // differs across the grain need that of one of their objects.
+  void set_grains(std::vector<Vec3> grains);
+
   void clear_caches() override { take({}); }
+  void load_history(const History& history) override {
+    if (sticks_) anchors_.read(history);
+  }
   void begin_step(const StepStart& start) override;
+  void commit(const VecX& x, History& history) const override;
   // Lags magnitudes and tangents at x. A step of zero length has no points, as nothing slides in
   // it. Throws logic_error if x is not the configuration of the contact system, as lagged_at().
   bool lags() const override { return true; }
@@ -71,7 +82,8 @@ class FrictionTerm : public Term, public ResidualView {
   double term_value(const VecX& x, TangentialTerm term) const;
   bool stores() const override { return false; }
   void publish(Records& records) const override;
-  // Returns the energy that a term dissipates in the step to x: force times slip [J].
+  // Returns the energy that a term dissipates in the step to x: force times slip [J]. Springs of
+  // sticking contacts count: what they take up is dissipated, what they give back is negative.
   double dissipated(const VecX& x, TangentialTerm term) const;
   // Visits the energies that both terms dissipate, by contact points.
   void visit_dissipation(const VecX& x, const EnergyVisitor& visit) const;
@@ -94,6 +106,10 @@ class FrictionTerm : public Term, public ResidualView {
   double sum_of(const VecX& x, const Number& number) const;
 
   const ContactSystem& system_;
+  bool sticks_;  // some law of the pair table does
+  StickAnchors anchors_;
+  std::vector<Vec3> grains_;  // per object
+  bool grained_ = false;      // some law differs across the grain
   std::vector<char> wanted_;  // per law of the pair table: whether it has a tangential law
   VecX start_;                // x^n (3n) [m]
   double h_ = 0;              // step length [s]
