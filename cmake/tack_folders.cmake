@@ -18,7 +18,7 @@ list(APPEND TACK_COLD_FOLDERS ${TACK_STUDY_FOLDERS})
 
 # Further: components that most first scenes do without. The program loads the library tack_further when a scene names one
 # (framework/plugin/further_components.cpp). TACK_FURTHER_EXCEPT: files of these folders that are hot, because first scenes name their components.
-set(TACK_FURTHER_FOLDERS energies/hyperelastic energies/interactions energies/loads energies/particle energies/plasticity energies/rod energies/shell
+set(TACK_FURTHER_FOLDERS energies/adhesion_over_time energies/hyperelastic energies/interactions energies/loads energies/particle energies/plasticity energies/rod energies/shell
     energies/viscoelastic
     framework/contact/clipped framework/contact/gcp framework/contact/ipc framework/contact/ogc solvers/lcp solvers/minimizers/external
     solvers/path_following)
@@ -31,7 +31,7 @@ set(TACK_FURTHER_EXCEPT energies/loads/loads.cpp energies/loads/pressure.cpp)
 set(TACK_UNITY_FOLDERS
     geometry geometry/broad_phase geometry/curves geometry/exact geometry/level_set geometry/tets framework/assembly framework/bond
     framework/core framework/load framework/stepping framework/stepping/integrators
-    energies/adhesion energies/loads solvers/filters solvers/lcp solvers/line_search solvers/linear solvers/minimizers solvers/path_following
+    energies/adhesion energies/adhesion_over_time energies/loads solvers/filters solvers/lcp solvers/line_search solvers/linear solvers/minimizers solvers/path_following
     solvers/steps)
 
 # Files that are compiled alone: those with CGAL take long to compile, two are hot files of other folders, one changes with every commit, and one

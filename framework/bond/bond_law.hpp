@@ -58,6 +58,7 @@
 #include <limits>
 #include <memory>
 #include <type_traits>
+#include <vector>
 
 #include "framework/assembly/dual22.hpp"
 #include "framework/assembly/dual_many.hpp"
@@ -124,6 +125,9 @@ class BondLaw : public AdhesionLaw {
   virtual bool resists_pressing() const { return true; }
   /// Longest step size for laws that are integrated rather than minimised over the step [s].
   virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
+
+  /// Returns times at which the law changes abruptly [s]; steps of adaptive size end there.
+  virtual std::vector<double> abrupt_times() const { return {}; }
 
   /// Returns whether the law depends on the state of its site.
   virtual bool sees_site() const = 0;

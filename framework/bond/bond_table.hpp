@@ -20,6 +20,8 @@ struct BondRule {
   std::shared_ptr<const BondLaw> law;  // prepared
   std::string type;                    // registered name of the law
   bool on_contact = false;     // true: bonds form whenever surfaces meet, else at the start alone
+  bool once = false;           // true: a site bonds with an object once in a run
+  double pressure = 0;         // smallest pressure of the barrier at which new bonds form [Pa]
   double distance = 0;         // largest distance at which surfaces bond [m]
   bool from_touching = false;  // true: unstressed if the surfaces touch, else as they bonded
   PairLaw barrier;             // its pressure heals bonds

@@ -91,6 +91,7 @@ void write_blocks(const Bond& bond, const Opening& o, const Mat3& h, const Vec3&
 
 BondTerm::BondTerm(ContactSystem& system, BondTable table)
     : Term("bonds"), system_(system), table_(std::move(table)), list_(system.surface(), system.pairs(), table_), stored_(list_),
+      once_(std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& rule) { return rule.once; })),
       sees_sites_(std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& rule) { return rule.law->sees_site(); })),
       directs_(std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& rule) { return rule.law->directed(); })) {}
 
@@ -122,6 +123,7 @@ void BondTerm::load_history(const History& history) {
   h_ = 0;
   pressures_.clear();
   begun_ = stored_.read(history);
+  if (once_) read_bonded_once(history);
   system_.potential().keep_sides(stored_.pairs());
   list_ = stored_;
   framed_ = false;
@@ -146,8 +148,7 @@ void BondTerm::make_bonds(const VecX& x) {
   const bool any_on_contact = std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& r) { return r.on_contact; });
   if (begun_ && !any_on_contact) return;
   std::map<std::array<int, 3>, std::vector<const Bond*>> bonded;  // by triangle, or else vertex, and other object
-  const auto whose = [](int triangle, int vertex, int other) { return std::array{triangle, triangle < 0 ? vertex : -1, other}; };
-  for (const Bond& b : stored_.bonds()) bonded[whose(b.triangle, b.vertices[0], b.b)].push_back(&b);
+  for (const Bond& b : stored_.bonds()) bonded[key_of(b.triangle, b.vertices[0], b.b)].push_back(&b);
   const auto before = stored_.pairs();
   std::vector<BondSite> sites = bond_sites(system_, table_, x);
   const std::vector<int>& object = system_.surface().mesh.vertex_object;
@@ -159,7 +160,7 @@ void BondTerm::make_bonds(const VecX& x) {
     const int a = object[site.vertex];
     // The rule among regions depends on the opposite triangle, which is not known yet.
     if (!system_.pairs().has_regions(a, site.object) && !may_bond(table_.between(a, site.object, -1), a, site.object)) return true;
-    const auto here = bonded.find(whose(site.triangle, site.vertex, site.object));
+    const auto here = bonded.find(key_of(site.triangle, site.vertex, site.object));
     if (here == bonded.end()) return false;
     return !site.whole || std::any_of(here->second.begin(), here->second.end(), [&](const Bond* b) {
       double least = 1;
@@ -172,7 +173,7 @@ void BondTerm::make_bonds(const VecX& x) {
   for_each(static_cast<int>(sites.size()), [&](int i) { made[i] = make_bond(sites[i], system_, table_, x); });
   std::vector<double> variables;
   for (const auto& bond : made) {
-    if (!bond || !may_bond(bond->rule, bond->a, bond->b)) continue;
+    if (!bond || !may_bond(bond->rule, bond->a, bond->b) || !may_form(*bond, x)) continue;
     const BondRule& rule = table_.rules()[bond->rule];
     variables.assign(rule.law->width(), 0.0);
     rule.law->initialize(begun_, variables.data());
@@ -184,6 +185,16 @@ void BondTerm::make_bonds(const VecX& x) {
   for (const Bond& b : list_.bonds()) bonds[b.rule] = 1;
   for (size_t i = 0; i < bonds.size(); ++i)
     if (!bonds[i] && !table_.rules()[i].on_contact) unbonded_.push_back(static_cast<int>(i));
+}
+
+// Returns whether a new bond may form at x: pressed enough, and not again if its rule lets a site bond once.
+bool BondTerm::may_form(const Bond& bond, const VecX& x) const {
+  const BondRule& rule = table_.rules()[bond.rule];
+  if (rule.once && bonded_once_.contains(key_of(bond.triangle, bond.vertices[0], bond.b))) return false;
+  if (rule.pressure == 0) return true;
+  Bond framed = bond;
+  lag_frame(framed, x);
+  return -rule.barrier.at(opening_of(framed, x).d + bond.rest).slope >= rule.pressure;
 }
 
 void BondTerm::make_blocks() {
@@ -452,6 +463,14 @@ void BondTerm::commit(const VecX& x, History& history) const {
     remaining.add(bond, variables.data());
   }
   remaining.write(history);
+  if (once_) write_bonded_once(history);
+}
+
+std::vector<double> BondTerm::abrupt_times() const {
+  std::vector<double> times;
+  for (const BondRule& rule : table_.rules())
+    for (const double t : rule.law->abrupt_times()) times.push_back(t);
+  return times;
 }
 
 std::vector<Vec3> BondTerm::site_forces(const VecX& x, LawTerm term) const {

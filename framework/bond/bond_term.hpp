@@ -11,6 +11,8 @@
 // allows. When the step is accepted, its bonds are stored.
 #pragma once
 
+#include <set>
+
 #include "framework/bond/bond_list.hpp"
 #include "framework/bond/environment.hpp"
 #include "framework/contact/contact_system.hpp"
@@ -41,6 +43,7 @@ class BondTerm : public Term {
   bool lagged_stencils() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
+  std::vector<double> abrupt_times() const override;
   void mark_debonding(const VecX& from, const VecX& to, std::vector<char>& marks) const override;
 
   /// Sets the contact pressure at each bond of the list in this step [Pa], for steppers that know
@@ -84,6 +87,14 @@ class BondTerm : public Term {
   double intensity(int bond) const { return law_of(bond).intensity_of(list_.variables(bond)); }
 
  private:
+  // A site of bonds: triangle of the contact surface, or -1 and the vertex, and the other object.
+  using SiteKey = std::array<int, 3>;
+  static SiteKey key_of(int triangle, int vertex, int object) {
+    return {triangle, triangle < 0 ? vertex : -1, object};
+  }
+  bool may_form(const Bond& bond, const VecX& x) const;
+  void read_bonded_once(const History& history);
+  void write_bonded_once(History& history) const;
   // A few bonds of one rule with equal numbers of vertices.
   struct Block {
     int first, last;
@@ -113,11 +124,13 @@ class BondTerm : public Term {
   mutable BondList list_;  // frames are taken when they are first needed
   mutable bool framed_ = false;
   BondList stored_;
-  bool begun_ = false;       // the run has: bonds of the start are made
-  bool begins_ = false;      // a step
-  double h_ = 0;             // 0 between steps
-  bool sees_sites_ = false;  // some law does
-  bool directs_ = false;     // some law is directed
+  std::set<SiteKey> bonded_once_;  // sites that have bonded, of rules that let a site bond once
+  bool once_ = false;              // some rule lets a site bond once
+  bool begun_ = false;             // the run has: bonds of the start are made
+  bool begins_ = false;            // a step
+  double h_ = 0;                   // 0 between steps
+  bool sees_sites_ = false;        // some law does
+  bool directs_ = false;           // some law is directed
   const Environment* environment_ = nullptr;
   std::vector<std::string> object_names_;
   double start_time_ = 0, end_time_ = 0;  // of the present step, or of the last one [s]

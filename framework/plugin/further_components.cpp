@@ -20,6 +20,7 @@ enum class Further { here, elsewhere, failed };
 Further further = Further::here;
 
 const std::map<std::string, std::vector<std::string>, std::less<>> further_names = {
+    {"adhesion", {"after_dwell", "over_temperature", "over_time"}},
     {"contact_model", {"clipped", "gcp", "ipc", "ogc"}},
     {"energy", {"elastic_rod", "expression", "expression_membrane", "gent", "gent_membrane", "hgo_fibres",
                 "hinge_bending", "maxwell", "maxwell_bending", "maxwell_membrane", "maxwell_rod", "mooney_rivlin",

@@ -87,10 +87,13 @@ void PairConfig::fields(Fields& f) {
   f.choice("bond", bond,
            {{"automatic", Bonding::automatic, "on_contact for laws that heal, at_start for others"},
             {"at_start", Bonding::at_start, "surfaces that face each other at the start of a run; separated surfaces do not bond again"},
-            {"on_contact", Bonding::on_contact, "surfaces that come to face each other, wherever there is no bond"}},
+            {"on_contact", Bonding::on_contact, "surfaces that come to face each other, wherever there is no bond"},
+            {"first_contact", Bonding::first_contact, "as on_contact, but each point of the integration side once with an object: what has separated does not bond again"}},
            "for adhesion by bonds: when bonds form");
   f.optional_number("bond_distance", bond_distance, units::length,
                     "largest gap at which bonds form; the contact distance unless given, at most twice that").positive();
+  f.optional_number("bond_pressure", bond_pressure, units::pressure,
+                    "pressure of the barrier below which new bonds do not form; none unless given").nonnegative();
   f.choice("unstressed", unstressed,
            {{"as_bonded", Unstressed::as_bonded, "the gap at which the bond formed"},
             {"touching", Unstressed::touching, "zero gap: the opening is the gap"}},
@@ -123,6 +126,7 @@ void PairConfig::fields(Fields& f) {
   };
   f.check("bond", [this, of_bonds] { return of_bonds(bond != Bonding::automatic); });
   f.check("bond_distance", [this, of_bonds] { return of_bonds(bond_distance.has_value()); });
+  f.check("bond_pressure", [this, of_bonds] { return of_bonds(bond_pressure.has_value()); });
   f.check("unstressed", [this, of_bonds] { return of_bonds(unstressed != Unstressed::as_bonded); });
 }
 

@@ -84,7 +84,7 @@ struct PairSide {
 };
 
 struct PairConfig {
-  enum class Bonding { automatic, at_start, on_contact };
+  enum class Bonding { automatic, at_start, on_contact, first_contact };
   enum class Unstressed { as_bonded, touching };
   std::vector<PairSide> between;
   bool contact = true;
@@ -94,6 +94,7 @@ struct PairConfig {
   std::optional<TangentialAdhesionConfig> tangential_adhesion;
   Bonding bond = Bonding::automatic;
   std::optional<double> bond_distance;  // m
+  std::optional<double> bond_pressure;  // Pa
   Unstressed unstressed = Unstressed::as_bonded;
   std::string integrate = "automatic";
   std::string drive;   // of a protocol: factor of the adhesion; empty: none

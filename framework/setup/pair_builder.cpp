@@ -324,10 +324,11 @@ BondRule PairBuilder::rule_of(const PairConfig& pair, std::shared_ptr<const Bond
     throw configs_.error(config, fmt::format("bond_distance is {:.6g} m, and contact sees twice its distance, {:.6g} m; lower it, or raise contact.distance",
                                              distance, 2 * contact_.contact_distance));
   using Bonding = PairConfig::Bonding;
-  const bool on_contact = pair.bond == Bonding::on_contact || (pair.bond == Bonding::automatic && law->bonds_on_contact());
+  const bool on_contact = pair.bond == Bonding::on_contact || pair.bond == Bonding::first_contact || (pair.bond == Bonding::automatic && law->bonds_on_contact());
   table_.set_bond_range(distance + barrier.offset());
   const std::string type(law->type());
-  return {std::move(law), type, on_contact, distance, pair.unstressed == PairConfig::Unstressed::touching, barrier};
+  const bool once = pair.bond == Bonding::first_contact;
+  return {std::move(law), type, on_contact, once, pair.bond_pressure.value_or(0), distance, pair.unstressed == PairConfig::Unstressed::touching, barrier};
 }
 
 IntegrationSide PairBuilder::integration_side_of(int a, int b, int config) const {

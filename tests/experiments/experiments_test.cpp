@@ -192,6 +192,9 @@ TEST_CASE("experiment friction/stick") { check_experiment("friction/stick.yaml")
 TEST_CASE("experiment friction/house_of_cards") { check_experiment("friction/house_of_cards.yaml"); }
 TEST_CASE("experiment friction/grain") { check_experiment("friction/grain.yaml"); }
 TEST_CASE("experiment friction/surfaces") { check_experiment("friction/surfaces.yaml"); }
+TEST_CASE("experiment adhesion_over_time/switched") { check_experiment("adhesion_over_time/switched.yaml"); }
+TEST_CASE("experiment adhesion_over_time/dwell") { check_experiment("adhesion_over_time/dwell.yaml"); }
+TEST_CASE("experiment adhesion_over_time/touched") { check_experiment("adhesion_over_time/touched.yaml"); }
 
 TEST_CASE("experiment rod/cantilever") { check_experiment("rod/cantilever.yaml"); }
 TEST_CASE("experiment rod/twist") { check_experiment("rod/twist.yaml"); }

@@ -14,6 +14,7 @@ namespace {
 
 // Required arguments of each law.
 const std::map<std::string, Arguments> least = {
+    {"after_dwell", {"law={type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}", "times=[0, 1]", "factors=[1, 1]"}},
     {"bilinear", {"peak_traction=1e4", "work_of_adhesion=1"}},
     {"bonded", {"peak_traction=1e4"}},
     {"damage", {"envelope={type: fang, peak_traction: 10 kPa, peak_distance: 0.1 mm}"}},
@@ -22,6 +23,8 @@ const std::map<std::string, Arguments> least = {
     {"expression", {"traction=1e7 * d * exp(1 - d / 1e-3)", "range=20 mm"}},
     {"fang", {"peak_traction=1e4"}},
     {"lennard_jones", {"peak_traction=1e4"}},
+    {"over_temperature", {"law={type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}", "temperatures=[300]", "factors=[1]"}},
+    {"over_time", {"law={type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}", "factor=1"}},
     {"rcc", {"normal_stiffness=1e8", "work_of_adhesion=1"}},
     {"rcc_explicit", {"normal_stiffness=1e8", "work_of_adhesion=1", "viscosity=0.01"}},
     {"table", {"file=" TACK_TEST_DATA "/laws/six_rows.csv"}},

@@ -50,6 +50,7 @@ struct Bonded {
 
 const std::vector<std::map<std::string, std::string>> settings = {
     {}, {{"envelope", "{type: fang, peak_traction: 1e4, peak_distance: 5e-5, range: 2e-4}"}}, {{"tangential_stiffness", "5e7"}}, {{"activation_energy", "6e4"}},
+    {{"law", "{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}"}},
     {{"mixity_exponent", "1.5"}, {"tangential_strength", "2e4"}, {"tangential_work", "3"}}, {{"tangential_strength", "2e4"}, {"tangential_work", "3"}}};
 
 }  // namespace

@@ -43,6 +43,7 @@ TEST_CASE("consistent bond laws give no warnings", "[law_check]") {
   const std::vector<std::map<std::string, std::string>> settings = {{},
                                                                     {{"viscosity", "0.02"}},
                                                                     {{"intensity", "0.4"}},
+                                                                    {{"law", "{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}"}},
                                                                     {{"activation_energy", "6e4"}},
                                                                     {{"tangential_strength", "2e4"}, {"tangential_work", "3"}},
                                                                     {{"envelope", "{type: table, file: " TACK_TEST_DATA "/laws/six_rows.csv}"}}};

@@ -30,6 +30,7 @@ std::vector<Law> bond_laws() {
   const std::vector<std::map<std::string, std::string>> settings = {
       {{"envelope", "{type: fang, peak_traction: 1e4, peak_distance: 5e-5, range: 2e-4}"}},
       {{"peak_traction", "800"}, {"work_of_adhesion", "0.02"}},
+      {{"law", "{type: bilinear, peak_traction: 800, work_of_adhesion: 0.02}"}},
       {{"peak_traction", "800"}},
       {{"peak_traction", "800"}, {"work_of_adhesion", "0.02"}, {"activation_energy", "6e4"}},
       {{"normal_stiffness", "1e8"}, {"work_of_adhesion", "0.01"}, {"tangential_stiffness", "1e8"}},

@@ -95,6 +95,7 @@ TEST_CASE("a cube at rest loads its bonds with its weight: every integrator, eve
       {{"tangential_stiffness", "5e7"}},
       {{"activation_energy", "6e4"}},
       {{"tangential_strength", "5e3"}},
+      {{"law", "{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}"}},
       {{"tangential_strength", "2e4"}, {"tangential_work", "3"}}};
   std::vector<std::string> tested;
   for (const ComponentVariant& law : variants<AdhesionLaw, BondLaw>(settings)) {
