@@ -42,6 +42,25 @@ TEST_CASE("over_time and over_temperature are a factor times another law, and ma
   CHECK(bond_law(both)->clone()->width() == bond_law(bilinear)->width());
 }
 
+TEST_CASE("a modified law depends on the direction of the slip if its law does", "[bonds][over_time]") {
+  const std::string viscoelastic = "{type: viscoelastic, peak_traction: 1e4, work_of_adhesion: 1, relaxation_time: 3e-3}";
+  const auto law = bond_law("{type: over_time, factor: 0.5, law: " + viscoelastic + "}"), whole = bond_law(viscoelastic);
+  REQUIRE(law->directed());
+  std::vector<double> history(law->width());
+  law->initialize(false, history.data());
+  const Vec3 jump(2e-5, 1e-5, -3e-5);
+  const SiteState site;
+  DirectedSample scaled, at;
+  law->add_directed_samples(1, &jump, history.data(), BondStepStates(1e-3, &site), &scaled);
+  whole->add_directed_samples(1, &jump, history.data(), BondStepStates(1e-3, &site), &at);
+  CHECK(scaled.value == Approx(0.5 * at.value));
+  CHECK((scaled.gradient - 0.5 * at.gradient).norm() <= 1e-12 * at.gradient.norm());
+  CHECK((scaled.hessian - 0.5 * at.hessian).norm() <= 1e-12 * at.hessian.norm());
+  double value = 0;
+  law->add_directed_values(1, &jump, history.data(), BondStepStates(1e-3, &site), &value);
+  CHECK(value == Approx(scaled.value));
+}
+
 TEST_CASE("after_dwell grows with the time under pressure, and books what it adds", "[bonds][over_time]") {
   const auto law = bond_law("{type: after_dwell, times: [0, 10], factors: [0.5, 1], pressure: 100, law: " + bilinear + "}");
   CHECK(law->bonds_on_contact());

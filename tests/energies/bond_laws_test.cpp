@@ -18,7 +18,6 @@ const std::vector<std::map<std::string, std::string>> settings = {
     {{"envelope", "{type: table, file: " TACK_TEST_DATA "/laws/six_rows.csv}"}, {"tangential_strength", "5e3"}},
     {{"activation_energy", "6e4"}, {"reference_temperature", "300"}},
     {{"law", "{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1}"}},
-    {{"law", "{type: viscoelastic, peak_traction: 1e4, work_of_adhesion: 1, relaxation_time: 3e-3}"}},
     {{"branch_stiffness", "4e9"}, {"relaxation_time", "3e-3"}, {"tangential_strength", "5e3"}},
     {{"tangential_stiffness", "5e7"}},
     {{"tangential_stiffness", "5e7"}, {"viscosity", "0.02"}},

@@ -118,7 +118,7 @@ void StickAnchors::write(const ContactPoints& points, const PairTable& pairs, co
       if (K - c.own_vertex_count == 3) a.triangle = {c.vertices[K - 3], c.vertices[K - 2], c.vertices[K - 1]};
       const Vec2 u = c.elastic + c.tangents.transpose() * c.moved(x, start);
       const double y = u.norm();
-      // What is left of u is elastic, the rest moves the anchor. Tangents may be scaled.
+      // The elastic slip stays, the rest of u moves the anchor. Tangents may be scaled.
       const Vec2 scale(c.tangents.col(0).squaredNorm(), c.tangents.col(1).squaredNorm());
       const Vec2 plastic = y > longest ? Vec2((1 - longest / y) * u) : Vec2::Zero();
       const Vec3 slip = c.tangents * (c.elastic - plastic).cwiseQuotient(scale);
