@@ -12,6 +12,7 @@
 #include "framework/output/element_fields.hpp"
 #include "framework/output/frame_fields.hpp"
 #include "framework/output/frame_geometry.hpp"
+#include "framework/run/changed_scene.hpp"
 #include "framework/setup/remesh_checks.hpp"
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
@@ -55,12 +56,14 @@ void Running::return_to_state() {
   settle();
 }
 
-Running::Running(LoadedExperiment loaded, int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
+Running::Running(Load load, std::vector<std::string> overrides, int threads)
+    : load_(std::move(load)), overrides_(std::move(overrides)), arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
   arena_.execute([&] {
+    LoadedExperiment loaded = load_(overrides_);
     if (any_remeshed(loaded.experiment))
       throw InputError("objects that are meshed anew as they flow (remesh) have vertices that come and go, and arrays in Python are of lasting ones; take `remesh` away "
                        "(set={\"objects.NAME.remesh\": None}), or use `tack run`");
-    simulation_ = std::make_unique<Simulation>(std::move(loaded), [this](const Warning& w) { warnings_.push_back(w); });
+    simulation_ = std::make_unique<Simulation>(std::move(loaded), collect());
     warnings_ = retired_key_warnings(simulation_->built().root(), simulation_->experiment());
     probes_.emplace(probes_of(simulation_->built()));
     simulation_->start();
@@ -106,6 +109,7 @@ py::dict Running::step() {
       StepReport r = simulation_->step();
       if (simulation_->state().step == before) return std::nullopt;
       settle();
+      simulation_->check_stages();
       return r;
     });
   }
@@ -122,10 +126,55 @@ void Running::minimize_by(const py::object& function) {
   if (!function.is_none() && !py::isinstance<py::function>(function) && !PyCallable_Check(function.ptr()))
     throw py::type_error("a minimiser is called with a problem, and returns the unknowns where it ended");
   const Claim claim(busy_);
-  const Minimizer& own = *simulation_->experiment().solver;
-  if (function.is_none()) simulation_->solve_with({});
-  else simulation_->solve_with([function = py::reinterpret_borrow<py::function>(function), &own, this] { return minimizer_of(function, own, world()); });
+  if (function.is_none()) minimizer_ = {};
+  else minimizer_ = [function = py::reinterpret_borrow<py::function>(function), this] { return minimizer_of(function, *simulation_->experiment().solver, world()); };
+  simulation_->solve_with(minimizer_);
   restart();
+}
+
+// The world is another one afterwards: what points into it has to be asked for again.
+void Running::change(const std::vector<std::string>& overrides) {
+  const Claim claim(busy_);
+  end_problem();
+  std::vector<std::string> all = overrides_;
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  std::unique_ptr<Simulation> before;
+  try {
+    arena_.execute([&] {
+      auto after = std::make_unique<Simulation>(load_(all), collect());
+      State state = changed_state(*simulation_, *after);
+      ProbeSet probes = probes_of(after->built());
+      before = std::exchange(simulation_, std::move(after));
+      simulation_->solve_with(minimizer_);
+      simulation_->start_from(std::move(state));
+      probes_.emplace(std::move(probes));
+      settle();
+    });
+  } catch (...) {
+    if (before) simulation_ = std::move(before);
+    settle();
+    throw;
+  }
+  overrides_ = std::move(all);
+  show();
+}
+
+py::list Running::stages() {
+  const Claim claim(busy_);
+  py::list all;
+  if (const ProtocolRun* protocols = simulation_->protocols())
+    for (const StageVisit& v : protocols->visits(shown_.time)) {
+      py::dict row;
+      row["protocol"] = v.protocol;
+      row["stage"] = v.stage;
+      row["number"] = v.number;
+      row["begin"] = v.begin;
+      row["end"] = v.end;
+      row["ended_by"] = v.ended_by;
+      row["value"] = v.value;
+      all.append(row);
+    }
+  return all;
 }
 
 // Replaces the stepper and the solver.
@@ -255,17 +304,17 @@ void bind_running(py::module_& module) {
       .def_property_readonly("edges", [](const Body& b) { return table(b.edges, 2); }, "(n, 2): of rods")
       .def_property_readonly("points", [](const Body& b) { return b.points; }, "particles");
 
-  const auto loaded = [](auto load, int threads) {
+  const auto loaded = [](Running::Load load, const std::vector<std::string>& set, int threads) {
     const py::gil_scoped_release released;
     const PlainNumbers plain;
-    return std::make_unique<Running>(load(), threads);
+    return std::make_unique<Running>(std::move(load), set, threads);
   };
   py::class_<Running>(module, "Running")
       .def_static("open", [loaded](const std::string& path, const std::vector<std::string>& set, int threads) {
-        return loaded([&] { return load_experiment(path, set); }, threads);
+        return loaded([path](const std::vector<std::string>& all) { return load_experiment(path, all); }, set, threads);
       })
       .def_static("parse", [loaded](const std::string& text, const std::string& name, const std::vector<std::string>& set, int threads) {
-        return loaded([&] { return parse_experiment(text, name, set); }, threads);
+        return loaded([text, name](const std::vector<std::string>& all) { return parse_experiment(text, name, all); }, set, threads);
       })
       .def_property_readonly("name", &Running::name)
       .def_property_readonly("time", &Running::time)
@@ -286,6 +335,11 @@ void bind_running(py::module_& module) {
       .def_property_readonly("rest", &Running::rest)
       .def_property_readonly("mass", &Running::mass)
       .def("move", &Running::move, py::arg("x") = py::none(), py::arg("v") = py::none())
+      .def("change", [](Running& r, const std::vector<std::string>& set) {
+        const PlainNumbers plain;
+        r.change(set);
+      })
+      .def("stages", &Running::stages)
       .def("energies", &Running::energies)
       .def("forces", &Running::forces)
       .def("field", &Running::field)

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,9 @@ namespace tack::python {
 class Running {
  public:
   // threads: 0 for all cores. Call it without the interpreter's lock. Throws InputError.
-  Running(LoadedExperiment loaded, int threads);
+  // load: loads the scene with further overrides.
+  using Load = std::function<LoadedExperiment(const std::vector<std::string>& overrides)>;
+  Running(Load load, std::vector<std::string> overrides, int threads);
   ~Running();
 
   const std::string& name() const { return simulation_->experiment().name; }
@@ -49,6 +52,12 @@ class Running {
   // Continues from these positions and velocities. Throws InputError if they intersect or invert
   // elements.
   void move(const std::optional<Numbers>& x, const std::optional<Numbers>& v);
+
+  // Continues with a changed scene (run/changed_scene.hpp). Throws InputError, with nothing
+  // changed.
+  void change(const std::vector<std::string>& overrides);
+  // Returns the stages of protocols that have begun: a dictionary for each row of stages.csv.
+  py::list stages();
 
   py::dict energies();
   py::dict forces();
@@ -82,9 +91,15 @@ class Running {
   void return_to_state();
   void show();
   void end_problem();
+  std::function<void(const Warning&)> collect() {
+    return [this](const Warning& w) { warnings_.push_back(w); };
+  }
   void restart();
   void settle();
 
+  Load load_;
+  std::vector<std::string> overrides_;                     // of the scene as it is
+  std::function<std::unique_ptr<Minimizer>()> minimizer_;  // empty: the scene's own
   tbb::task_arena arena_;
   std::unique_ptr<Simulation> simulation_;
   std::optional<ProbeSet> probes_;

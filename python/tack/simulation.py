@@ -85,6 +85,7 @@ class Simulation:
             self._running = _tack.Running.parse(text, path, overrides_of(set), threads)
         else:
             self._running = _tack.Running.open(path, overrides_of(set), threads)
+        self._changes = []
         self._objects = {known.name: Object(self._running, known) for known in self._running.objects}
         self._warn()
 
@@ -171,6 +172,33 @@ class Simulation:
             InputError: The positions intersect, invert elements, or deform an affine body other than affinely. Nothing has changed.
         """
         self._running.move(x, v)
+
+    def change(self, set: dict):
+        """Changes keys of the scene between steps and continues: parameters, motions, loads, laws, protocols.
+
+        Vertices stay, and so does how many motions and stages there are. Motions go on from where their vertices are. The changes are kept in `changes`.
+
+        Args:
+            set: Keys of the scene and their new values, as of the constructor.
+
+        Raises:
+            InputError: The changed scene cannot go on from here. Nothing has changed.
+        """
+        self._running.change(overrides_of(set))
+        for known in self._running.objects:
+            self._objects[known.name]._known = known
+        self._changes += [{"time": self.time, "step": self.steps, "key": key, "value": value} for key, value in set.items()]
+        self._warn()
+
+    @property
+    def changes(self) -> list:
+        """The changes so far, in their order: dictionaries of time [s], step, key and value. scene() has them all."""
+        return list(self._changes)
+
+    @property
+    def stages(self) -> list:
+        """The stages of protocols that have begun: dictionaries of protocol, stage, number, begin [s], end [s], ended_by and value."""
+        return self._running.stages()
 
     def step(self, minimizer: Callable[[_tack.Problem], np.ndarray] | None = None) -> dict:
         """Takes one time step.
