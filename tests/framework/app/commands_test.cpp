@@ -67,7 +67,7 @@ TEST_CASE("without its program, a command names the target to build, and other c
     CHECK(contains(missing.err, (folder.path() / "tack_studies").string() + ", cannot be started (No such file or directory)"));
     CHECK(contains(missing.err, "--target tack_studies"));
   }
-  CHECK(run_tack(folder.path(), {"list", "adhesion"}, alone).exit_code == 0);
+  CHECK(run_tack(folder.path(), {"list", "integrator"}, alone).exit_code == 0);
 }
 
 TEST_CASE("components that the program lacks at its start are loaded once one is named") {

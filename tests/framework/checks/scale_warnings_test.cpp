@@ -100,7 +100,7 @@ TEST_CASE("no shipped scene is doubted for its scale or its faces, and most are 
     if (print) fmt::print("{} {:.3g} {:.3g} {:.3g} {}\n", name, side, distance, sag, warned);
   }
   CHECK(with_contact.scenes > 100);
-  CHECK(with_contact.found > 0.83 * with_contact.scenes);
+  CHECK(with_contact.found > 0.8 * with_contact.scenes);
   CHECK(standing.scenes > 50);
   CHECK(standing.found > 0.94 * standing.scenes);
 }

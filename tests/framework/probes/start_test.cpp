@@ -2,6 +2,8 @@
 // integrator and stepper.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include "framework/output/element_fields.hpp"
 #include "framework/output/frame_fields.hpp"
 #include "framework/output/frame_geometry.hpp"
@@ -18,6 +20,7 @@ using namespace tack;
 namespace {
 
 const std::string damping = "    damping: {mass: 1 1/s, stiffness: 1 ms}\n";
+const std::string protocol = "protocols: [{name: test, stages: [{name: wait}]}]\n";
 const std::string of_damping = "  - {name: n, type: force, on: soft, of: damping}\n";
 
 const std::string objects = R"(
@@ -132,19 +135,21 @@ void require_all_in(const std::string& scene) {
 TEST_CASE("every probe, energy and field has a value before the first step, with every load and interaction", "[probes]") {
   require_all_in<Load>(objects);
   require_all_in<Interaction>(objects);
-  const std::string of_steppers = "step";
+  const std::vector<std::string> appended = {"step", "stage"};
   for (const std::string& name : Registry<Probe>::kind().names())
-    if (name != of_steppers) CHECK(contains(probes, "type: " + name));
+    if (std::find(appended.begin(), appended.end(), name) == appended.end()) CHECK(contains(probes, "type: " + name));
   int runs = 0;
   for (const std::string& stepper : Registry<Stepper>::kind().names())
     for (const ComponentVariant& integrator : variants<TimeIntegrator>()) {
       INFO(stepper << ", " << integrator.yaml);
       const std::string time = "time: {step: 10 ms, duration: 1, stepper: " + stepper + ", integrator: " + integrator.yaml + "}\n";
       const std::string step = stepper == "lcp_pgs" ? "  - {name: ae, type: step, figure: sweeps}\n" : "";
+      const bool staged = stepper != "path_following";
+      const std::string stage = staged ? "  - {name: af, type: stage}\n" + protocol : "";
       std::optional<TestRun> run;
       try {
         // Nothing has a velocity that could be damped in quasi-static steps.
-        run.emplace(time + (integrator.type == "quasi_static" ? without(objects, damping) + without(probes, of_damping) : objects + probes) + step);
+        run.emplace(time + (integrator.type == "quasi_static" ? without(objects, damping) + without(probes, of_damping) : objects + probes) + step + stage);
       } catch (const InputError& error) {
         INFO(error.what());
         CHECK(stepper != "incremental_potential");
