@@ -59,6 +59,9 @@ bool drawable(const Plot& plot, const std::pair<double, double>& point) {
 
 constexpr size_t band_titles_max = 12;
 constexpr double band_letter = 0.6;  // width of a letter, over the size of the font
+// Fraction of a picture's width and height that its axes enclose, and the largest fraction of the
+// axes' height that titles of bands take from the curves.
+constexpr double axes_share = 0.8, band_titles_max_height = 0.4;
 
 bool drawable(const Plot& plot, const Curve& curve) {
   return std::any_of(curve.points.begin(), curve.points.end(), [&](const auto& p) { return drawable(plot, p); });
@@ -191,6 +194,34 @@ Picture styled(Picture picture, const FigureStyle& style) {
   return picture;
 }
 
+struct DrawnBand {
+  std::string title;
+  double low, high;     // of the band's part on the axis
+  bool across;          // its title is horizontal
+  double title_height;  // over the height of the axes; 0 without a title
+};
+
+std::vector<DrawnBand> drawn_bands(const Plot& plot, const AxisRange& x, const Sheet& sheet) {
+  std::vector<DrawnBand> drawn;
+  for (const Band& b : plot.bands) {
+    const double low = std::max(b.low, x.low), high = std::min(b.high, x.high);
+    if (!(low < high)) continue;
+    const double width = (x.position(high) - x.position(low)) * axes_share * sheet.width;
+    const double length = band_letter * sheet.font * static_cast<double>(b.title.size());
+    const bool across = width > length, titled = plot.bands.size() <= band_titles_max && width >= sheet.font;
+    drawn.push_back({b.title, low, high, across, titled ? (across ? sheet.row() : length) / (axes_share * sheet.height) : 0});
+  }
+  return drawn;
+}
+
+// Raises the upper end of the y axis by the height of the bands' titles, so that no curve crosses them.
+void make_room(const std::vector<DrawnBand>& bands, AxisRange& y) {
+  double height = 0;
+  for (const DrawnBand& b : bands) height = std::max(height, b.title_height);
+  const double times = 1 / (1 - std::min(height, band_titles_max_height));
+  y.high = y.log ? y.low * std::pow(y.high / y.low, times) : y.low + (y.high - y.low) * times;
+}
+
 std::string script_of(const Plot& given, const std::string& name, const FigureStyle& style) {
   Plot unscaled = styled(given, style);
   if (!style.x_label.empty()) unscaled.x_label = style.x_label;
@@ -214,6 +245,8 @@ std::string script_of(const Plot& given, const std::string& name, const FigureSt
                      "set border 3 lc rgb '#606060'\nset tics nomirror out\n{}",
                      in_quotes(plot.title), in_quotes(plot.x_label), in_quotes(plot.y_label), style.grid ? "set grid lc rgb '#e0e0e0' lw 1\n" : "");
   const Sheet plain = sheet_of(style, false, 0);
+  const std::vector<DrawnBand> bands = drawn_bands(plot, s.x, plain);
+  if (!bands.empty()) make_room(bands, s.y);
   out += axis("x", s.x, style.sized() ? plain.width / (6 * plain.font) : 0) + axis("y", s.y, style.sized() ? plain.height / (4 * plain.font) : 0);
   const auto labels = label_heights(s, plot);
   size_t longest = 0;
@@ -239,16 +272,12 @@ std::string script_of(const Plot& given, const std::string& name, const FigureSt
                          names / (plain.height + below), rows, (names + plain.axis()) / (plain.height + below));
     }
   }
-  for (size_t i = 0; i < plot.bands.size(); ++i) {
-    const Band& b = plot.bands[i];
-    const double low = std::max(b.low, s.x.low), high = std::min(b.high, s.x.high);
-    if (!(low < high)) continue;
-    if (i % 2 == 1) out += fmt::format("set object rectangle from first {}, graph 0 to first {}, graph 1 fc rgb '#eeeeee' fs solid noborder behind\n", low, high);
-    const double width = (s.x.position(high) - s.x.position(low)) * plain.width;
-    if (plot.bands.size() > band_titles_max || width < plain.font) continue;
-    const bool across = width > band_letter * plain.font * static_cast<double>(b.title.size());
-    out += fmt::format("set label {} at first {}, graph 0.985 {} noenhanced tc rgb '#606060' front\n", in_quotes(b.title), (low + high) / 2,
-                       across ? "center offset 0,-0.5" : "right rotate by 90");
+  for (size_t i = 0; i < bands.size(); ++i) {
+    const DrawnBand& b = bands[i];
+    if (i % 2 == 1) out += fmt::format("set object rectangle from first {}, graph 0 to first {}, graph 1 fc rgb '#eeeeee' fs solid noborder behind\n", b.low, b.high);
+    if (b.title_height > 0)
+      out += fmt::format("set label {} at first {}, graph 0.985 {} noenhanced tc rgb '#606060' front\n", in_quotes(b.title), (b.low + b.high) / 2,
+                         b.across ? "center offset 0,-0.5" : "right rotate by 90");
   }
   for (const LevelLine& l : plot.levels)
     out += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#808080' dt (4,4) lw 1.5\n"

@@ -104,3 +104,28 @@ TEST_CASE("a style sets the size of pictures for paper", "[plot]") {
   CHECK(draw(StackedBars{"t", "y", {"one", "two"}, {"p"}, {{1}, {2}}, {}, ""}, folder.path(), "bars", look) == "");
   CHECK(contains(file_text(folder.path() / "bars.svg"), "width=\"336\" height=\"224\""));
 }
+
+TEST_CASE("titles of bands stand above the curves", "[plot]") {
+  const TemporaryFolder folder;
+  const auto upper_end = [&](bool log, const std::vector<Band>& bands) {
+    Plot plot;
+    plot.log_y = log;
+    plot.curves.push_back({"force", {{0, 1}, {10, 2}}, {}});
+    plot.bands = bands;
+    draw(plot, folder.path(), "plot");
+    const std::string script = file_text(folder.path() / "plot.gp");
+    const size_t range = script.find("set yrange [");
+    double low = 0, high = 0;
+    REQUIRE(std::sscanf(script.c_str() + range, "set yrange [%lf:%lf]", &low, &high) == 2);
+    return AxisRange{low, high, log}.position(2);
+  };
+  for (const bool log : {false, true}) {
+    const double bare = upper_end(log, {});
+    const double across = upper_end(log, {{0, 5, "approach"}, {5, 10, "dwell"}});
+    const double upright = upper_end(log, {{0, 9.2, "approach"}, {9.2, 9.8, "retraction"}});
+    CHECK(bare == Approx(1 - 1 / 22.0).epsilon(1e-3));
+    CHECK(across == Approx(bare * (1 - 20 / 384.0)).epsilon(1e-4));              // a row of 20 pixels
+    CHECK(upright == Approx(bare * (1 - 10 * 0.6 * 13 / 384)).epsilon(1e-4));  // ten letters upright
+    CHECK(upper_end(log, {{0, 10, "all of it"}, {11, 12, "beyond the axis, and its title is long"}}) == Approx(across));
+  }
+}
