@@ -34,12 +34,13 @@ set(TACK_UNITY_FOLDERS
     energies/adhesion energies/adhesion_over_time energies/loads solvers/filters solvers/lcp solvers/line_search solvers/linear solvers/minimizers solvers/path_following
     solvers/steps)
 
-# Files that are compiled alone: those with CGAL take long to compile, two are hot files of other folders, one changes with every commit, and one
-# would move others of its folder to another group, whose rounding depends on what is inlined there.
+# Files that are compiled alone: those with CGAL take long to compile, two are hot files of other folders, one changes with every commit, and some
+# would move others of their folder to another group, whose rounding depends on what is inlined there.
 set(TACK_UNITY_EXCEPT
     geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp geometry/meshing/triangulate.cpp geometry/meshing/distance_grid.cpp
     framework/assembly/psd_projection.cpp framework/view/http_server.cpp
-    framework/output/provenance.cpp energies/shell/strain_limit.cpp)
+    framework/output/provenance.cpp
+    energies/shell/strain_limit.cpp energies/shell/dihedral_plasticity.cpp energies/shell/fan_plasticity.cpp)
 
 # Folders below framework/ that are compiled together with another folder: "FROM|FROM=INTO".
 set(TACK_MERGED_FOLDERS "body|motion|protocol|world=scene" "checks=setup")

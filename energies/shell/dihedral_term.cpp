@@ -9,7 +9,8 @@
 
 namespace tack {
 
-DihedralTerm::DihedralTerm(std::string name, const Body& body, const VecX& rest, double stiffness, double poisson, bool rest_angles)
+DihedralTerm::DihedralTerm(std::string name, const Body& body, const VecX& rest, double stiffness, double poisson, bool rest_angles,
+                           std::optional<PlasticBending> plastic)
     : Term(std::move(name)), history_name_(fmt::format("{}/energies/{}/turns", body.name, body.energy)) {
   const std::vector<SheetTriangle> sheet = connect_sheet(body.sheet, fmt::format("object '{}': ", body.name));
   const FittedFans fitted = fit_dihedral_stiffness(sheet, rest, stiffness, poisson);
@@ -25,11 +26,13 @@ DihedralTerm::DihedralTerm(std::string name, const Body& body, const VecX& rest,
     edge_count += static_cast<size_t>(fans_.back().edge_count());
   }
   turns_.assign(edge_count, 0.0);
+  if (plastic) set_yield({body, sheet, fans, rest, stiffness, *plastic});
 }
 
 void DihedralTerm::load_history(const History& history) {
   if (const auto* values = history_values(history, history_name_, 1, static_cast<int>(turns_.size()))) turns_ = *values;
   else std::fill(turns_.begin(), turns_.end(), 0.0);
+  load_flow(history);
 }
 
 void DihedralTerm::begin_step(const StepStart& start) {
@@ -50,6 +53,7 @@ void DihedralTerm::commit(const VecX& x, History& history) const {
   }
   if (std::all_of(all.begin(), all.end(), [](double t) { return t == 0; })) history.erase(history_name_);
   else history[history_name_] = {1, std::move(all), {}};
+  commit_flow(x, history);
 }
 
 double DihedralTerm::value(const VecX& x) const {

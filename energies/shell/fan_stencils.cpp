@@ -174,6 +174,7 @@ Pack FanStencils::unwound(int pack, int i, const Pack& angle) const {
 }
 
 double FanStencils::value(const VecX& x) const {
+  if (plastic()) return plastic_value(x);
   return sum_chunks(count_, [&](int first, int last) {
     double sum = 0;
     Corners at;
@@ -205,6 +206,7 @@ void FanStencils::range_derivatives(const VecX& x, Projection projection, int fi
     derivatives(f / pack_width, x, projection, gradient + at * static_cast<size_t>(width),
                 hessian ? hessian + at * static_cast<size_t>(slots) : nullptr);
   }
+  if (plastic()) let_flow(x, first, last, gradient, hessian);
 }
 
 void FanStencils::derivatives(int pack, const VecX& x, Projection projection, double* gradient, double* hessian) const {

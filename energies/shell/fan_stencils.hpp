@@ -14,6 +14,16 @@
 // moments.
 //
 // Angles may pass pi: the value nearest to the angle at the start of the step counts.
+//
+// Plastic fans. With a yield moment, a are the elastic trial angles, those above minus the plastic
+// angles p of the start of the step, and t = sqrt(a^T C a) [sqrt(J)] is limited to Y + H g, g the
+// plastic flow in the same unit:
+//     phi(t) = t^2 / 2 up to Y;  (t - g)^2 / 2 + Y g + H g^2 / 2,  g = (t - Y) / (1 + H), beyond,
+// the least over all flows of stored energy plus plastic work. Flow is along a, so that the return
+// mapping is p += (g / t) a. For a sheet curved about one axis, t^2 = D A k^2, A the area of the
+// fan, and Y = M sqrt(A / D) is its yield moment M per length. In general the yield surface is that
+// of the bending energy; at nu = 1/2, Ilyushin's for plates in bending.
+// Sources: Ilyushin 1956; Ortiz and Stainier 1999 for the incremental potential.
 #pragma once
 
 #include "energies/shell/dihedral_stiffness.hpp"
@@ -21,6 +31,13 @@
 #include "geometry/pack.hpp"
 
 namespace tack {
+
+// Plastic history of the fans of one shape: per fan its plastic angles, edge by edge, and its
+// accumulated flow [sqrt(J)].
+struct FanFlow {
+  const double* angles;
+  const double* flow;
+};
 
 class FanStencils final : public StencilRanges {
  public:
@@ -44,6 +61,15 @@ class FanStencils final : public StencilRanges {
   void set_rest_angles(const double* angles);
   // Returns 1/2 a^T C a of angles a [J].
   double energy_of(const double* angles) const;
+
+  // Makes the fans plastic. yields: Y of each fan [sqrt(J)]; hardening: H.
+  void set_yield(const double* yields, double hardening);
+  void set_flow(const FanFlow& stored);
+  // Writes the plastic angles and the accumulated flow after a step to x.
+  void flow(const VecX& x, double* angles, double* flow) const;
+  // Returns the plastic work of a step to x [J].
+  double dissipated(const VecX& x) const;
+  int count() const { return count_; }
 
   double value(const VecX& x) const;
   void range_derivatives(const VecX& x, Projection projection, int first, int last,
@@ -79,6 +105,20 @@ class FanStencils final : public StencilRanges {
   Pack unwound(int pack, int i, const Pack& angle) const;
   void derivatives(int pack, const VecX& x, Projection projection, double* gradient,
                    double* hessian) const;
+  bool plastic() const { return !plastic_.empty(); }
+  double plastic_value(const VecX& x) const;
+  // Turns derivatives of the energy t^2 / 2 of fans first to last - 1 into those of phi(t).
+  void let_flow(const VecX& x, int first, int last, double* gradient, double* hessian) const;
+  // Trial state of plastic fans: elastic angles, t and g.
+  struct Trial {
+    Angles a;
+    Pack size, flow;
+  };
+  Trial trial(int pack, const VecX& x) const;
+  // g for t = size.
+  Pack flowing(const Pack& size, const Pack& yield) const {
+    return select(size > yield, (size - yield) / (1 + hardening_), 0);
+  }
   void add_moment(const DihedralEdge& dihedral, int i, const Pack& moment, Projection projection,
                   Pack* slots) const;
 
@@ -88,6 +128,10 @@ class FanStencils final : public StencilRanges {
   std::vector<Pack> c_;  // of pack_width fans each; the last lanes repeat the last fan
   std::vector<Angles> resting_;
   std::vector<Angles> start_;  // at the start of the step, turns included
+  // Plastic fans only; else empty. resting_ contains p.
+  std::vector<Angles> plastic_, unstressed_;  // p, and angles at rest before any flow
+  std::vector<Pack> initial_, yielded_;       // Y before any flow, and accumulated flow [sqrt(J)]
+  double hardening_ = 0;                      // H
 };
 
 }  // namespace tack

@@ -36,7 +36,9 @@ const std::vector<std::string> energies = {
     "{type: hinge_bending, young: 1e9}",
     "{type: hinge_bending, young: 1e9, poisson: 0}",
     "{type: hinge_bending, stiffness: 0.1, poisson: 0.45}",
-    "{type: hinge_bending, stiffness: 0.1, rest: mesh}"};
+    "{type: hinge_bending, stiffness: 0.1, rest: mesh}",
+    "{type: hinge_bending, stiffness: 0.1, yield_moment: 1}",
+    "{type: hinge_bending, stiffness: 0.1, poisson: 0, yield_moment: 4, hardening: 0.03}"};
 
 template <class Check>
 void for_each_term(const Check& check) {

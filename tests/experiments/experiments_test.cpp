@@ -119,6 +119,7 @@ TEST_CASE("experiment shell/twisted_strip") { check_experiment("shell/twisted_st
 TEST_CASE("experiment shell/plate") { check_experiment("shell/plate.yaml"); }
 TEST_CASE("experiment shell/sheet") { check_experiment("shell/sheet.yaml"); }
 TEST_CASE("experiment shell/strain_limit") { check_experiment("shell/strain_limit.yaml"); }
+TEST_CASE("experiment shell/fold") { check_experiment("shell/fold.yaml"); }
 TEST_CASE("experiment shear/friction") { check_experiment("shear/friction.yaml"); }
 TEST_CASE("experiment shear/tangential_adhesion") { check_experiment("shear/tangential_adhesion.yaml"); }
 TEST_CASE("experiment shear/both") { check_experiment("shear/both.yaml"); }
