@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "framework/assembly/gather_map.hpp"
+#include "geometry/unset_array.hpp"
 
 namespace tack {
 
@@ -58,7 +59,7 @@ class LocalSums {
   std::vector<Chunk> chunks_;
   // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is fixed
   std::vector<int> sum_of_;
-  std::vector<double> sums_;  // 9 each
+  UnsetArray<double> sums_;  // 9 each
   std::vector<BlockKey> targets_;
   std::vector<int> start_, source_;  // target k gathers sums_ source_[start_[k] .. start_[k+1])
 };
