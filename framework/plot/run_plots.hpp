@@ -29,7 +29,7 @@ struct PlottedRun {
   CsvTexts laws, measured;
   // Units of the probes by column, if known.
   std::map<std::string, std::string> units;
-  std::vector<StageVisit> stages;  // of protocols
+  std::vector<StageVisit> stages = {};  // of protocols
 };
 
 // Reads the tables of a run's folder. Throws InputError if the folder holds no run.
