@@ -10,37 +10,47 @@
 //   Eigen::Matrix<double, dim, 1> along(int element, const Vec3& d) const;  components of d
 #pragma once
 
+#include <algorithm>
+#include <tuple>
+#include <utility>
+#include <vector>
+
 #include "energies/shell/sheet_geometry.hpp"
 #include "energies/solid/composite_tets.hpp"
 
 namespace tack {
 
-class FibreTets {
+// Linear tets or triangles: a gradient for each. Element: their vertices; Rest: their rest shapes.
+template <class Element, class Rest>
+class FibreSimplices {
  public:
-  static constexpr int nodes = 4, dim = 3, samples = 1;
+  static constexpr int nodes = static_cast<int>(std::tuple_size_v<Element>), dim = nodes - 1;
+  static constexpr int samples = 1;
 
-  FibreTets(const Body& body, const VecX& rest)
-      : tets_(body.tets), rest_(tet_rest_data(body, rest)), start_(rest) {}
+  FibreSimplices(std::vector<Element> elements, std::vector<Rest> shapes, const VecX& rest)
+      : elements_(std::move(elements)), rest_(std::move(shapes)), start_(rest) {}
 
-  int count() const { return static_cast<int>(tets_.size()); }
-  const int* vertices() const { return tets_.empty() ? nullptr : tets_.front().data(); }
+  int count() const { return static_cast<int>(elements_.size()); }
+  const int* vertices() const { return elements_.empty() ? nullptr : elements_.front().data(); }
   PackMatrix<3, nodes> at(int first, int n, const VecX& x) const {
     PackMatrix<3, nodes> out;
     for (int l = 0; l < pack_width; ++l) {
-      const Tet& tet = tets_[first + std::min(l, n - 1)];
+      const Element& v = elements_[first + std::min(l, n - 1)];
       for (int a = 0; a < nodes; ++a)
-        for (int d = 0; d < 3; ++d) out(d, a).set(l, x[3 * tet[a] + d] - x[3 * tet[0] + d]);
+        for (int d = 0; d < 3; ++d) out(d, a).set(l, x[3 * v[a] + d] - x[3 * v[0] + d]);
     }
     return out;
   }
   PackMatrix<dim, nodes> gradients(int pack, int) const {
     PackMatrix<dim, nodes> out;
     for (int l = 0; l < pack_width; ++l) {
-      const Mat3& shape = rest_[element(pack, l)].shape;
+      const auto& shape = rest_[element(pack, l)].shape;
       for (int a = 1; a < nodes; ++a)
         for (int d = 0; d < dim; ++d) out(d, a).set(l, shape(a - 1, d));
     }
-    out.col(0) = -(out.col(1) + out.col(2) + out.col(3));
+    Eigen::Matrix<Pack, dim, 1> sum = out.col(1);
+    for (int a = 2; a < nodes; ++a) sum += out.col(a);
+    out.col(0) = -sum;
     return out;
   }
   Pack volume(int pack) const {
@@ -48,19 +58,29 @@ class FibreTets {
     for (int l = 0; l < pack_width; ++l) out.set(l, rest_[element(pack, l)].volume);
     return out;
   }
-  Vec3 centre(int t) const {
+  Vec3 centre(int e) const {
     Vec3 sum = Vec3::Zero();
-    for (const int v : tets_[t]) sum += vertex(start_, v);
-    return sum / 4;
+    for (const int v : elements_[e]) sum += vertex(start_, v);
+    return sum / nodes;
   }
-  Vec3 along(int, const Vec3& d) const { return d; }
+
+ protected:
+  const Element& vertices_of(int e) const { return elements_[e]; }
+  const VecX& start() const { return start_; }
 
  private:
   int element(int pack, int lane) const { return std::min(pack * pack_width + lane, count() - 1); }
 
-  std::vector<Tet> tets_;
-  std::vector<TetRest<double>> rest_;
+  std::vector<Element> elements_;
+  std::vector<Rest> rest_;
   VecX start_;
+};
+
+class FibreTets : public FibreSimplices<Tet, TetRest<double>> {
+ public:
+  FibreTets(const Body& body, const VecX& rest)
+      : FibreSimplices(body.tets, tet_rest_data(body, rest), rest) {}
+  Vec3 along(int, const Vec3& d) const { return d; }
 };
 
 class FibreComposites {
@@ -95,54 +115,13 @@ class FibreComposites {
   VecX start_;
 };
 
-class FibreTriangles {
+class FibreTriangles : public FibreSimplices<Triangle, SheetRest<double>> {
  public:
-  static constexpr int nodes = 3, dim = 2, samples = 1;
-
   FibreTriangles(const Body& body, const VecX& rest)
-      : triangles_(body.sheet), rest_(sheet_rest_data(body, rest)), start_(rest) {}
-
-  int count() const { return static_cast<int>(triangles_.size()); }
-  const int* vertices() const { return triangles_.front().data(); }
-  PackMatrix<3, nodes> at(int first, int n, const VecX& x) const {
-    PackMatrix<3, nodes> out;
-    for (int l = 0; l < pack_width; ++l) {
-      const Triangle& t = triangles_[first + std::min(l, n - 1)];
-      for (int a = 0; a < nodes; ++a)
-        for (int d = 0; d < 3; ++d) out(d, a).set(l, x[3 * t[a] + d] - x[3 * t[0] + d]);
-    }
-    return out;
-  }
-  PackMatrix<dim, nodes> gradients(int pack, int) const {
-    PackMatrix<dim, nodes> out;
-    for (int l = 0; l < pack_width; ++l) {
-      const Mat2& shape = rest_[element(pack, l)].shape;
-      for (int a = 1; a < nodes; ++a)
-        for (int d = 0; d < dim; ++d) out(d, a).set(l, shape(a - 1, d));
-    }
-    out.col(0) = -(out.col(1) + out.col(2));
-    return out;
-  }
-  Pack volume(int pack) const {
-    Pack out;
-    for (int l = 0; l < pack_width; ++l) out.set(l, rest_[element(pack, l)].volume);
-    return out;
-  }
-  Vec3 centre(int t) const {
-    Vec3 sum = Vec3::Zero();
-    for (const int v : triangles_[t]) sum += vertex(start_, v);
-    return sum / 3;
-  }
+      : FibreSimplices(body.sheet, sheet_rest_data(body, rest), rest) {}
   Vec2 along(int t, const Vec3& d) const {
-    return sheet_frame(triangles_[t], start_).transpose() * d;
+    return sheet_frame(vertices_of(t), start()).transpose() * d;
   }
-
- private:
-  int element(int pack, int lane) const { return std::min(pack * pack_width + lane, count() - 1); }
-
-  std::vector<Triangle> triangles_;
-  std::vector<SheetRest<double>> rest_;
-  VecX start_;
 };
 
 }  // namespace tack

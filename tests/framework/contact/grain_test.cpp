@@ -11,6 +11,7 @@
 #include "framework/scene/friction_config.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/dense_term.hpp"
+#include "tests/support/error_of.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 #include "tests/support/tet_body.hpp"
@@ -45,15 +46,6 @@ struct Grained {
   TestScene scene;
   VecX start, x;
 };
-
-std::string error_of(const std::string& yaml) {
-  try {
-    const TestScene scene(yaml);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
 
 }  // namespace
 
@@ -115,18 +107,18 @@ TEST_CASE("friction of two surfaces blends their coefficients, unless their pair
   CHECK(mu_of(blend, 0, 2) == 0.3);  // c has no coefficient of its own
   const TestScene own(objects + "contact: {distance: 0.025, pairs: [{between: [a, b], friction: {mu: 0.1}}]}\n");
   CHECK(mu_of(own, 0, 1) == 0.1);
-  CHECK(error_of(objects + "contact: {distance: 0.025, friction: {mu: 0.3, mu_static: 0.4}}\n").find("mu_static or mu_across") != std::string::npos);
-  CHECK(error_of(objects).find("no contact") != std::string::npos);
+  CHECK(error_of<TestScene>(objects + "contact: {distance: 0.025, friction: {mu: 0.3, mu_static: 0.4}}\n").find("mu_static or mu_across") != std::string::npos);
+  CHECK(error_of<TestScene>(objects).find("no contact") != std::string::npos);
 }
 
 TEST_CASE("friction across a grain refuses what it does not support", "[friction][grain]") {
   const std::string grained = Grained::with_grain(three_boxes());
-  CHECK(error_of(three_boxes() + "contact: {pairs: [{between: [a, b], friction: {mu: 0.2, mu_across: 0.6}}]}\n").find("grain: [1, 0, 0]") != std::string::npos);
-  CHECK(error_of(grained + "contact: {friction: {mu: 0.2}}\n").find("give friction mu_across") != std::string::npos);
-  CHECK(error_of(grained + "contact: {friction: {mu: 0, mu_across: 0.6}}\n").find("needs a mu above 0") != std::string::npos);
+  CHECK(error_of<TestScene>(three_boxes() + "contact: {pairs: [{between: [a, b], friction: {mu: 0.2, mu_across: 0.6}}]}\n").find("grain: [1, 0, 0]") != std::string::npos);
+  CHECK(error_of<TestScene>(grained + "contact: {friction: {mu: 0.2}}\n").find("give friction mu_across") != std::string::npos);
+  CHECK(error_of<TestScene>(grained + "contact: {friction: {mu: 0, mu_across: 0.6}}\n").find("needs a mu above 0") != std::string::npos);
   std::string both = grained;
   both.insert(both.find("{name: a, ") + 10, "grain: [0, 0, 1], ");
-  CHECK(error_of(both + "contact: {friction: {mu: 0.2, mu_across: 0.6}}\n").find("both have a grain") != std::string::npos);
-  CHECK(error_of(grained + "contact: {pairs: [{between: [a, b], friction: {mu: 0.2, mu_across: 0.6}, adhesion: {type: fang, peak_traction: 1 kPa}, tangential_adhesion: {mu: 1}}]}\n")
+  CHECK(error_of<TestScene>(both + "contact: {friction: {mu: 0.2, mu_across: 0.6}}\n").find("both have a grain") != std::string::npos);
+  CHECK(error_of<TestScene>(grained + "contact: {pairs: [{between: [a, b], friction: {mu: 0.2, mu_across: 0.6}, adhesion: {type: fang, peak_traction: 1 kPa}, tangential_adhesion: {mu: 1}}]}\n")
             .find("the same in all directions") != std::string::npos);
 }

@@ -10,6 +10,7 @@
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/dense_term.hpp"
+#include "tests/support/error_of.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/same_state.hpp"
 #include "tests/support/scene.hpp"
@@ -84,15 +85,6 @@ double slid(const World& world, const VecX& x) {
   double sum = 0, all = 0;
   for (const int v : world.vertices_of(1)) sum += world.mass(v) * (vertex(x, v) - vertex(world.rest, v)).dot(down), all += world.mass(v);
   return sum / all;
-}
-
-std::string error_of(const std::string& yaml) {
-  try {
-    const TestScene scene(yaml);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
 }
 
 }  // namespace
@@ -207,9 +199,9 @@ TEST_CASE("friction that sticks refuses what it does not support", "[friction][s
   const std::string boxes = "objects:\n  - {name: floor, shape: {type: box, size: [1, 1, 1]}, motion: [fixed]}\n"
                             "  - {name: ball, shape: {type: points, size: [0, 0, 0], counts: [1, 1, 1]}, particle: {radius: 5 mm}, contact_offset: 5 mm,\n"
                             "     place: {translate: [0, 0.51, 0]}, energies: [{type: particle, density: 10000, rolling: true}]}\n";
-  CHECK(error_of(boxes + "contact: {friction: {model: stick, mu: 0.5}}\n").find("'ball' rolls") != std::string::npos);
-  CHECK(error_of(boxes + "contact: {friction: {model: stick, mu: 0.5, eps_v: 1 mm/s}}\n").find("is of smoothed friction") != std::string::npos);
-  CHECK(error_of(boxes + "contact: {friction: {mu: 0.5, elastic_slip: 1 um}}\n").find("model: stick") != std::string::npos);
+  CHECK(error_of<TestScene>(boxes + "contact: {friction: {model: stick, mu: 0.5}}\n").find("'ball' rolls") != std::string::npos);
+  CHECK(error_of<TestScene>(boxes + "contact: {friction: {model: stick, mu: 0.5, eps_v: 1 mm/s}}\n").find("is of smoothed friction") != std::string::npos);
+  CHECK(error_of<TestScene>(boxes + "contact: {friction: {mu: 0.5, elastic_slip: 1 um}}\n").find("model: stick") != std::string::npos);
   const std::string adheres = three_boxes() + "contact: {friction: {model: stick, mu: 0.5}, pairs: [{between: [a, b], adhesion: {type: fang, peak_traction: 1 kPa}, tangential_adhesion: {mu: 1}}]}\n";
-  CHECK(error_of(adheres).find("take tangential_adhesion away") != std::string::npos);
+  CHECK(error_of<TestScene>(adheres).find("take tangential_adhesion away") != std::string::npos);
 }

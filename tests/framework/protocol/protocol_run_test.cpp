@@ -9,6 +9,7 @@
 #include "framework/output/csv.hpp"
 #include "framework/run/changed_scene.hpp"
 #include "geometry/errors.hpp"
+#include "tests/support/error_of.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/test_run.hpp"
@@ -57,15 +58,6 @@ void run_through(TestRun& run) {
 std::vector<StageVisit> visits(TestRun& run) { return run.simulation.protocols()->visits(run.state().time); }
 
 double value(TestRun& run, size_t probe) { return run.sample(probe)[0]; }
-
-std::string error_of(const std::string& yaml) {
-  try {
-    TestRun run(yaml);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 }  // namespace
 
@@ -268,7 +260,7 @@ TEST_CASE("what is wrong with a protocol is said before the run", "[protocol]") 
   const std::string until = ", until: {time: 1 s}";
   const auto says = [](const std::string& stages, const std::string& text) {
     INFO(text);
-    CHECK_THAT(error_of(block(stages)), Catch::Contains(text));
+    CHECK_THAT(error_of<TestRun>(block(stages)), Catch::Contains(text));
   };
   says(stage("name: a, drive: {hed: {velocity: 1 mm/s}}" + until), "'head', and no stage of a protocol drives it; did you mean 'hed'?");
   says(stage("name: a, " + down + ", until: {probe: forse, above: 1 N}"), "no probe has the column 'forse'; did you mean 'force'?");
@@ -288,7 +280,7 @@ TEST_CASE("what is wrong with a protocol is said before the run", "[protocol]") 
   says(stage("name: a, " + down + until + ", next: c") + stage("name: b" + until), "goes on to 'c', which is no stage");
   says(stage("name: a, " + down + until + ", repeat: 2"), "needs `next`");
   says(stage("name: a, " + down + until) + stage("name: a" + until), "two stages are named 'a'");
-  CHECK_THAT(error_of(block(stage("name: a, " + down + until), "integrator: quasi_static", "expect: [{probe: force, statistic: max, stage: b, at_least: 0}]")),
+  CHECK_THAT(error_of<TestRun>(block(stage("name: a, " + down + until), "integrator: quasi_static", "expect: [{probe: force, statistic: max, stage: b, at_least: 0}]")),
              Catch::Contains("no protocol has a stage 'b'"));
 }
 

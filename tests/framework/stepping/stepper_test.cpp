@@ -8,6 +8,7 @@
 #include "framework/scene/scene_config.hpp"
 #include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
+#include "tests/support/error_of.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/test_run.hpp"
 #include "tests/support/warnings.hpp"
@@ -60,15 +61,6 @@ std::string scene_with(const std::string& stepper, const std::string& more = "")
          "  - {name: block, shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, place: {translate: [0.03, 0.4, 0.02]},\n"
          "     velocity: [0.2, 0, 0], energies: [{type: neo_hookean, young: 1e5}]}\n"
          "contact: {distance: 1 mm}\n";
-}
-
-std::string error_of(const std::string& yaml) {
-  try {
-    TestRun run(yaml);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -133,12 +125,12 @@ TEST_CASE("a registered stepper is documented, and its errors are located", "[st
   CHECK(contains(list_kind("stepper"), "free_flight"));
   CHECK(contains(list_component("stepper", "free_flight"), "file: tests/framework/stepping/stepper_test.cpp"));
   CHECK(contains(list_component("stepper", "incremental_potential"), "Li et al. 2020"));
-  const std::string unknown = error_of(scene_with("free_fligth"));
+  const std::string unknown = error_of<TestRun>(scene_with("free_fligth"));
   CHECK(contains(unknown, "test.yaml:2:"));
   CHECK(contains(unknown, "unknown stepper 'free_fligth'; did you mean 'free_flight'?"));
   std::string rough = scene_with("free_flight");
   rough.replace(rough.find("1 mm}"), 5, "1 mm, friction: {mu: 0.5}}");
-  const std::string refused = error_of(rough);
+  const std::string refused = error_of<TestRun>(rough);
   CHECK(contains(refused, "test.yaml:2:"));
   CHECK(contains(refused, "free_flight knows no friction"));
 }

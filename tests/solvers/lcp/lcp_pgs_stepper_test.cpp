@@ -7,6 +7,7 @@
 
 #include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
+#include "tests/support/error_of.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/test_run.hpp"
 #include "tests/support/warnings.hpp"
@@ -82,15 +83,6 @@ std::string hang(const std::string& law, double load, const std::string& block =
 double height_of(TestRun& run) {
   const int block = run.world->index_of("block");
   return run.world->centre_of_mass(block, run.state().x).y() - run.world->centre_of_mass(block, run.world->start.x).y();
-}
-
-std::string error_of(const std::string& yaml) {
-  try {
-    TestRun run(yaml);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -237,15 +229,15 @@ TEST_CASE("features without constraint rows are refused by name", "[lcp]") {
            "  - {name: floor, shape: {type: box, size: [1, 0.02, 1]}, motion: [fixed]}\n" + objects +
            "contact: {distance: 1 mm, pairs: [{between: [floor, block], " + pair + "}]}\n";
   };
-  CHECK(error_of(scene("", block, "friction: {mu: 0.5}")).empty());
-  CHECK(contains(error_of(scene(", integrator: newmark", block, "friction: {mu: 0.5}")), "time.integrator is newmark"));
-  CHECK(contains(error_of(scene("", block, "adhesion: {type: fang, critical_strain: 0.01}")), "rows for RCC adhesion alone, and a pair adheres by 'fang'"));
-  CHECK(contains(error_of(scene("", block, "adhesion: {type: bilinear, peak_traction: 1e3, work_of_adhesion: 0.1}")), "adheres by 'bilinear'"));
+  CHECK(error_of<TestRun>(scene("", block, "friction: {mu: 0.5}")).empty());
+  CHECK(contains(error_of<TestRun>(scene(", integrator: newmark", block, "friction: {mu: 0.5}")), "time.integrator is newmark"));
+  CHECK(contains(error_of<TestRun>(scene("", block, "adhesion: {type: fang, critical_strain: 0.01}")), "rows for RCC adhesion alone, and a pair adheres by 'fang'"));
+  CHECK(contains(error_of<TestRun>(scene("", block, "adhesion: {type: bilinear, peak_traction: 1e3, work_of_adhesion: 0.1}")), "adheres by 'bilinear'"));
   std::string lagged = scene("", block, "friction: {mu: 0.5}");
   lagged.insert(lagged.find("pairs:"), "lagging: {iterations: 3}, ");
-  CHECK(contains(error_of(lagged), "finds friction and what presses together, without contact.lagging"));
+  CHECK(contains(error_of<TestRun>(lagged), "finds friction and what presses together, without contact.lagging"));
   const std::string dust = "  - {name: dust, shape: {type: points}, place: {translate: [0, 1, 0]}, particle: {radius: 1 mm}, energies: [{type: particle, mass: 1}]}\n";
-  CHECK(contains(error_of(scene("", block + dust, "friction: {mu: 0.5}")), "'dust' has particles"));
+  CHECK(contains(error_of<TestRun>(scene("", block + dust, "friction: {mu: 0.5}")), "'dust' has particles"));
 }
 
 TEST_CASE("contact forces, friction and reactions are the impulses over h", "[lcp]") {
