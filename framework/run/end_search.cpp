@@ -55,24 +55,18 @@ std::optional<double> EndSearch::inside() {
     return *high_;
   }
   const double shortest = low_ + std::max(bracket_margin * length, std::min(tolerance_, length / 2)), longest = *high_ - bracket_margin * length;
-  double time = low_ + length / 2;
+  // The earliest end decides. It may be later than the middle if the secants of all ends are known.
+  double earliest = *high_;
+  bool all_known = true;
   for (size_t i = 0; i < at_high_.size(); ++i) {
     const Excess &low = at_low_[i], &high = at_high_[i];
     if (!met_in(high)) continue;
     if (met_in(low)) return low_ + std::min(tolerance_, length / 2);  // met from the start
-    if (tries_ % bisection_turn == 0 || !std::isfinite(low.value) || high.error == 0) continue;
-    time = std::min(time, low_ + length * (high.error / 2 - low.value) / (high.value - low.value));
-  }
-  // the earliest end decides: later than the middle if all of them are
-  bool all_later = tries_ % bisection_turn != 0;
-  double earliest = *high_;
-  for (size_t i = 0; i < at_high_.size() && all_later; ++i) {
-    const Excess &low = at_low_[i], &high = at_high_[i];
-    if (!met_in(high)) continue;
-    if (!std::isfinite(low.value) || high.error == 0) all_later = false;
+    if (tries_ % bisection_turn == 0 || !std::isfinite(low.value) || high.error == 0) all_known = false;
     else earliest = std::min(earliest, low_ + length * (high.error / 2 - low.value) / (high.value - low.value));
   }
-  return std::clamp(all_later ? earliest : time, shortest, std::max(shortest, longest));
+  const double time = all_known ? earliest : std::min(earliest, low_ + length / 2);
+  return std::clamp(time, shortest, std::max(shortest, longest));
 }
 
 }  // namespace tack
