@@ -5,6 +5,9 @@
 #include <tbb/parallel_for.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -147,7 +150,7 @@ void show_plan(const BatchFolder& folder, const BatchDescription& d, const std::
 }
 
 // Follows the states that the tasks of the job array write, until all tasks have ended.
-void follow(SlurmJob& job, const BatchFolder& folder, const std::vector<const BatchCase*>& open, BatchProgress& progress) {
+void follow(SlurmJobs& jobs, const BatchFolder& folder, const std::vector<const BatchCase*>& open, BatchProgress& progress) {
   const BatchObserver observer = progress.observer();
   std::set<const BatchCase*> ended;
   const auto report_ended_cases = [&] {
@@ -156,7 +159,7 @@ void follow(SlurmJob& job, const BatchFolder& folder, const std::vector<const Ba
       if (finished(state.status) && ended.insert(one).second) observer.ended(*one, state);
     }
   };
-  while (!job.waiting.ended() && !interrupt_requested) {
+  while (!jobs.ended() && !interrupt_requested) {
     report_ended_cases();
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
@@ -165,6 +168,11 @@ void follow(SlurmJob& job, const BatchFolder& folder, const std::vector<const Ba
 
 int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const BatchFolder& folder, const BatchDescription& d,
                  const std::vector<const BatchCase*>& open) {
+  if (config.slurm.requeues > 0)
+    for (const BatchCase* one : open)
+      if (!one->checkpoints)
+        throw InputError(fmt::format("slurm.requeues: case '{}' writes no checkpoints and would start from the beginning each time; "
+                                     "give `set: [output.checkpoint_interval=...]`", one->name));
   std::vector<size_t> tasks;
   for (const BatchCase* one : open) {
     tasks.push_back(static_cast<size_t>(one - d.plan.cases.data()));
@@ -172,23 +180,41 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
     // The failed cases run again: without their states, their tasks do not skip them.
     std::filesystem::remove(folder.state(one->name));
   }
-  replace_file(folder.job_script(), job_script(this_program(), folder, config, d.limits, tasks));
+  SlurmJobs jobs = submit(this_program(), folder, config.slurm, d.limits, tasks, !options.no_wait);
   const std::string later = fmt::format("the table is made by `tack batch --collect {}`", folder.root.string());
   if (options.no_wait) {
-    fmt::print("job {} submitted: {}; {}\n", submit_without_waiting(folder), counted(open.size(), "case"), later);
+    fmt::print("{} submitted: {}; {}\n", jobs.names(), counted(open.size(), "case"), later);
     return exit_done;
   }
-  SlurmJob job = submit(folder);
-  if (!options.quiet) fmt::print("job {} submitted: {}\n", job.id, counted(open.size(), "case"));
+  if (!options.quiet) fmt::print("{} submitted: {}\n", jobs.names(), counted(open.size(), "case"));
   {
     BatchProgress progress(std::cout, d.plan.cases.size(), open.size(), d.limits.jobs, 0, options.quiet);
-    follow(job, folder, open, progress);
+    follow(jobs, folder, open, progress);
   }
   if (interrupt_requested) {
-    fmt::print("job {} goes on (`scancel {}` ends it); {}\n", job.id, job.id, later);
+    fmt::print("{} go on (`{}` ends them); {}\n", jobs.names(), jobs.cancel(), later);
     return exit_interrupted;
   }
   return report(folder, d, options.quiet, options.only);
+}
+
+std::atomic<bool> time_limit_reached = false;
+
+extern "C" void end_at_time_limit(int) {
+  time_limit_reached = true;
+  interrupt_requested = true;
+}
+
+// Queues the task of a case again, unless Slurm has restarted it `requeues` times.
+void requeue(int requeues, const BatchFolder& folder, const BatchCase& one) {
+  const char* restarts = std::getenv("SLURM_RESTART_COUNT");  // not set in the first run
+  if (restarts && std::atoi(restarts) >= requeues) {
+    fmt::print("{}: not queued again after {}\n", one.name, counted(static_cast<size_t>(requeues), "restart"));
+    return;
+  }
+  fmt::print("{}: queued again\n", one.name);
+  std::fflush(stdout);  // Slurm kills this process
+  requeue_this_job(folder.root / "output" / "requeue.txt");
 }
 
 // Runs one case, as a task of a job array.
@@ -202,9 +228,11 @@ int run_task(const BatchOptions& options) {
     throw InputError(fmt::format("{}: was planned by another build of tack; call `tack batch` again", folder.description().string()));
   one.scene = read_file(folder.scene(one.name), std::uintmax_t{1} << 30);
   if (finished(state_of(folder, one).status)) return exit_done;
+  if (options.requeues > 0) std::signal(SIGUSR1, end_at_time_limit);
   run_cases(this_program(), folder, d.limits, {&one}, {});
   const CaseState state = state_of(folder, one);
   fmt::print("{}: {} {}\n", one.name, to_string(state.status), state.error);
+  if (time_limit_reached && state.status == CaseStatus::interrupted) requeue(options.requeues, folder, one);
   return exit_done;  // the case's state file records how it ended
 }
 

@@ -208,7 +208,10 @@ class CommandLine {
     CLI::Option* slurm = batch->add_flag("--slurm", batch_.slurm, "run the cases as a job array of Slurm");
     batch->add_flag("--no-wait", batch_.no_wait, "with --slurm: submit and exit without waiting")->needs(slurm);
     batch->add_option("--collect", batch_.collect, "rebuild the table of a batch folder without running anything")->type_name("FOLDER");
-    batch->add_option("--task", batch_.task, "run only this case (index from 0) of the batch in folder -o, as a job array does");
+    CLI::Option* task =
+        batch->add_option("--task", batch_.task, "run only this case (index from 0) of the batch in folder -o, as a job array does");
+    batch->add_option("--requeues", batch_.requeues, "with --task: at SIGUSR1, end the case and queue the task of Slurm again, at most this often")
+        ->needs(task)->check(whole_number_above_zero);
     batch->add_flag("-q,--quiet", batch_.quiet, "print errors only");
     batch->callback([this] {
       if (batch_.task && batch_.output.empty()) throw CLI::RequiredError("--task: -o");

@@ -89,6 +89,8 @@ struct BatchOptions {
   std::string collect;
   // The only case to run of the batch in `output`, as a task of a job array.
   std::optional<int> task;
+  // How often Slurm may restart the task when its time limit is near (SIGUSR1).
+  int requeues = 0;
   bool quiet = false;
 };
 // Runs many experiments and makes one table of their results. A second call continues an

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -39,10 +40,21 @@ std::string BatchStatistic::column() const { return name.empty() ? description(r
 void SlurmConfig::fields(Fields& f) {
   f.text("partition", partition, "partition; the cluster's default unless given").line();
   f.text("account", account, "account that is charged").line();
-  f.number("time", time, units::time, "time limit of a case; SIGTERM is sent a minute before").positive();
+  f.number("time", time, units::time, "time limit of a case; a case of more than two minutes is asked to end a minute before").positive();
   f.integer("at_once", at_once, "largest number of concurrent cases; 0: no limit").at_least(0);
+  f.integer("requeues", requeues,
+            "how often a case that reaches its time limit is queued again, to go on from its newest checkpoint; "
+            "needs output.checkpoint_interval and a time limit above two minutes").at_least(0);
+  f.integer("max_array_size", max_array_size, "most tasks of one job array; 0: the cluster's MaxArraySize").at_least(0);
+  f.texts("prologue", prologue, "lines of shell that each task runs first, as `module load openblas`").line();
   f.texts("options", options, "further options of sbatch, as `--constraint=fast`").line();
+  f.check("requeues", [this]() -> std::string {
+    if (requeues > 0 && whole_minutes(time) <= 2) return "a case is asked to end a minute before its time limit only if `time` exceeds 2 min";
+    return "";
+  });
 }
+
+long whole_minutes(double seconds) { return std::lround(std::ceil(seconds / 60)); }
 
 void BatchConfig::fields(Fields& f) {
   f.text("name", name, "name of the results folder").required().line();

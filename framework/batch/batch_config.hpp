@@ -28,11 +28,17 @@ struct BatchStatistic : SpecifiedStatistic {
 // Resources that a Slurm job array requests; threads and memory are those of one case.
 struct SlurmConfig {
   std::string partition, account;
-  double time = 3600;                // s, of a case
-  int at_once = 0;                   // cases; 0: no limit
-  std::vector<std::string> options;  // options of sbatch, as "--constraint=..."
+  double time = 3600;                 // s, of a case
+  int at_once = 0;                    // cases; 0: no limit
+  int requeues = 0;                   // of a case that reaches its time limit
+  int max_array_size = 0;             // tasks of one array; 0: as the cluster's MaxArraySize allows
+  std::vector<std::string> prologue;  // lines of shell before each case
+  std::vector<std::string> options;   // options of sbatch, as "--constraint=..."
   void fields(Fields& f);
 };
+
+// Returns a time in minutes, rounded up, as Slurm counts time limits.
+long whole_minutes(double seconds);
 
 struct BatchConfig {
   std::string name, about;

@@ -19,7 +19,8 @@ struct BatchCase {
   std::string scene;                          // resolved, as YAML
   // Checksum of the scene, the files that it reads and the program.
   std::string digest;
-  double duration = 0;  // s, simulated
+  double duration = 0;       // s, simulated
+  bool checkpoints = false;  // the case writes checkpoints that keep the bits of a run
 };
 
 struct BatchPlan {

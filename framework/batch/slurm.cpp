@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 #include "framework/output/provenance.hpp"
@@ -42,12 +45,34 @@ InputError refusal(const std::filesystem::path& output, int code) {
   return InputError(fmt::format("Slurm does not take the batch: {}", text));
 }
 
-ChildProcess sbatch(const BatchFolder& folder, std::vector<std::string> options, const std::filesystem::path& output) {
+// Waits until the process ends; returns its exit code.
+int exit_code_of(ChildProcess process) {
+  while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  return process.exit_code();
+}
+
+ChildProcess sbatch(const BatchFolder& folder, const std::vector<std::string>& options, size_t offset, const std::filesystem::path& output) {
   replace_file(output, "");
   std::vector<std::string> arguments{"/usr/bin/env", "sbatch", "--parsable"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   arguments.push_back(folder.job_script());
+  if (offset > 0) arguments.push_back(std::to_string(offset));
   return {arguments, output};
+}
+
+// Returns MaxArraySize of the cluster; Slurm's default if scontrol does not answer.
+size_t max_array_size(const BatchFolder& folder) {
+  constexpr size_t slurm_default = 1001;
+  const auto output = folder.root / "output" / "scontrol.txt";
+  replace_file(output, "");
+  if (exit_code_of({{"/usr/bin/env", "scontrol", "show", "config"}, output}) != 0) return slurm_default;
+  std::ifstream in(output);
+  std::string key, equals;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    if (size_t size = 0; words >> key >> equals >> size && key == "MaxArraySize") return std::max<size_t>(size, 1);
+  }
+  return slurm_default;
 }
 
 // Quotes a word of an #SBATCH line, which a blank would end.
@@ -70,46 +95,87 @@ std::string number_of(const std::string& line) { return line.substr(0, line.find
 
 }  // namespace
 
-std::string job_script(const std::string& program, const BatchFolder& folder, const BatchConfig& config, const BatchLimits& limits,
-                       const std::vector<size_t>& tasks) {
-  const SlurmConfig& s = config.slurm;
-  const long minutes = std::lround(std::ceil(s.time / 60));
+std::vector<JobArray> job_arrays(const std::vector<size_t>& cases, size_t size) {
+  std::vector<JobArray> arrays;
+  std::vector<size_t> tasks;
+  for (size_t i = 0; i < cases.size(); ++i) {
+    const size_t offset = cases[i] / size * size;
+    tasks.push_back(cases[i] - offset);
+    if (i + 1 < cases.size() && cases[i + 1] < offset + size) continue;
+    arrays.push_back({ranges(tasks), offset});
+    tasks.clear();
+  }
+  return arrays;
+}
+
+std::string job_script(const std::string& program, const BatchFolder& folder, const SlurmConfig& s, const BatchLimits& limits) {
+  const long minutes = whole_minutes(s.time);
   std::string script = "#!/bin/bash\n";
   const auto option = [&](const std::string& text) {
     if (text.find_first_of("\r\n") != text.npos) throw InputError(fmt::format("slurm: '{}' is no option: it has a line break", text));
     script += "#SBATCH " + text + "\n";
   };
   option("--job-name=" + quoted(folder.root.filename().string()));
-  option(fmt::format("--array={}{}", ranges(tasks), s.at_once > 0 ? fmt::format("%{}", s.at_once) : ""));
   option(fmt::format("--time={}", minutes));
   option(fmt::format("--cpus-per-task={}", limits.threads));
   if (limits.memory) option(fmt::format("--mem={}M", std::lround(std::ceil(*limits.memory * 1e3))));
   if (!s.partition.empty()) option("--partition=" + s.partition);
   if (!s.account.empty()) option("--account=" + s.account);
   option("--output=" + quoted(in_pattern(folder.root / "output") + "/slurm_%A_%a.txt"));
-  if (minutes > 2) option("--signal=B:TERM@60");
+  if (s.requeues > 0) {
+    // SIGUSR1 and not SIGTERM, which scancel sends: a cancelled task is not queued again.
+    option("--signal=B:USR1@60");
+    option("--requeue");
+    option("--open-mode=append");
+  } else if (minutes > 2) {
+    option("--signal=B:TERM@60");
+  }
   for (const std::string& o : s.options) option(o);
-  script += fmt::format("exec {} --task \"$SLURM_ARRAY_TASK_ID\"\n", shell_line({program, "batch", "-o", folder.root}));
+  for (const std::string& line : s.prologue) script += line + "\n";
+  const std::vector<std::string> command{program, "batch", "-o", folder.root};
+  script += fmt::format("exec {} --task \"$((SLURM_ARRAY_TASK_ID + ${{1:-0}}))\"{}\n", shell_line(command),
+                        s.requeues > 0 ? fmt::format(" --requeues {}", s.requeues) : "");
   return script;
 }
 
-SlurmJob submit(const BatchFolder& folder) {
-  const auto output = folder.root / "output" / "sbatch.txt";
-  SlurmJob job{"", sbatch(folder, {"--wait"}, output)};
-  // sbatch prints the number first, and ends when all tasks have ended.
-  while (first_line(output).empty() && !job.waiting.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  job.id = number_of(first_line(output));
-  if (job.waiting.ended() && (job.id.empty() || !std::isdigit(static_cast<unsigned char>(job.id.front()))))
-    throw refusal(output, job.waiting.exit_code());
-  return job;
+bool SlurmJobs::ended() {
+  return std::all_of(waiting.begin(), waiting.end(), [](ChildProcess& p) { return p.ended(); });
 }
 
-std::string submit_without_waiting(const BatchFolder& folder) {
-  const auto output = folder.root / "output" / "sbatch.txt";
-  ChildProcess process = sbatch(folder, {}, output);
-  while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  if (process.exit_code() != 0) throw refusal(output, process.exit_code());
-  return number_of(first_line(output));
+std::string SlurmJobs::names() const { return fmt::format("{} {}", ids.size() == 1 ? "job" : "jobs", fmt::join(ids, ", ")); }
+
+std::string SlurmJobs::cancel() const { return fmt::format("scancel {}", fmt::join(ids, " ")); }
+
+SlurmJobs submit(const std::string& program, const BatchFolder& folder, const SlurmConfig& slurm, const BatchLimits& limits,
+                 const std::vector<size_t>& cases, bool wait) {
+  replace_file(folder.job_script(), job_script(program, folder, slurm, limits));
+  const auto size = slurm.max_array_size > 0 ? static_cast<size_t>(slurm.max_array_size) : max_array_size(folder);
+  SlurmJobs jobs;
+  for (const JobArray& array : job_arrays(cases, size)) {
+    std::vector<std::string> options{fmt::format("--array={}{}", array.tasks, slurm.at_once > 0 ? fmt::format("%{}", slurm.at_once) : "")};
+    if (wait) options.push_back("--wait");
+    // `at_once` limits the tasks of one array: arrays with a limit follow each other.
+    if (slurm.at_once > 0 && !jobs.ids.empty()) options.push_back("--dependency=afterany:" + jobs.ids.back());
+    const auto output = folder.root / "output" / fmt::format("sbatch{}.txt", array.offset > 0 ? fmt::format("_{}", array.offset) : "");
+    ChildProcess process = sbatch(folder, options, array.offset, output);
+    // sbatch prints the number first; with --wait, it ends when all tasks have ended.
+    while (first_line(output).empty() && !process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const std::string id = number_of(first_line(output));
+    if (process.ended() && (id.empty() || !std::isdigit(static_cast<unsigned char>(id.front())))) throw refusal(output, process.exit_code());
+    jobs.ids.push_back(id);
+    jobs.waiting.push_back(std::move(process));
+  }
+  if (!wait)
+    for (ChildProcess& process : jobs.waiting)
+      while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  return jobs;
+}
+
+void requeue_this_job(const std::filesystem::path& output) {
+  const char* job = std::getenv("SLURM_JOB_ID");
+  if (!job) throw InputError("--requeues: SLURM_JOB_ID is not set, as it is in a task of Slurm; run the case without it");
+  if (const int code = exit_code_of({{"/usr/bin/env", "scontrol", "requeue", job}, output}); code != 0)
+    throw InputError(fmt::format("Slurm does not queue job {} again: {}", job, first_line(output)));
 }
 
 }  // namespace tack

@@ -91,6 +91,9 @@ void CalibrateConfig::fields(Fields& f) {
   f.optional_number("memory", memory, units::none, "memory limit of a run in GB; a run that needs more fails").positive();
   f.optional_number("time_limit", time_limit, units::time, "wall time of a run, after which it is stopped and counts as failed").positive();
   f.object("slurm", slurm, "resources that `--slurm` requests");
+  f.check("slurm", [this]() -> std::string {
+    return slurm.requeues == 0 ? "" : "requeues: runs of a calibration write no checkpoints; give them a longer `time`";
+  });
   f.check("experiments", [this] { return check_names(experiments); });
   f.check("experiments", [this] { return check_noise(experiments); });
   f.check("fit", [this]() -> std::string { return fit.empty() ? "name at least one parameter: a key of the experiments with its range" : ""; });

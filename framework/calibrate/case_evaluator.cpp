@@ -129,11 +129,9 @@ void CaseEvaluator::run_array(const std::vector<const BatchCase*>& new_cases) {
     std::filesystem::remove(folder.state(one->name));
   }
   write_tables();
-  BatchConfig config;
-  config.slurm = *settings_.slurm;
-  replace_file(folder.job_script(), job_script(settings_.program, folder, config, settings_.description.limits, tasks));
-  SlurmJob job = submit(folder);
-  while (!job.waiting.ended() && !interrupt_requested) {
+  std::sort(tasks.begin(), tasks.end());
+  SlurmJobs jobs = submit(settings_.program, folder, *settings_.slurm, settings_.description.limits, tasks, true);
+  while (!jobs.ended() && !interrupt_requested) {
     if (settings_.on_tick) settings_.on_tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }

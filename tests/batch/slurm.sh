@@ -17,7 +17,7 @@ work=$(mktemp -d /tmp/tack_slurm.XXXXXX)
 pids=()
 clean_up() {
   local status=$?
-  if ((status != 0)); then tail -n 40 "$work"/*.log "$work"/*.txt 2>/dev/null || true; fi
+  if ((status != 0)); then tail -n 40 "$work"/*.log "$work"/*.txt "$work"/*/output/*.txt 2>/dev/null || true; fi
   for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done
   for pid in "${pids[@]}"; do wait "$pid" 2>/dev/null || true; done
   pkill -f "slurmstepd.*$work" 2>/dev/null || true
@@ -65,6 +65,7 @@ SelectTypeParameters=CR_Core
 SchedulerParameters=sched_interval=1,sched_min_interval=0
 ReturnToService=2
 MailProg=/bin/true
+MaxArraySize=4
 NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
 PartitionName=short Nodes=$host Default=YES MaxTime=INFINITE State=UP
 CONF
@@ -112,6 +113,8 @@ for folder in here there left; do
 done
 cmp here.table there.table
 cmp here.table left.table
+# An array of this cluster has tasks 0 to 3: six cases take two.
+grep -q '^jobs [0-9]*, [0-9]* submitted: 6 cases' there.txt
 [[ $(wc -l <here.table) == 7 ]]
 grep -q ',done,' here.table
 grep -q ',expectation failed,' here.table
@@ -119,7 +122,57 @@ grep -q ',expectation failed,' here.table
 "$program" batch batch.yaml -o there --slurm >again.txt || [[ $? == 1 ]]
 grep -q "6 of 6 cases are done already" again.txt
 
-# So is a calibration, whose points are asked for in rounds.
+# A case that reaches its time limit (Slurm sends SIGUSR1 then; here scancel does) is queued again and goes on from its
+# newest checkpoint, with the bits of a run at one go; each start runs the prologue.
+cat >"$work/long.yaml" <<YAML
+name: long
+base: $source/experiments/first/hang.yaml
+set: [output.frames=false, output.checkpoint_interval=10 ms, time.duration=20 s, time.step=1 ms]
+slurm:
+  partition: short
+  time: 10 min
+  requeues: 1
+  prologue:
+    - echo "start \$((\${SLURM_RESTART_COUNT:-0} + 1))"
+vary: [{type: repeat, count: 1}]
+YAML
+"$program" batch long.yaml -o long --slurm --no-wait >long.txt
+signalled() {  # sends SIGUSR1 once the running task has written a checkpoint newer than $1
+  local newest
+  for ((i = 0; ; ++i)); do
+    newest=$(find long/cases -name '*.checkpoint' | sort | tail -n 1)
+    if [[ -n $newest && $newest != "$1" && $(squeue -h -o %T) == RUNNING ]]; then break; fi
+    ((i < 600)) || { echo "no checkpoint after '$1'"; exit 1; }
+    sleep 0.1
+  done
+  scancel --batch --signal=USR1 "$(squeue -h -o %A)"
+}
+signalled ""
+for ((i = 0; ; ++i)); do
+  if grep -q "queued again" long/output/slurm_*.txt; then break; fi
+  ((i < 300)) || { echo "the task is not queued again"; exit 1; }
+  sleep 0.1
+done
+# A job that was queued again waits two minutes before it starts: an administrator starts it at once.
+for ((i = 0; i < 50; ++i)); do
+  [[ -n $(squeue -h -t PENDING) ]] && break
+  sleep 0.1
+done
+scontrol update jobid="$(squeue -h -o %A)" starttime=now
+signalled "$(find long/cases -name '*.checkpoint' | sort | tail -n 1)"
+for ((i = 0; ; ++i)); do
+  if [[ -z $(squeue -h) ]]; then break; fi
+  ((i < 600)) || { echo "the task does not end"; exit 1; }
+  sleep 0.1
+done
+grep -q "^start 1" long/output/slurm_*.txt
+grep -q "^start 2" long/output/slurm_*.txt
+grep -q "not queued again after 1 restart" long/output/slurm_*.txt
+grep -q "resumed at step" long/output/*.txt
+"$program" batch long.yaml -o none --slurm --set 'set=[output.frames=false]' 2>refused.txt && exit 1
+grep -q "writes no checkpoints" refused.txt
+
+# A calibration, which asks for its points in rounds, gives the same points through Slurm.
 cat >"$work/fit.yaml" <<YAML
 name: fit
 experiments:
@@ -134,4 +187,4 @@ YAML
 cmp fit_here/evaluations.csv fit_there/evaluations.csv
 "$program" calibrate fit.yaml -q -o fit_there --slurm
 grep -q '"started": 0' fit_there/calibration.json
-echo "the same table here, through Slurm, and collected later; the same calibration"
+echo "the same table here, through Slurm, and collected later; a task that is queued again; the same calibration"
