@@ -20,7 +20,7 @@ list(APPEND TACK_COLD_FOLDERS ${TACK_STUDY_FOLDERS})
 # (framework/plugin/further_components.cpp). TACK_FURTHER_EXCEPT: files of these folders that are hot, because first scenes name their components.
 set(TACK_FURTHER_FOLDERS energies/adhesion_over_time energies/hyperelastic energies/interactions energies/loads energies/particle energies/plasticity energies/rod energies/shell
     energies/viscoelastic
-    framework/contact/clipped framework/contact/gcp framework/contact/ipc framework/contact/ogc solvers/lcp solvers/minimizers/external
+    framework/contact/clipped framework/contact/gcp framework/contact/ipc framework/contact/ogc framework/export solvers/lcp solvers/minimizers/external
     solvers/path_following)
 set(TACK_FURTHER_EXCEPT energies/loads/loads.cpp energies/loads/pressure.cpp)
 

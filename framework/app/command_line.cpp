@@ -17,6 +17,7 @@
 #include "framework/config/nearest.hpp"
 #include "framework/contact/adhesion_law.hpp"
 #include "framework/meshing/mesh_operation.hpp"
+#include "framework/output/output_format.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
 
@@ -44,6 +45,7 @@ class CommandLine {
     add_plot();
     add_report();
     add_render();
+    add_export();
     add_check();
     add_list();
     add_law();
@@ -274,6 +276,16 @@ class CommandLine {
     render->callback([this] { exit_code_ = render_command(render_); });
   }
 
+  void add_export() {
+    CLI::App* exported = app_.add_subcommand("export", "Write the shapes of a run for Blender, Houdini, ParaView or a browser");
+    exported->add_option("folder", export_.folder, "results folder of a run, finished or under way")->required()->type_name("FOLDER");
+    exported->add_option("--to", export_.format, "format: ./tack list format")->required();
+    exported->add_option("settings", export_.settings, "keys of the format: fps=25 objects=[cube]");
+    exported->add_option("-o,--output", export_.output, "file or folder to write (default: below export in the results folder)")->type_name("FILE");
+    exported->add_option("--plugin", export_.plugins, "plugin library with custom formats (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    exported->callback([this] { exit_code_ = export_command(export_); });
+  }
+
   void add_check() {
     CLI::App* check = app_.add_subcommand("check", "Validate a scene and its derivatives without running it");
     add_scene_options(*check, check_);
@@ -366,6 +378,7 @@ class CommandLine {
     if (is("list", "kind"))
       for (const Kind* kind : registered_kinds()) names.push_back(kind->name());
     if (is("law", "--type")) names = Registry<AdhesionLaw>::kind().names();
+    if (is("export", "--to")) names = Registry<OutputFormat>::kind().names();
     if (is("mesh", "operation")) {
       names = Registry<MeshOperation>::kind().names();
       names.insert(names.end(), {"convert", "info", "sdf"});
@@ -413,6 +426,7 @@ class CommandLine {
   PlotOptions plot_;
   ReportOptions report_;
   RenderOptions render_;
+  ExportOptions export_;
   CheckOptions check_;
   ListOptions list_;
   LawOptions law_;

@@ -131,6 +131,16 @@ struct RenderOptions {
 // Writes a picture or a film of runs, side by side.
 int render_command(const RenderOptions& options);
 
+struct ExportOptions {
+  std::string folder;                 // folder of a run
+  std::string format;                 // type of an output format
+  std::string output;                 // file or folder to write; empty: below the folder's `export`
+  std::vector<std::string> settings;  // keys of the format, "a=b"
+  std::vector<std::string> plugins;
+};
+// Writes the shapes of a run in another file format.
+int export_command(const ExportOptions& options);
+
 // Views a scene, or a folder of results. With `run`, runs the scene; its output folder is that of
 // the results.
 struct ViewOptions : RunOptions {

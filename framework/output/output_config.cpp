@@ -29,6 +29,8 @@ void GradientConfig::fields(Fields& f) {
                                                "number is zero").positive();
 }
 
+OutputConfig::OutputConfig() { formats.push_back(Registry<OutputFormat>::make("vtu")); }
+
 void OutputConfig::fields(Fields& f) {
   f.flag("frames", frames, "write frames/*.vtu and run.pvd");
   f.number("frame_interval", frame_interval, units::time, "time between frames; 0: every step").nonnegative();
@@ -36,7 +38,18 @@ void OutputConfig::fields(Fields& f) {
                     "simulated time between checkpoints, from which `tack run --resume` continues; none unless given")
       .positive();
   f.texts("fields", frame_fields, "fields in frames: " + described(false) + "; fields of elements, not a number where an object has none: " + described(true));
+  f.component_list("formats", formats, "formats of the frames: vtu, and further ones that are made from the frames when the run ends, below its folder export");
   f.list("gradients", gradients, "scene parameters for sensitivities of every probe at every time: gradients.csv");
+  f.check("formats", [this]() -> std::string {
+    std::vector<std::string> types;
+    for (const auto& format : formats) {
+      const std::string type(format->type());
+      if (std::find(types.begin(), types.end(), type) != types.end()) return "names '" + type + "' twice; take one of them away";
+      types.push_back(type);
+    }
+    if (std::find(types.begin(), types.end(), "vtu") != types.end()) return "";
+    return "expects vtu among them, because the others are made from these frames; add it, or write no frames at all by frames: false";
+  });
   f.check("gradients", [this]() -> std::string {
     std::vector<std::string> names;
     for (const GradientConfig& g : gradients) {

@@ -169,14 +169,6 @@ std::vector<float> FrameSeriesBuilder::values_of(const FrameSeries::Field& field
   return values;
 }
 
-std::vector<int> spaced_indices(int count, int wanted) {
-  std::vector<int> numbers;
-  const int kept = std::min(count, std::max(1, wanted));
-  for (int i = 0; i < kept; ++i)
-    numbers.push_back(kept == 1 ? count - 1 : static_cast<int>((static_cast<long>(i) * (count - 1) + (kept - 1) / 2) / (kept - 1)));
-  return numbers;
-}
-
 namespace {
 
 // Returns the number of frames that keeps a page within its limit.

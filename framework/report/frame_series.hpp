@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/io/frame_file.hpp"
+#include "geometry/spaced_indices.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -63,9 +64,6 @@ class FrameSeriesBuilder {
   // Per object: outer vertices of the mesh that kept_ refers to.
   std::vector<std::vector<int>> outer_;
 };
-
-// Returns `wanted` indices below `count`, evenly spread with both ends; for one, the last.
-std::vector<int> spaced_indices(int count, int wanted);
 
 // Reads at most `frames` of the frames in run.pvd, with the first and the last. 0: 200, or fewer if
 // a page would get too large. An unreadable frame ends the series, with a note.

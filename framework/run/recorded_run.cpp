@@ -38,7 +38,15 @@ std::optional<Gradients> gradients_of(BuiltExperiment& built) {
   return std::optional<Gradients>(std::in_place, built);
 }
 
+std::vector<std::string> object_names(const Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const ObjectConfig& object : experiment.objects) names.push_back(object.name);
+  return names;
+}
+
+// Checks the formats and opens the results folder.
 RunFolder folder_of(const RunSettings& settings, const Experiment& experiment) {
+  for (const auto& format : experiment.output.formats) format->check_objects(object_names(experiment));
   const std::filesystem::path root = RunFolder::chosen_root(settings.output, experiment.name);
   return settings.resume ? RunFolder::open(root) : RunFolder::create(root);
 }
@@ -104,7 +112,18 @@ const RunSummary& RecordedRun::execute() {
   }
   if (recorder) recorder->flush();
   finish(recorder ? &recorder->series() : nullptr);
+  export_frames();
   return summary_;
+}
+
+// Makes the further formats of output.formats from the frames.
+void RecordedRun::export_frames() {
+  if (!experiment_.output.frames) return;
+  for (const auto& format : experiment_.output.formats) {
+    const Exported made = format->write(folder_.root(), {});
+    for (const std::string& note : made.notes) progress_.message("note: " + note);
+    for (const auto& path : made.paths) progress_.message(fmt::format("{}: {}", format->type(), path.string()));
+  }
 }
 
 void RecordedRun::report_start() {

@@ -74,6 +74,7 @@ class RecordedRun {
   void add_up_phases();
   std::string profile_of_run();
   void finish(const ProbeSeries* series);  // null: probes were lost
+  void export_frames();
 
   RunSettings settings_;
   ProblemDump dump_;

@@ -1,6 +1,7 @@
-// Wavefront .obj: v, f, l, p and the group names g and o; normals, texture coordinates, materials
-// and smoothing are skipped. This reader keeps double precision and the order of vertices; VTK's
-// reader has single precision and duplicates vertices per normal, CGAL's reads no lines.
+// Wavefront .obj: v, f, l, p and the group names g and o; normals and smoothing are skipped, and
+// texture coordinates and materials are read for obj_faces.hpp alone. This reader keeps double
+// precision and the order of vertices; VTK's reader has single precision and duplicates vertices
+// per normal, CGAL's reads no lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
+#include "geometry/io/obj_faces.hpp"
 #include "geometry/io/polygon.hpp"
 #include "geometry/io/printable.hpp"
 
@@ -34,7 +36,9 @@ std::vector<std::string_view> split(std::string_view line) {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::filesystem::path& path) : path_(path.string()), file_(path) {}
+  // faces: receives the polygons with their texture coordinates and materials; null: not wanted.
+  explicit ObjReader(const std::filesystem::path& path, ObjFaces* faces = nullptr)
+      : path_(path.string()), file_(path), faces_(faces) {}
 
   Mesh read() {
     std::string text;
@@ -72,6 +76,12 @@ class ObjReader {
       groups_.assign(words.begin() + 1, words.end());
       return;
     }
+    if (faces_ && key == "vt") return read_texture_coordinates(words);
+    if (faces_ && key == "usemtl") return use_material(words);
+    if (faces_ && key == "mtllib") {
+      faces_->libraries.insert(faces_->libraries.end(), words.begin() + 1, words.end());
+      return;
+    }
     if (std::find(std::begin(skipped), std::end(skipped), key) != std::end(skipped)) return;
     fail(fmt::format("\"{}\" is no statement of an .obj mesh: give v, f, l, p, g or o",
                      printable(key)));
@@ -88,6 +98,37 @@ class ObjReader {
   void read_face(const std::vector<std::string_view>& words) {
     const std::vector<int> corners = indices(words);
     add_polygon(mesh_, corners, where());
+    if (!faces_) return;
+    faces_->sizes.push_back(static_cast<int>(corners.size()));
+    faces_->corners.insert(faces_->corners.end(), corners.begin(), corners.end());
+    for (std::size_t w = 1; w < words.size(); ++w) faces_->corner_uvs.push_back(texture_index(words[w]));
+    faces_->material.push_back(material_);
+  }
+
+  void read_texture_coordinates(const std::vector<std::string_view>& words) {
+    if (words.size() < 2) fail("texture coordinates need a number");
+    faces_->uvs.emplace_back(number(words[1]), words.size() > 2 ? number(words[2]) : 0);
+  }
+
+  // Returns t of "i/t" or "i/t/n", from 0; -1: none.
+  int texture_index(std::string_view corner) const {
+    const std::size_t begin = corner.find('/');
+    if (begin == corner.npos) return -1;
+    const std::string_view text = corner.substr(begin + 1, corner.find('/', begin + 1) - begin - 1);
+    if (text.empty()) return -1;
+    int i = 0;
+    const int count = static_cast<int>(faces_->uvs.size());
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), i);
+    if (error != std::errc() || end != text.data() + text.size() || i == 0 || i > count || i < -count)
+      fail(fmt::format("\"{}\" refers to no texture coordinates above it", printable(corner)));
+    return i > 0 ? i - 1 : count + i;
+  }
+
+  void use_material(const std::vector<std::string_view>& words) {
+    const std::string name(words.size() > 1 ? words[1] : "");
+    const auto found = std::find(faces_->materials.begin(), faces_->materials.end(), name);
+    material_ = static_cast<int>(found - faces_->materials.begin());
+    if (found == faces_->materials.end()) faces_->materials.push_back(name);
   }
 
   void read_line_element(const std::vector<std::string_view>& words) {
@@ -142,12 +183,23 @@ class ObjReader {
   std::string path_;
   std::ifstream file_;
   int line_ = 0;
+  int material_ = -1;  // of the next faces; -1: none
   std::vector<std::string> groups_;
   Mesh mesh_;
+  ObjFaces* faces_;
 };
 
 }  // namespace
 
 Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read(); }
+
+ObjFaces read_obj_faces(const std::filesystem::path& path) {
+  ObjFaces faces;
+  const Mesh mesh = ObjReader(path, &faces).read();
+  faces.vertices = static_cast<int>(mesh.vertices.size());
+  faces.triangles = mesh.triangles;
+  if (std::all_of(faces.corner_uvs.begin(), faces.corner_uvs.end(), [](int uv) { return uv < 0; })) faces.corner_uvs.clear();
+  return faces;
+}
 
 }  // namespace tack

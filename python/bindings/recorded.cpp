@@ -6,6 +6,9 @@
 #include <ostream>
 #include <streambuf>
 
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/output/output_format.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/report/report.hpp"
 #include "framework/run/recorded_run.hpp"
@@ -79,6 +82,17 @@ std::string reported(const std::vector<std::string>& folders, const std::string&
   return write_report(settings).path.string();
 }
 
+std::vector<std::string> exported(const std::string& folder, const std::string& format, const std::string& output, const std::vector<std::string>& settings) {
+  const py::gil_scoped_release released;
+  Value value = Value::map();
+  value.mark.file = std::make_shared<const std::string>("export to " + format);
+  value.set("type", Value::scalar(format));
+  for (const std::string& setting : settings) apply_override(value, setting);
+  std::vector<std::string> paths;
+  for (const auto& path : bind_component<OutputFormat>(value)->write(folder, output).paths) paths.push_back(path.string());
+  return paths;
+}
+
 std::string kind(const std::string& folder) {
   switch (kind_of(folder)) {
     case FolderKind::run: return "run";
@@ -95,6 +109,7 @@ std::string kind(const std::string& folder) {
 void bind_recorded(py::module_& module) {
   module.def("record", &recorded, py::arg("path"), py::arg("text"), py::arg("set"), py::arg("output"), py::arg("threads"), py::arg("steps"), py::arg("resume"), py::arg("quiet"));
   module.def("kind_of", &kind, py::arg("folder"));
+  module.def("export", &exported, py::arg("folder"), py::arg("to"), py::arg("output"), py::arg("settings"));
   module.def("report", &reported, py::arg("folders"), py::arg("output"), py::arg("frames"));
 }
 

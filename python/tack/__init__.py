@@ -19,9 +19,9 @@ _ctypes.CDLL(str(_pathlib.Path(__file__).parent / "lib" / "libtack.so"), mode=_o
 from ._tack import InputError, Problem, SimulationError  # noqa: E402
 from ._tack import version as __version__  # noqa: E402
 from .law import law  # noqa: E402
-from .results import Batch, Run, Tables, read  # noqa: E402
+from .results import Batch, Run, Tables, export, read  # noqa: E402
 from .simulation import Simulation, Warned, run  # noqa: E402
 from .solve import solve  # noqa: E402
 from .studies import calibrate, compare  # noqa: E402
 
-__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "calibrate", "compare", "law", "read", "run", "solve"]
+__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "calibrate", "compare", "export", "law", "read", "run", "solve"]

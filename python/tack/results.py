@@ -15,6 +15,7 @@ import numpy as np
 
 from . import _tack
 from .frames import Frame
+from .scene import overrides_of
 
 
 def shown(folder, title):
@@ -94,6 +95,22 @@ class Run(_Folder):
         """Frames, read on access: run.frames[-1].x"""
         return Frames(self.path)
 
+    def export(self, to: str, output: str | os.PathLike = "", **settings) -> pathlib.Path | None:
+        """Writes the shapes of the run for other programs, as `tack export` does.
+
+        Args:
+            to: The format: 'pc2', 'usd', ... (`tack list format`).
+            output: The file or folder to write; default: below export in the results folder.
+            settings: Keys of the format, such as fps=25, objects=["cube"].
+
+        Returns:
+            The path of the file or folder; None for 'vtu', which the run has written.
+
+        Raises:
+            InputError: The format, its keys or the frames cannot be used.
+        """
+        return export(self.path, to, output, **settings)
+
     def __repr__(self):
         return f"<run '{self.summary['name']}': {self.summary['status']}, {self.summary['steps']} steps>"
 
@@ -160,6 +177,12 @@ class Tables(_Folder):
 
     def __repr__(self):
         return f"<{_tack.kind_of(str(self.path))}: {', '.join(self.tables)}>"
+
+
+def export(results: str | os.PathLike, to: str, output: str | os.PathLike = "", **settings) -> pathlib.Path | None:
+    """Writes the shapes of a run for other programs: Run.export for a folder of results, which may be that of a run under way."""
+    paths = _tack.export(os.fspath(results), to, os.fspath(output), overrides_of(settings))
+    return pathlib.Path(paths[0]) if paths else None
 
 
 def read(folder: str | os.PathLike) -> Run | Batch | Tables:

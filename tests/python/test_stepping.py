@@ -36,6 +36,18 @@ class Stepping(unittest.TestCase):
             self.assertEqual(len(kept.steps["time"]), sim.steps)
             self.assertEqual(kept.summary["status"], tack.read(f"{folder}/kept").summary["status"])
 
+    def test_a_run_is_exported(self):
+        with tempfile.TemporaryDirectory() as folder:
+            kept = tack.run(blocks, set={**small, "output.frames": True, "time.duration": "0.1 s"}, output=f"{folder}/kept")
+            caches = kept.export("pc2", fps=25)
+            self.assertEqual(str(caches), f"{folder}/kept/export/pc2")
+            words = np.fromfile(next(caches.glob("*.pc2")), dtype="<i4")
+            self.assertEqual(words[7], 3)  # samples
+            self.assertEqual(tack.export(kept.path, "usd", f"{folder}/run.usda").name, "run.usda")
+            self.assertIsNone(kept.export("vtu"))
+            with self.assertRaisesRegex(tack.InputError, "did you mean 'pc2'"):
+                kept.export("pc3")
+
     def test_the_snippet_of_the_README_runs_to_the_end(self):
         page = (source / "README.md").read_text(encoding="utf-8")
         code = re.search(r"```python\n(.*?)```", page, re.S).group(1)

@@ -75,7 +75,7 @@ TEST_CASE("components that the program lacks at its start are loaded once one is
   const fs::path alone = folder.path() / "bin" / "tack", studies = fs::path(TACK_PROGRAM).parent_path() / "tack_studies";
   fs::create_directories(alone.parent_path());
   fs::copy_file(TACK_PROGRAM, alone);
-  const auto kinds = {"energy", "field", "filling", "interaction", "load", "probe", "stepper"};
+  const auto kinds = {"energy", "field", "filling", "format", "interaction", "load", "probe", "stepper"};
   // It knows their names without the library, and all of them.
   const std::string known = run_tack(folder.path(), {"completion", "bash"}, alone).out, all = run_tack(folder.path(), {"completion", "bash"}, studies).out;
   for (const char* kind : kinds) {

@@ -1,0 +1,72 @@
+#include <catch2/catch.hpp>
+
+#include "geometry/io/mesh_io.hpp"
+#include "geometry/io/obj_faces.hpp"
+#include "tests/support/exported_run.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+TEST_CASE("sequences of mesh files have the positions of the frames") {
+  const ExportedRun run;
+  REQUIRE(run.to("obj").exit_code == 0);
+  REQUIRE(run.to("ply").exit_code == 0);
+  const fs::path folder = run.path() / "run" / "export";
+  for (int object = 0; object < 5; ++object) {
+    const std::string& name = exported_files[object];
+    CAPTURE(name);
+    for (const int frame : {0, 4, 9}) {
+      const std::string file = name + "_00000" + std::to_string(frame);
+      const auto x = run.positions(object, frame);
+      CHECK(largest_difference(read_mesh(folder / "obj" / (file + ".obj")).vertices, x) < 1e-8);
+      const std::string ply = file_text(folder / "ply" / (file + ".ply"));
+      const size_t data = ply.find("end_header\n") + 11;
+      REQUIRE(ply.size() >= data + 24 * x.size());
+      CHECK(std::memcmp(ply.data() + data, x.data(), 24 * x.size()) == 0);  // bit by bit
+    }
+  }
+  CHECK(fs::exists(folder / "obj" / "floor_000010.obj"));
+  CHECK_FALSE(fs::exists(folder / "obj" / "floor_000011.obj"));
+  CHECK(read_mesh(folder / "ply" / "a_ball_000003.ply").triangles.size() == read_mesh(folder / "obj" / "a_ball_000003.obj").triangles.size());
+  CHECK(read_mesh(folder / "obj" / "rod_000000.obj").edges.size() == 64);
+  CHECK(read_mesh(folder / "obj" / "grains_000000.obj").points.size() == 18);
+}
+
+TEST_CASE("an object from an .obj file keeps its polygons, texture coordinates and materials, the right way round") {
+  const ExportedRun run;
+  REQUIRE(run.to("obj").out == "run/export/obj\n");
+  const fs::path file = run.path() / "run" / "export" / "obj" / "sheet_000007.obj";
+  const ObjFaces faces = read_obj_faces(file), source = read_obj_faces(run.path() / "quads.obj");
+  CHECK(faces.sizes == source.sizes);
+  CHECK(faces.uvs == source.uvs);
+  CHECK(faces.materials == source.materials);
+  CHECK(contains(file_text(file.parent_path() / "sheet.mtl"), "newmtl red\nKd 0.8 0.1 0.05\n"));
+  // The scene mirrors the sheet, so its faces run the other way round; each corner keeps its texture coordinates.
+  CHECK(faces.corners == std::vector<int>{1, 4, 3, 0, 2, 5, 4, 1});
+  CHECK(faces.corner_uvs == faces.corners);
+  const Mesh frame = read_frame(run.path() / "run" / "frames" / "frame_000007.vtu").mesh, mesh = read_mesh(file);
+  const auto up = [](const Mesh& m, const Triangle& t) { return (m.vertices[t[1]] - m.vertices[t[0]]).cross(m.vertices[t[2]] - m.vertices[t[0]])[1] > 0; };
+  CHECK(up(mesh, mesh.triangles[0]) == up(frame, frame.triangles[12]));  // the floor has the first twelve
+}
+
+TEST_CASE("an object whose .obj file is not what was simulated is written as triangles, with a note") {
+  const ExportedRun run;
+  write_file(run.path() / "quads.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n");
+  const ProgramResult other = run.to("obj");
+  CHECK(contains(other.out, "note: object 'sheet' is written as triangles without texture coordinates"));
+  CHECK(contains(other.out, "has other triangles than what was simulated"));
+  CHECK(read_obj_faces(run.path() / "run" / "export" / "obj" / "sheet_000000.obj").sizes == std::vector<int>(4, 3));
+  fs::remove(run.path() / "quads.obj");
+  CHECK(contains(run.to("obj").out, "quads.obj is not there any more"));
+}
+
+TEST_CASE("texture coordinates of .obj files are read as they stand there") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf -4/-3/1 2/2/1 3/3/1\nusemtl m\nf 1 3 4\n");
+  const ObjFaces faces = read_obj_faces(folder.path() / "a.obj");
+  CHECK(faces.corner_uvs == std::vector<int>{0, 1, 2, -1, -1, -1});
+  CHECK(faces.corners == std::vector<int>{0, 1, 2, 0, 2, 3});
+  CHECK(faces.material == std::vector<int>{-1, 0});
+  write_file(folder.path() / "b.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/1 2/2 3/1\n");
+  CHECK_THROWS_WITH(read_obj_faces(folder.path() / "b.obj"), Catch::Contains("b.obj:5: \"2/2\" refers to no texture coordinates above it"));
+}
