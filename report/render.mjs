@@ -1,7 +1,7 @@
 // Renders pictures and films of runs in a headless browser:
 //   node render.mjs MODULES PAGE VIEW OUTPUT
 // MODULES: the folder that holds node_modules; PAGE: film.html with the data of the runs; VIEW: settings of `tack render` (JSON); OUTPUT: a file that ends
-// in .png, .mp4 or .gif. Prints a line per frame: "frame 3 of 120".
+// in .png, .mp4 or .gif; "film_%04d.png" is a film as numbered pictures. Prints a line per frame: "frame 3 of 120".
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -10,6 +10,7 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const [modules, page, viewFile, output] = process.argv.slice(2);
+const numbered = /%0(\d+)d(?=[^/]*\.png$)/;
 const view = JSON.parse(readFileSync(viewFile, "utf8"));
 
 function fail(message) {
@@ -45,27 +46,37 @@ try {
   if (run.error) fail(run.error);
 
   const draw = async (time) => Buffer.from(await tab.evaluate((t) => window.film.draw(t), time), "base64");
-  if (output.endsWith(".png")) {
+  const times = () => {
+    const [from, to] = [view.from ?? run.times[0], view.to ?? run.last];
+    const count = view.speed === null ? run.times.filter((t) => t >= from && t <= to).length : Math.max(2, Math.round(((to - from) / view.speed) * view.fps) + 1);
+    return Array.from({ length: count }, (_, i) => from + ((to - from) * i) / Math.max(1, count - 1));
+  };
+  // Calls use(PNG, index) for each picture of a film. An unchanged picture is not drawn again.
+  const drawAll = async (use) => {
+    let last = null;
+    const all = times();
+    for (const [i, time] of all.entries()) {
+      const frame = run.times.reduce((best, t, k) => (Math.abs(t - time) < Math.abs(run.times[best] - time) ? k : best), 0);
+      if (!last || last.frame !== frame || run.kept.length > 1) last = { frame, png: await draw(time) };
+      await use(last.png, i);
+      process.stdout.write(`frame ${i + 1} of ${all.length}\n`);
+    }
+  };
+  if (numbered.test(output)) {
+    await drawAll((png, i) => writeFileSync(output.replace(numbered, (_, digits) => String(i).padStart(Number(digits), "0")), png));
+  } else if (output.endsWith(".png")) {
     const at = view.at ?? run.last;
     writeFileSync(output, await draw(at));
   } else {
-    const [from, to] = [view.from ?? run.times[0], view.to ?? run.last];
-    const count = view.speed === null ? run.times.filter((t) => t >= from && t <= to).length : Math.max(2, Math.round(((to - from) / view.speed) * view.fps) + 1);
-    const times = Array.from({ length: count }, (_, i) => from + ((to - from) * i) / (count - 1));
     const gif = output.endsWith(".gif");
     const coder = spawn("ffmpeg", ["-y", "-loglevel", "error", "-f", "image2pipe", "-framerate", String(view.fps), "-c:v", "png", "-i", "-",
       ...(gif ? ["-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0"]
         : ["-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"]), resolve(output)],  // "a:b.mp4" alone would be a protocol
       { stdio: ["pipe", "inherit", "inherit"] });
     coder.on("error", () => fail("there is no ffmpeg to make films with; install it, or draw a picture (-o picture.png)"));
-    let last = null;
-    for (let i = 0; i < count; ++i) {
-      // An unchanged picture is not drawn again.
-      const frame = run.times.reduce((best, t, k) => (Math.abs(t - times[i]) < Math.abs(run.times[best] - times[i]) ? k : best), 0);
-      if (!last || last.frame !== frame || view.time || run.kept.length > 1) last = { frame, png: await draw(times[i]) };
-      if (!coder.stdin.write(last.png)) await once(coder.stdin, "drain");
-      process.stdout.write(`frame ${i + 1} of ${count}\n`);
-    }
+    await drawAll(async (png) => {
+      if (!coder.stdin.write(png)) await once(coder.stdin, "drain");
+    });
     coder.stdin.end();
     const [code] = await once(coder, "close");
     if (code !== 0) fail(`ffmpeg ended with ${code}`);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <regex>
 
 #include "framework/report/report.hpp"
 #include "geometry/errors.hpp"
@@ -46,12 +47,17 @@ fs::path modules() {
   return fs::exists(installed / "node_modules", none) ? installed : own_root() / "report";
 }
 
+// Returns true for a film as numbered pictures, "film_%04d.png".
+bool is_numbered(const fs::path& output) { return std::regex_search(output.filename().string(), std::regex("%0[0-9]+d")); }
+
 }  // namespace
 
 void render(const RenderSettings& settings, const RenderView& view) {
   const std::string ending = settings.output.extension().string();
   if (ending != ".png" && ending != ".mp4" && ending != ".gif")
     throw InputError(fmt::format("{}: names of pictures end in .png, names of films in .mp4 or .gif; give one with -o", settings.output.string()));
+  if (view.background == "transparent" && ending != ".png")
+    throw InputError(fmt::format("{}: films have no transparent background; draw numbered pictures (-o film_%04d.png)", settings.output.string()));
   for (const fs::path& folder : settings.folders)
     if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs can be rendered; give the folder of a run", folder.string()));
   const ScratchFolder scratch;
@@ -65,7 +71,7 @@ void render(const RenderSettings& settings, const RenderView& view) {
   for (const std::string& note : write_report(report).notes)
     if (!settings.quiet) fmt::print("note: {}\n", note);
   const fs::path view_file = scratch.path() / "view.json";
-  replace_file(view_file, json_of(view, ending == ".png" ? lights_per_picture : lights_per_film_frame).dump());
+  replace_file(view_file, json_of(view, ending == ".png" && !is_numbered(settings.output) ? lights_per_picture : lights_per_film_frame).dump());
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
   std::fflush(nullptr);
   const int code = run_program({"node", shared_file("render.mjs").string(), modules().string(), report.output.string(), view_file.string(), settings.output.string()},

@@ -15,16 +15,30 @@ Json or_null(const std::optional<T>& value) {
 }
 Json or_null(const std::optional<Vec3>& v) { return v ? Json{v->x(), v->y(), v->z()} : Json(nullptr); }
 
+void optional_flag(Fields& f, const char* key, RenderLook::Flag& flag, const char* doc) {
+  Field& field = f.flag(key, flag.value, doc);
+  field.read = [read = field.read, &flag](const Value& v, const Field& own, Reader& reader) {
+    read(v, own, reader);
+    flag.given = true;
+  };
+  field.write = [write = field.write, &flag] { return flag.given ? write() : Value(); };
+}
+
 }  // namespace
 
 void RenderLook::fields(Fields& f) {
   f.text("colour", colour, "CSS colour: `#0072B2`, `tomato`; its own colour, as in reports, unless given");
-  f.number("roughness", roughness, units::none, "0: glossy, 1: matt").range(0, 1);
-  f.number("metalness", metalness, units::none, "1: metallic reflection").range(0, 1);
-  f.number("opacity", opacity, units::none, "0: transparent, 1: opaque").range(0, 1);
-  f.number("smooth", smooth, units::angle, "angle between triangles below which they are shaded as one smooth surface; 0: flat shading").range(0, std::numbers::pi);
-  f.flag("lines", lines, "draw the edges of the mesh");
-  f.flag("hide", hide, "do not draw it");
+  f.optional_number("roughness", roughness, units::none, "0: glossy, 1: matt; 0.7 unless given").range(0, 1);
+  f.optional_number("metalness", metalness, units::none, "1: metallic reflection; 0 unless given").range(0, 1);
+  f.optional_number("opacity", opacity, units::none, "0: transparent, 1: opaque; 1 unless given").range(0, 1);
+  f.optional_number("smooth", smooth, units::angle, "angle between triangles below which they are shaded as one smooth surface; 0: flat shading; 40 degrees unless given").range(0, std::numbers::pi);
+  optional_flag(f, "lines", lines, "draw the edges of the mesh");
+  optional_flag(f, "hide", hide, "do not draw it");
+}
+
+void RenderGround::fields(Fields& f) {
+  f.optional_number("at", at, units::length, "height of the ground; below everything that is shown unless given");
+  f.text("colour", colour, "CSS colour; only the shadows on it are drawn unless given");
 }
 
 void RenderField::fields(Fields& f) {
@@ -41,7 +55,7 @@ void RenderField::fields(Fields& f) {
 }
 
 void RenderCamera::fields(Fields& f) {
-  f.optional_vector("from", from, units::length, "position of the camera; set by `look`, `turn`, `lift` and `zoom` unless given");
+  f.optional_vector("from", from, units::length, "position of the camera in the scene; set by `look`, `turn`, `lift` and `zoom` unless given");
   f.optional_vector("to", to, units::length, "target of the camera; the centre of the objects chosen by `fit` unless given");
   f.choice("look", look, {{"corner", "corner", "from the front, above a corner"}, {"x", "x", "along x"}, {"y", "y", "along y"}, {"z", "z", "along z"}}, "direction of view");
   f.number("turn", turn, units::angle, "rotation from that direction about the vertical");
@@ -61,7 +75,10 @@ void RenderView::fields(Fields& f) {
   f.optional_number("to", to, units::time, "end time of films");
   f.optional_integer("lights", lights, "lights whose drawings are averaged into a picture: more give smoother shadows and take longer; 48 unless "
                                        "given, 8 for films").at_least(1).at_most(1000);
-  f.text("background", background, "CSS colour of the background");
+  f.text("background", background, "CSS colour of the background, or `transparent` (pictures)");
+  f.number("exposure", exposure, units::none, "factor of the light").positive();
+  f.choice("tone", tone, {{"none", "none", "colours as they are, bright ones cut off"}, {"filmic", "filmic", "bright colours are compressed, as film does"}}, "tone mapping");
+  f.optional_object("ground", ground, "a plane below the objects that receives their shadows; `ground: {}` for the shadows alone");
   f.flag("time", time, "write the time into a corner");
   f.flag("scale_bar", scale_bar, "draw the colour scale of the field");
   f.texts("labels", labels, "titles above the runs; names of the folders unless given, if there are several");
@@ -73,16 +90,26 @@ void RenderView::fields(Fields& f) {
 Json json_of(const RenderView& v, int lights) {
   Json objects = Json::object();
   for (const auto& [name, look] : v.objects) {
-    Json one = {{"roughness", look.roughness}, {"metalness", look.metalness}, {"opacity", look.opacity}, {"smooth", degrees(look.smooth)}, {"lines", look.lines}, {"hide", look.hide}};
+    // Keys that are not given do not replace those of another pattern.
+    Json one = Json::object();
+    const auto give = [&one](const char* key, const auto& value) { if (value) one[key] = *value; };
     if (!look.colour.empty()) one["colour"] = look.colour;
+    give("roughness", look.roughness);
+    give("metalness", look.metalness);
+    give("opacity", look.opacity);
+    if (look.smooth) one["smooth"] = degrees(*look.smooth);
+    if (look.lines.given) one["lines"] = look.lines.value;
+    if (look.hide.given) one["hide"] = look.hide.value;
     objects[name] = one;
   }
   Json field = nullptr;
   if (v.field)
     field = {{"name", v.field->name}, {"range", v.field->limits.empty() ? Json(nullptr) : Json(v.field->limits)}, {"log", v.field->log}, {"map", v.field->map}};
+  Json ground = nullptr;
+  if (v.ground) ground = {{"at", or_null(v.ground->at)}, {"colour", v.ground->colour.empty() ? Json(nullptr) : Json(v.ground->colour)}};
   const RenderCamera& c = v.camera;
   return {{"size", v.size}, {"fps", v.fps}, {"speed", or_null(v.speed)}, {"at", or_null(v.at)}, {"from", or_null(v.from)}, {"to", or_null(v.to)},
-          {"lights", v.lights.value_or(lights)}, {"background", v.background}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
+          {"lights", v.lights.value_or(lights)}, {"background", v.background}, {"exposure", v.exposure}, {"tone", v.tone}, {"ground", ground}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
           {"camera", {{"from", or_null(c.from)}, {"to", or_null(c.to)}, {"look", c.look}, {"turn", degrees(c.turn)}, {"lift", degrees(c.lift)}, {"zoom", c.zoom}, {"angle", degrees(c.angle)}, {"fit", c.fit}}}};
 }
 

@@ -12,12 +12,23 @@
 
 namespace tack {
 
-// Appearance of an object.
+// Appearance of an object. What is not given stays as other patterns of its name have it.
 struct RenderLook {
-  std::string colour;  // CSS; empty: the object's own
-  double roughness = 0.7, metalness = 0, opacity = 1;
-  double smooth = 0.6981317007977318;  // rad: sharper edges are not smoothed
-  bool lines = false, hide = false;
+  std::string colour;  // CSS; empty: not given
+  std::optional<double> roughness, metalness, opacity;
+  std::optional<double> smooth;  // rad: sharper edges are not smoothed
+  // A flag that tells false from not given.
+  struct Flag {
+    bool value = false, given = false;
+  };
+  Flag lines, hide;
+  void fields(Fields& f);
+};
+
+// A plane below the objects, which receives their shadows.
+struct RenderGround {
+  std::optional<double> at;  // m, height; below everything that is shown unless given
+  std::string colour;        // CSS; empty: only shadows are drawn
   void fields(Fields& f);
 };
 
@@ -42,7 +53,10 @@ struct RenderView {
   double fps = 30;
   std::optional<double> speed, at, from, to;  // at, from, to: s
   std::optional<int> lights;
-  std::string background = "#ffffff";
+  std::string background = "#ffffff";  // CSS, or "transparent"
+  double exposure = 1;                 // factor of the light before `tone`
+  std::string tone = "none";           // or "filmic"
+  std::optional<RenderGround> ground;
   bool time = true, scale_bar = true;
   std::vector<std::string> labels;
   std::map<std::string, RenderLook> objects;  // by name; "chip*" matches names with that beginning

@@ -8,6 +8,7 @@ import { surfaceColours } from "./theme.js";
 
 const font = (pixels, bold) => `${bold ? "600 " : ""}${pixels}px "DejaVu Sans", "Liberation Sans", Arial, sans-serif`;
 const dark = (css) => {
+  if (css === "transparent") return false;
   const c = new Color().setStyle(css, SRGBColorSpace);
   return 0.3 * c.r + 0.6 * c.g + 0.1 * c.b < 0.3;
 };
@@ -26,9 +27,9 @@ class Film {
     for (const name of Object.keys(view.objects))
       if (!this.runs.some((run) => run.frames.objects.some((object) => matches(name, object.name))))
         throw new Error(`objects: no run has an object '${name}'; there are ${this.runs[0].frames.objects.map((o) => o.name).slice(0, 12).join(", ")}`);
-    this.studio = new Studio(...view.size, { lights: view.lights, background: view.background });
+    this.studio = new Studio(...view.size, view);
     const looks = (name) => Object.assign({}, ...Object.keys(view.objects).filter((pattern) => matches(pattern, name)).map((pattern) => view.objects[pattern]));
-    for (const run of this.runs) run.set = this.studio.set(run.frames, run.up, looks, surfaceColours);
+    for (const run of this.runs) run.set = this.studio.set(run.frames, run.up, looks, surfaceColours, view.ground);
     if (view.field) await this.openField(view.field);
     this.out = document.createElement("canvas");
     [this.out.width, this.out.height] = view.size;
@@ -73,30 +74,24 @@ class Film {
       const box = view.camera.fit === "run" ? { low: run.set.low, high: run.set.high } : this.boxOf(run, view.camera.fit === "frame" ? number : view.camera.fit === "first" ? 0 : run.frames.count - 1);
       run.set.focus(box.low, box.high);
       const space = [i * wide, 0, wide, height];
-      return { set: run.set, camera: run.set.camera(view.camera, box, wide / height), box: space };
+      return { number, set: run.set, camera: run.set.camera(view.camera, box, wide / height), box: space };
     });
     studio.draw(views);
-    this.compose(time, wide);
+    this.compose(runs[0].frames.times[views[0].number], wide);
     return this.out.toDataURL("image/png").slice("data:image/png;base64,".length);
   }
 
   // Returns the bounding box of the shown objects in a frame.
   boxOf(run, number) {
-    const { frames, set } = run;
-    const shown = new Set();
-    const take = (v) => shown.add(v);
-    set.parts.forEach((part) => {
-      part.corners?.forEach(take);
-      part.edges?.forEach((e) => [frames.edges[2 * e], frames.edges[2 * e + 1]].forEach(take));
-      part.points?.forEach((p) => take(frames.points[p]));
-    });
-    return frames.box([number], shown);
+    return run.frames.box([number], run.set.shownVertices);
   }
 
+  // Writes the time of the frame of the first run, labels and the colour scale.
   compose(time, wide) {
     const { view, out } = this;
     const ctx = out.getContext("2d");
     const unit = out.height / 720;
+    ctx.clearRect(0, 0, out.width, out.height);
     ctx.drawImage(this.studio.canvas, 0, 0);
     ctx.fillStyle = ctx.strokeStyle = dark(view.background) ? "#f2f2f2" : "#1a1a1a";
     ctx.textBaseline = "top";

@@ -7,7 +7,7 @@ const named = { velocity: "speed" };
 export class Frames {
   static async of(data, scene) {
     const frames = new Frames();
-    frames.origin = data.origin;
+    frames.origin = data.origin; // [m], of the coordinates that position() returns
     frames.vertices = data.vertices;
     [frames.triangles, frames.edges, frames.points, frames.object] = await Promise.all(
       [data.triangles, data.edges, data.points, data.object].map(wholeNumbers));
@@ -46,7 +46,7 @@ export class Frames {
 
   // Returns the codes of a frame: x of all vertices, then y, then z.
   codes(frame) { return this.list[frame].batch.codes[this.list[frame].at]; }
-  // Returns the function from codes to coordinates [m].
+  // Returns the function from codes to coordinates relative to the origin [m].
   position(frame) { return this.list[frame].batch.position; }
 
   // Returns {codes, number: function from codes to numbers} of a field for each frame; unpacked on first use.
@@ -58,7 +58,7 @@ export class Frames {
     return this.list.map(({ batch, at }) => ({ codes: unpacked.get(batch)[at], number: batch.fields[field.index].number }));
   }
 
-  // Returns the smallest and largest coordinates in the given frames and vertices; by default in all.
+  // Returns the smallest and largest coordinates [m, of the scene] in the given frames and vertices; by default in all.
   box(numbers = this.list.keys(), vertices = null) {
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
@@ -66,7 +66,7 @@ export class Frames {
       const [codes, position] = [this.codes(number), this.position(number)];
       for (let c = 0; c < 3; ++c) {
         const take = (v) => {
-          const x = position(codes[c * this.vertices + v]);
+          const x = this.origin[c] + position(codes[c * this.vertices + v]);
           if (x < low[c]) low[c] = x;
           if (x > high[c]) high[c] = x;
         };

@@ -184,10 +184,11 @@ export class Stage {
 
   // colourOf(element, vertex, out, at) writes the colour of a corner.
   setFrame(number, colourOf) {
-    const { frames, placed, centre, size } = this;
+    const { frames, placed, size } = this;
     const [codes, position] = [frames.codes(number), frames.position(number)];
+    const middle = this.centre.map((x, c) => x - frames.origin[c]);
     const n = frames.vertices;
-    for (let v = 0; v < n; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (position(codes[c * n + v]) - centre[c]) / size;
+    for (let v = 0; v < n; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (position(codes[c * n + v]) - middle[c]) / size;
     this.placeSurface(colourOf);
     this.placeRods(colourOf);
     this.placeBalls(colourOf);

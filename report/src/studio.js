@@ -2,8 +2,8 @@
 // shadows; each drawing is shifted by a fraction of a pixel, which smooths edges.
 import {
   AddEquation, AmbientLight, BufferAttribute, BufferGeometry, Color, CustomBlending, CylinderGeometry, DirectionalLight, DoubleSide, DynamicDrawUsage, FloatType,
-  HalfFloatType, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial, NearestFilter, OneFactor,
-  OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, ShaderMaterial, SRGBColorSpace, Vector3, WebGLRenderer, WebGLRenderTarget,
+  HalfFloatType, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial, NearestFilter, NoBlending, OneFactor,
+  OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, ShaderMaterial, ShadowMaterial, SRGBColorSpace, Vector3, Vector4, WebGLRenderer, WebGLRenderTarget,
 } from "three";
 import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 import { CornerNormals } from "./corner_normals.js";
@@ -11,15 +11,27 @@ import { lightBothSides } from "./two_sided_shadows.js";
 
 const usual = { roughness: 0.7, metalness: 0, opacity: 1, smooth: 40, lines: false, hide: false };
 const shadowPixels = 1024;
+// Of the ground, in sizes of the run: edge length, and distance below what stands on it; and how dark a full shadow on a ground without colour is.
+const [groundExtent, groundGap, groundShadow] = [60, 1e-4, 0.8];
+const groundShadows = 2; // extent of shadows beside that of the objects, so that those on the ground are not cut off
 const up = new Vector3(0, 1, 0);
 
 const quad = `varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }`;
 const weighed = `uniform sampler2D picture; uniform float weight; varying vec2 at; void main() { gl_FragColor = texture2D(picture, at) * weight; }`;
+// Colours in pictures are multiplied by the covered fraction of a pixel. `filmic` is the curve of K. Narkowicz, "ACES filmic tone mapping curve" (2016).
 const shown = `uniform sampler2D picture; varying vec2 at;
+  uniform float exposure;
+  uniform bool filmic;
+  uniform vec4 background;
   void main() {
     vec4 c = texture2D(picture, at);
+    float covered = max(c.a, 1e-6);
+    c.rgb *= exposure / covered;
+    if (filmic) c.rgb = clamp(c.rgb * (2.51 * c.rgb + 0.03) / (c.rgb * (2.43 * c.rgb + 0.59) + 0.14), 0.0, 1.0);
+    c = mix(background, vec4(c.rgb, 1.0), c.a);  // the background keeps its colour
+    if (background.a == 0.0) c.rgb /= max(c.a, 1e-6);
     vec3 s = mix(c.rgb * 12.92, 1.055 * pow(max(c.rgb, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c.rgb));
-    gl_FragColor = vec4(s, 1.0);
+    gl_FragColor = vec4(s * c.a, c.a);
   }`;
 
 // Returns the i-th number of a van der Corput sequence, which fills [0, 1) evenly.
@@ -37,10 +49,10 @@ function ball(detail) {
 }
 
 export class Studio {
-  // Throws if the browser has no WebGL. lights: number of drawings that are averaged.
-  constructor(width, height, { lights, background }) {
+  // Throws if the browser has no WebGL. lights: number of drawings that are averaged; background: a CSS colour, or "transparent"; tone: "none" or "filmic".
+  constructor(width, height, { lights, background, exposure, tone }) {
     lightBothSides();
-    this.renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true, alpha: true });
     this.renderer.setPixelRatio(1);
     this.renderer.setSize(width, height, false);
     this.renderer.shadowMap.enabled = true;
@@ -49,7 +61,7 @@ export class Studio {
     this.width = width;
     this.height = height;
     this.lights = lights;
-    this.background = new Color().setStyle(background, SRGBColorSpace);
+    const shownBackground = background === "transparent" ? new Vector4(0, 0, 0, 0) : new Vector4(...new Color().setStyle(background, SRGBColorSpace).toArray(), 1);
     this.one = new WebGLRenderTarget(width, height, { type: HalfFloatType, minFilter: NearestFilter, magFilter: NearestFilter });
     this.sum = new WebGLRenderTarget(width, height, { type: FloatType, minFilter: NearestFilter, magFilter: NearestFilter, depthBuffer: false });
     const pass = (fragmentShader, uniforms, more = {}) => {
@@ -62,14 +74,15 @@ export class Studio {
     this.adding = pass(weighed, { picture: { value: this.one.texture }, weight: { value: 1 / lights } }, {
       blending: CustomBlending, blendEquation: AddEquation, blendSrc: OneFactor, blendDst: OneFactor,
     });
-    this.showing = pass(shown, { picture: { value: this.sum.texture } });
+    this.showing = pass(shown, { picture: { value: this.sum.texture }, exposure: { value: exposure }, filmic: { value: tone === "filmic" },
+      background: { value: shownBackground } }, { blending: NoBlending });
   }
 
   get canvas() { return this.renderer.domElement; }
 
-  // Returns the objects of one run to be drawn. looks: appearance per object, over the defaults.
-  set(frames, vertical, looks, colours) {
-    return new Actors(frames, vertical, looks, colours);
+  // Returns the objects of one run to be drawn. looks: appearance per object, over the defaults; ground: {at, colour} or null.
+  set(frames, vertical, looks, colours, ground) {
+    return new Actors(frames, vertical, looks, colours, ground);
   }
 
   // sets: [{set, camera, box: [x, y, width, height] in pixels from below}]; drawn side by side.
@@ -80,7 +93,7 @@ export class Studio {
     renderer.clear();
     for (let i = 0; i < this.lights; ++i) {
       renderer.setRenderTarget(this.one);
-      renderer.setClearColor(this.background, 1);
+      renderer.setClearColor(0x000000, 0);
       renderer.clear();
       const shift = [radical(i + 1, 2) - 0.5, radical(i + 1, 3) - 0.5];
       for (const { set, camera, box } of views) {
@@ -105,7 +118,7 @@ export class Studio {
 }
 
 class Actors {
-  constructor(frames, vertical, looks, colours) {
+  constructor(frames, vertical, looks, colours, ground) {
     Object.assign(this, { frames, vertical, looks, colours });
     this.scene = new Scene();
     this.light = new DirectionalLight(0xffffff, 1);
@@ -123,14 +136,46 @@ class Actors {
     this.place(0);
     this.parts = frames.objects.map((object, i) => this.part(object, i));
     this.turn = new Quaternion().setFromUnitVectors(up, new Vector3(...vertical));
+    if (ground) this.layGround(ground);
+  }
+
+  // Returns the vertices of objects that are not hidden.
+  get shownVertices() {
+    const { frames } = this;
+    const shown = new Set();
+    const take = (v) => shown.add(v);
+    this.parts.forEach((part) => {
+      part.corners?.forEach(take);
+      part.edges?.forEach((e) => [frames.edges[2 * e], frames.edges[2 * e + 1]].forEach(take));
+      part.points?.forEach((p) => take(frames.points[p]));
+    });
+    return shown;
+  }
+
+  // Adds a plane below everything that is shown, or at a height [m]. Without a colour, only the shadows on it are drawn.
+  layGround({ at, colour }) {
+    const { frames, vertical, size } = this;
+    const along = (p) => p.reduce((sum, x, c) => sum + x * vertical[c], 0);
+    const height = at ?? Math.min(...(({ low, high }) => [along(low), along(high)])(frames.box(undefined, this.shownVertices)));
+    const material = colour === null ? new ShadowMaterial({ opacity: groundShadow })
+      : new MeshStandardMaterial({ color: new Color().setStyle(colour, SRGBColorSpace), roughness: usual.roughness, side: DoubleSide });
+    // Slightly lower, so that faces that lie on the ground are in front of it.
+    const plane = new Mesh(new PlaneGeometry(groundExtent, groundExtent), material);
+    plane.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...vertical));
+    plane.position.set(...vertical.map((x) => x * ((height - along(this.centre)) / size - groundGap)));
+    plane.receiveShadow = true;
+    plane.frustumCulled = false;
+    this.scene.add(plane);
+    this.ground = plane;
   }
 
   look(object) { return { ...usual, ...this.looks(object) }; }
 
   place(number) {
-    const { frames, placed, centre, size } = this;
+    const { frames, placed, size } = this;
     const [codes, at] = [frames.codes(number), frames.position(number)];
-    for (let v = 0; v < frames.vertices; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (at(codes[c * frames.vertices + v]) - centre[c]) / size;
+    const middle = this.centre.map((x, c) => x - frames.origin[c]);
+    for (let v = 0; v < frames.vertices; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (at(codes[c * frames.vertices + v]) - middle[c]) / size;
   }
 
   part(object, i) {
@@ -285,11 +330,11 @@ class Actors {
     const place = (p) => new Vector3(...p.map((x, c) => (x - this.centre[c]) / this.size));
     const [a, b] = [place(low), place(high)];
     this.middle = a.clone().add(b).multiplyScalar(0.5);
-    this.radius = Math.max(1e-3, a.distanceTo(b) / 2);
+    this.radius = Math.max(1e-3, a.distanceTo(b) / 2) * (this.ground ? groundShadows : 1);
     this.target = this.middle;
   }
 
-  // Returns the camera of a view: {from, to} [m], or {look, turn, lift, zoom}: a direction as in the report, two angles [degrees], and a magnification.
+  // Returns the camera of a view: {from, to} [m, of the scene], or {look, turn, lift, zoom}: a direction as in the report, two angles [degrees], and a magnification.
   camera(view, box, aspect) {
     const camera = new PerspectiveCamera(view.angle, aspect, 0.01, 100);
     const vertical = new Vector3(...this.vertical);
@@ -312,7 +357,7 @@ class Actors {
     camera.lookAt(target);
     const distance = camera.position.distanceTo(target);
     camera.near = Math.max(0.01 * distance, distance - 2);
-    camera.far = distance + 3;
+    camera.far = distance + (this.ground ? groundExtent : 3);
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld();
     return camera;

@@ -116,6 +116,60 @@ const tests = {
     const { pixels } = await looked("both.png", [[0.25, 0.5], [0.75, 0.5]]);
     for (const one of pixels) assert.ok(one[0] > 120 && one[1] < 90, `${one}`);
   },
+  async "a later pattern keeps what it does not name"() {
+    done("render", "out", "-o", "merged.png", ...above.slice(0, -1), "objects={'*': {hide: true, colour: '#0000ff'}, cube: {hide: false}}", "background='#00ff00'");
+    const { pixels: [cube, plate] } = await looked("merged.png", [[0.5, 0.5], [0.3, 0.2]]);
+    assert.ok(cube[2] > 150 && cube[0] < 60, `the cube is blue, and shown again: ${cube}`);
+    assert.deepEqual(plate, [0, 255, 0]);
+  },
+  async "the camera stands in the scene, wherever its objects are"() {
+    done("run", "scene.yaml", "-q", "-o", "away", "--set", "objects.plate.place.translate=[40, -0.05, 7]", "objects.cube.place.translate=[40, 1, 7]");
+    done("render", "away", "-o", "away.png", ...above, "background='#0000ff'", "camera={from: [40, 8, 7.01], to: [40, 0, 7], angle: 40 deg}");
+    const places = [[0.5, 0.5], [0.3, 0.2], [0.03, 0.5]];
+    const [here, there] = [(await looked("above.png", places)).pixels, (await looked("away.png", places)).pixels];
+    here.forEach((pixel, i) => assert.ok(pixel.every((x, c) => Math.abs(x - there[i][c]) < 12), `${pixel}; ${there[i]}`));
+  },
+  async "the time that is written is that of the frame"() {
+    const view = ["--set", "size=[400, 300]", "lights=2"];
+    done("render", "out", "-o", "end.png", ...view, "at=0.2s");
+    done("render", "out", "-o", "later.png", ...view, "at=7s");
+    done("render", "out", "-o", "earlier.png", ...view, "at=0.18s");
+    assert.ok(readFileSync(join(folder, "end.png")).equals(readFileSync(join(folder, "later.png"))));
+    assert.ok(!readFileSync(join(folder, "end.png")).equals(readFileSync(join(folder, "earlier.png"))));
+  },
+  async "the ground has the shadow of what is above it, and the background beside it"() {
+    const view = [...above.slice(0, -1), "objects={plate: {hide: true}, cube: {colour: '#ff0000', smooth: 0}}", "background='#ffffff'"];
+    done("render", "out", "-o", "ground.png", ...view, "ground={at: 0}");
+    const { pixels: [cube, shade, open] } = await looked("ground.png", [[0.5, 0.5], [0.585, 0.4], [0.05, 0.95]]);
+    assert.ok(cube[0] > 150 && cube[1] < 60, `the cube: ${cube}`);
+    assert.ok(grey(shade) < 245 && Math.max(...shade) - Math.min(...shade) < 12, `grey shadow: ${shade}`);
+    assert.ok(grey(open) > 252, `white far from it: ${open}`);
+    done("render", "out", "-o", "green.png", ...view, "ground={at: 0, colour: '#00a000'}");
+    const { pixels: [, darker, lit] } = await looked("green.png", [[0.5, 0.5], [0.585, 0.4], [0.05, 0.95]]);
+    assert.ok(lit[1] > 90 && lit[1] > lit[0] + 60 && darker[1] < lit[1] - 3, `${lit}, ${darker}`);
+  },
+  async "a transparent background, also below a shadow, and numbered pictures"() {
+    const view = [...above.slice(0, -1), "objects={plate: {hide: true}, cube: {colour: '#ff0000', smooth: 0}}", "background=transparent"];
+    done("render", "out", "-o", "clear.png", ...view, "ground={at: 0}");
+    const alphas = await tab.evaluate(async ([data, at]) => {
+      const picture = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+      const ctx = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+      ctx.drawImage(picture, 0, 0);
+      return at.map(([x, y]) => ctx.getImageData(Math.floor(x * picture.width), Math.floor(y * picture.height), 1, 1).data[3]);
+    }, [readFileSync(join(folder, "clear.png")).toString("base64"), [[0.5, 0.5], [0.585, 0.4], [0.02, 0.98]]]);
+    assert.equal(alphas[0], 255);
+    assert.ok(alphas[1] > 10 && alphas[1] < 250, `a shadow: ${alphas[1]}`);
+    assert.ok(alphas[2] <= 5, `nothing: ${alphas[2]}`);
+    assert.match(done("render", "out", "-o", "part_%03d.png", ...view, "lights=1", "from=0.1"), /frame 6 of 6/);
+    for (const i of [0, 5]) assert.ok(statSync(join(folder, `part_00${i}.png`)).size > 500);
+    refused(/films have no transparent background/, "render", "out", "-o", "film.mp4", "--set", "background=transparent");
+  },
+  async "film-like tones darken what is bright less than exposure brightens it"() {
+    for (const [file, ...more] of [["plain.png"], ["bright.png", "exposure=4"], ["toned.png", "exposure=4", "tone=filmic"]])
+      done("render", "out", "-o", file, ...above, "background='#000000'", ...more);
+    const [plain, bright, toned] = await Promise.all(["plain.png", "bright.png", "toned.png"].map(async (f) => grey((await looked(f, [[0.3, 0.2]])).pixels[0])));
+    assert.ok(bright > plain + 30 && toned < bright - 3 && toned > plain, `${plain}, ${bright}, ${toned}`);
+  },
   async "films"() {
     if (!films) return console.log("skipped: there is no ffmpeg: apt-get install ffmpeg");
     for (const film of ["film.mp4", "film.gif"]) {
