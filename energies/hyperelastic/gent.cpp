@@ -26,6 +26,9 @@ struct Gent {
     sum.add_to(d, slope, slope / (limit * left));
     return d;
   }
+
+  static constexpr LimitNames limit_names{"I1 - 3 of", "j_m"};
+  LimitUse limit_use(const Vec3& e) const { return {(2 * e).array().exp().sum() - 3, limit}; }
 };
 
 using GentSolid = HyperelasticSolid<Gent>;

@@ -31,6 +31,12 @@ struct HyperelasticSheet {
     return of_logarithms(s, tau, h);
   }
 
+  static constexpr LimitNames limit_names = names_of_limit<Law>();
+  LimitUse limit_use(std::span<const double> stretches) const requires LimitedLaw<Law> {
+    const double e0 = std::log(stretches[0]), e1 = std::log(stretches[1]);
+    return law.limit_use({e0, e1, -(e0 + e1)});
+  }
+
  private:
   static PackVec3 strain(const PackVec2& s) {
     const Pack e0 = log(s(0)), e1 = log(s(1));
@@ -49,7 +55,7 @@ class HyperelasticMembrane : public Energy {
   }
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
     require_sheet(body, rest, type());
-    return std::make_unique<MembraneTerm<HyperelasticSheet<Law>>>(
+    return make_law_term<MembraneTerm<HyperelasticSheet<Law>>, Triangle, Law>(
         std::string(type()), HyperelasticSheet<Law>{law_}, body, rest);
   }
   void add_mass(const Body& body, const VecX& rest, VecX& mass) const override {

@@ -6,6 +6,7 @@
 //   Pack energy(const PackVec3& e) const;                       W [J/m^3], may be infinite
 //   IsochoricDerivatives derivatives(const PackVec3& e) const;  where W is finite
 //   double shear() const;                                       small-strain shear modulus [Pa]
+// and, if W is infinite beyond a limit, limit_names and limit_use(e) (solid/limited_term.hpp).
 // Sources: Holzapfel 2000, Nonlinear Solid Mechanics, sections 6.4 and 6.5.
 #pragma once
 
@@ -14,10 +15,31 @@
 #include "energies/hyperelastic/isochoric.hpp"
 #include "energies/solid/composite_term.hpp"
 #include "energies/solid/isotropic_solid.hpp"
+#include "energies/solid/limited_term.hpp"
 #include "energies/solid/patch_term.hpp"
 #include "framework/config/field.hpp"
 
 namespace tack {
+
+/// A law whose energy is infinite beyond a limit.
+template <class Law>
+concept LimitedLaw = requires(const Law& law, const Vec3& e) {
+  law.limit_use(e);
+};
+
+/// Returns the names of the limit of a law, or none.
+template <class Law>
+constexpr LimitNames names_of_limit() {
+  if constexpr (LimitedLaw<Law>) return Law::limit_names;
+  else return {};
+}
+
+/// Makes the term of linear elements of a law, which names its limit if it has one.
+template <class Base, class Element, class Law, class... Arguments>
+std::unique_ptr<Term> make_law_term(const Arguments&... arguments) {
+  if constexpr (LimitedLaw<Law>) return std::make_unique<LimitedTerm<Base, Element>>(arguments...);
+  else return std::make_unique<Base>(arguments...);
+}
 
 /// Material of an isochoric law and a bulk modulus.
 template <class Law>
@@ -53,6 +75,12 @@ struct Hyperelastic {
     return MaterialSplit<Hyperelastic, Hyperelastic, LogVolume>{shape, shape, {bulk - kept}};
   }
 
+  static constexpr LimitNames limit_names = names_of_limit<Law>();
+  LimitUse limit_use(std::span<const double> stretches) const requires LimitedLaw<Law> {
+    const Vec3 e = Eigen::Map<const Vec3>(stretches.data()).array().log();
+    return law.limit_use(e.array() - e.mean());
+  }
+
  private:
   // Sets e to the logarithmic isochoric stretches; returns ln J.
   static Pack split_strain(const PackVec3& s, PackVec3& e) {
@@ -83,7 +111,7 @@ class HyperelasticSolid : public Energy {
     const std::string name(type());
     const Material material{law_, 2 * law_.shear() * (1 + poisson_) / (3 * (1 - 2 * poisson_))};
     if (body.elements == Elements::linear)
-      return std::make_unique<SolidTerm<Material>>(name, material, body, rest);
+      return make_law_term<SolidTerm<Material>, Tet, Law>(name, material, body, rest);
     if (body.elements == Elements::composite)
       return std::make_unique<CompositeTerm<Material>>(name, material, body, rest);
     const auto split = material.split();

@@ -5,11 +5,14 @@
 // beyond the limit, so that no step ends there.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <memory>
 
 #include "energies/interactions/joint_coordinate.hpp"
 #include "framework/assembly/formula_term.hpp"
+#include "framework/core/limit_view.hpp"
 
 namespace tack {
 
@@ -46,16 +49,34 @@ struct JointLimit : FormulaOf<Coordinate::arity> {
 
 // Without limits the term only stores the coordinate, for probes.
 template <class Coordinate>
-class JointLimitTerm : public FormulaTerm<JointLimit<Coordinate>> {
+class JointLimitTerm : public FormulaTerm<JointLimit<Coordinate>>, public LimitView {
  public:
-  explicit JointLimitTerm(std::shared_ptr<JointCoordinate<Coordinate>> coordinate)
-      : FormulaTerm<JointLimit<Coordinate>>("joint_limits"), coordinate_(std::move(coordinate)) {}
+  // joint: the joint's name; what, unit: of its coordinate.
+  JointLimitTerm(std::shared_ptr<JointCoordinate<Coordinate>> coordinate, std::string joint,
+                 std::string what, std::string unit)
+      : FormulaTerm<JointLimit<Coordinate>>("joint_limits"), coordinate_(std::move(coordinate)),
+        joint_(std::move(joint)), what_(std::move(what)), unit_(std::move(unit)) {}
   // stiffness: the force at half of the margin, over the margin and 1.193.
   void limit(double low, double high, double margin, double stiffness) {
     this->add(coordinate_->vertices(),
               {low, high, margin, stiffness, coordinate_->offset(), coordinate_->offset()});
   }
   const JointCoordinate<Coordinate>& coordinate() const { return *coordinate_; }
+
+  std::optional<ExceededLimit> exceeded_limit(const VecX& x) const override {
+    const double q = coordinate_->at(x);
+    for (const auto& d : this->data()) {
+      if (q > d.low && q < d.high) continue;
+      const bool low = q <= d.low;
+      return ExceededLimit{
+          {},
+          fmt::format(
+              "joint '{}' would have the {} {:.6g} {}, and allows {} than {:.6g} {} (`limits.{}`)",
+              joint_, what_, q, unit_, low ? "more" : "less", low ? d.low : d.high, unit_,
+              low ? "low" : "high")};
+    }
+    return std::nullopt;
+  }
 
   void load_history(const History& history) override {
     coordinate_->load_history(history);
@@ -65,6 +86,7 @@ class JointLimitTerm : public FormulaTerm<JointLimit<Coordinate>> {
 
  private:
   std::shared_ptr<JointCoordinate<Coordinate>> coordinate_;
+  std::string joint_, what_, unit_;
 };
 
 }  // namespace tack

@@ -103,7 +103,8 @@ struct MechanicsKeys {
              double effort) const {
     const auto coordinate = std::make_shared<JointCoordinate<Coordinate>>(
         vertices, start, builder.add_history(U.what, 1, 1));
-    auto limit = std::make_unique<JointLimitTerm<Coordinate>>(coordinate);
+    auto limit = std::make_unique<JointLimitTerm<Coordinate>>(coordinate, builder.name(), U.what,
+                                                              std::string(U.value.si));
     if (limits) {
       // 1/2 + ln 2.
       constexpr double infinite = std::numeric_limits<double>::infinity(),

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "energies/shell/membrane_term.hpp"
+#include "energies/solid/limited_term.hpp"
 #include "framework/config/field.hpp"
 #include "framework/scene/energy.hpp"
 
@@ -43,6 +44,9 @@ struct StrainLimit {
     d.hessian(0, 1) = d.hessian(1, 0) = 0;
     return d;
   }
+
+  static constexpr LimitNames limit_names{"the principal strain", "strain"};
+  LimitUse limit_use(std::span<const double> stretches) const { return {stretches[0] - 1, start + range - 1}; }
 };
 
 class StrainLimitEnergy : public Energy {
@@ -56,7 +60,7 @@ class StrainLimitEnergy : public Energy {
   }
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
     require_sheet(body, rest, type());
-    return std::make_unique<MembraneTerm<StrainLimit>>(
+    return std::make_unique<LimitedTerm<MembraneTerm<StrainLimit>, Triangle>>(
         std::string(type()), StrainLimit{1 + start_ * strain_, (1 - start_) * strain_, stiffness_}, body, rest);
   }
 

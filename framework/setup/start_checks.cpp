@@ -10,6 +10,7 @@
 #include "framework/setup/build_world.hpp"
 #include "framework/world/containment.hpp"
 #include "framework/world/describe_primitive.hpp"
+#include "framework/world/infinite_energy.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 
@@ -106,10 +107,8 @@ void check_energies(const SceneConfig& scene, World& world) {
   for (const auto& term : world.elastic_terms) {
     if (term->dynamic() || joins(term.get())) continue;
     term->load_history(world.start.history);
-    if (std::isfinite(term->value(world.start.x))) continue;
-    const int body = world.body_of(term->batches().front().vertices[0]);
-    throw InputError(fmt::format("the energy {} of '{}' is infinite in the state of that run: it is strained beyond what its material bears; change the "
-                                 "material, or leave it out of start.objects", term->name(), world.bodies[body].name));
+    if (const std::string why = describe_infinite_energy(world, *term, world.start.x); !why.empty())
+      throw InputError(fmt::format("in the state of that run, {}; change the material, or leave the object out of start.objects", why));
   }
 }
 

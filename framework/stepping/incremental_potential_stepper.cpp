@@ -14,7 +14,9 @@
 #include "framework/stepping/convergence.hpp"
 #include "framework/stepping/debonding_check.hpp"
 #include "framework/stepping/feasible_steps.hpp"
+#include "framework/stepping/fixed_vertices.hpp"
 #include "framework/stepping/free_bodies.hpp"
+#include "framework/world/infinite_energy.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
 #include "framework/stepping/predicted_motion.hpp"
 #include "framework/stepping/prescribed_motion.hpp"
@@ -30,6 +32,7 @@ namespace {
 constexpr const char* loosen =
     "refine time.step, loosen solver.tolerance or raise solver.max_iterations (or solver.time_limit)";
 constexpr const char* blocked_motion_remedy = "leave room for what the prescribed motion pushes";
+constexpr const char* limit_remedy = "prescribe a smaller motion, or raise that limit";
 
 // State of the stepper for one run.
 class Minimization {
@@ -43,6 +46,7 @@ class Minimization {
   VecX first_guess(const Step& step);
   bool start(const Step& step, const VecX* guess, SolveResult& result, VecX& q);
   void minimize_lagged(const MinimizerProblem& problem, const Step& step, VecX& q, SolveResult& result);
+  void find_limit(const Step& step, const VecX& x);
   std::string failure(const SolveResult& result) const;
   void check_tunnelling(const VecX& x, Validation& validation);
   void check_debonding(const VecX& x, Validation& validation);
@@ -62,6 +66,7 @@ class Minimization {
   VecX drift_;                  // 3n [m]: displacement with the velocities of the start; empty: none
   double h_ = 0;                // s: size of the latest step
   bool has_free_body_ = false;  // the latest solve failed because a body is free
+  std::string limit_;           // limit that excludes the positions to which the latest solve leads
 };
 
 Minimization::Minimization(const StepperContext& context, const StepObservers& observers, const MotionPenalty& penalty)
@@ -90,6 +95,7 @@ void Minimization::solve(const Step& step, const VecX* guess, SolveResult& resul
   h_ = step.h;
   if (debonding_ && step.prediction.inertia) drift_ = step.h * step.state.v;
   has_free_body_ = false;
+  limit_.clear();
   if (check_) check_->begin(step.state.step + 1, "the first guess");
   convergence_.begin_step(step.potential, step.h, step.prediction.inertia);
   VecX q;
@@ -107,6 +113,15 @@ void Minimization::solve(const Step& step, const VecX* guess, SolveResult& resul
     result.failure = free.what();
     has_free_body_ = true;
   }
+  if (result.minimizer.status == MinimizerStatus::not_finite) find_limit(step, result.x);
+}
+
+// Finds the limit that excludes the free vertices at x together with the targets of the others.
+void Minimization::find_limit(const Step& step, const VecX& x) {
+  VecX reached = x;
+  step.fixed.set_positions(step.state.time + step.h, reached);
+  world_.dofs.update_dependents(reached);
+  limit_ = describe_infinite_energy(world_, reached);
 }
 
 // Finds a feasible q with the prescribed vertices at their target positions. Returns false if they
@@ -123,6 +138,7 @@ bool Minimization::start(const Step& step, const VecX* guess, SolveResult& resul
   const PrescribedMotionSolver::Result start = motion_.solve(step, check_ ? &*check_ : nullptr, observers_.motion);
   result.minimizer = start.solve;
   result.failure = start.failure;
+  if (!start.failure.empty()) find_limit(step, start.x);
   if (!start.failure.empty() || start.solve.status != MinimizerStatus::converged) return false;
   if (check_) check_->check(start.x);
   world_.dofs.gather(start.x, q);
@@ -195,16 +211,17 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, const Step& 
 
 // Returns the reason why the solve has no result to validate, or "".
 std::string Minimization::failure(const SolveResult& result) const {
-  if (!result.failure.empty()) return result.failure + steps_.blocker();
+  const std::string beyond = limit_.empty() ? "" : "; " + limit_;
+  if (!result.failure.empty()) return result.failure + steps_.blocker() + beyond;
   if (result.minimizer.status == MinimizerStatus::converged) return "";
   const bool late = result.minimizer.status == MinimizerStatus::time_limit && !clock_.deadline().run_passed();
   const std::string limit = late ? fmt::format(" (solver.time_limit: {} s)", *solver_.time_limit()) : "";
-  return fmt::format("{}{} after {} iterations, {:.3g} times the tolerance{}", to_string(result.minimizer.status), limit,
-                     result.minimizer.iterations, result.minimizer.residual, steps_.blocker());
+  return fmt::format("{}{} after {} iterations, {:.3g} times the tolerance{}{}", to_string(result.minimizer.status), limit,
+                     result.minimizer.iterations, result.minimizer.residual, steps_.blocker(), beyond);
 }
 
 Validation Minimization::validate(const SolveResult& result) {
-  Validation v{failure(result), result.failure.empty() ? loosen : has_free_body_ ? FreeBody::remedy : blocked_motion_remedy};
+  Validation v{failure(result), !limit_.empty() ? limit_remedy : result.failure.empty() ? loosen : has_free_body_ ? FreeBody::remedy : blocked_motion_remedy};
   if (!v.fault.empty()) return v;
   const PhaseScope scope(clock_, Phase::check);
   if (const int tet = first_inverted_tet(world_.tets, result.x); tet >= 0) {
