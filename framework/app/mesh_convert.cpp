@@ -7,7 +7,7 @@
 #include "framework/app/mesh_report.hpp"
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
-#include "framework/meshing/length_unit.hpp"
+#include "framework/shapes/length_unit.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/mesh_io.hpp"
 #include "geometry/io/write_mesh.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "framework/config/nearest.hpp"
-#include "framework/meshing/length_unit.hpp"
+#include "framework/shapes/length_unit.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

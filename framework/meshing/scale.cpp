@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "framework/meshing/length_unit.hpp"
+#include "framework/shapes/length_unit.hpp"
 #include "framework/meshing/mesh_operation.hpp"
 #include "geometry/errors.hpp"
 

@@ -1,9 +1,15 @@
 // The built-in shapes and mesh files, as components of the scene file.
+#include <fmt/format.h>
+
+#include <mutex>
 #include <numbers>
 
 #include "framework/config/field.hpp"
+#include "framework/shapes/length_unit.hpp"
 #include "framework/shapes/shape_source.hpp"
+#include "geometry/errors.hpp"
 #include "geometry/io/mesh_io.hpp"
+#include "geometry/mesh/cleanup.hpp"
 #include "geometry/shapes/lines.hpp"
 #include "geometry/shapes/rounded_box.hpp"
 #include "geometry/shapes/sector.hpp"
@@ -216,12 +222,45 @@ class FileShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
     f.path("path", path_, "obj, ply, stl, off, glb, gltf, msh, vtk or vtu; relative to the scene file").required();
+    f.text("unit", unit_, "unit of the numbers in the file: m, mm, um, inch").line();
+    f.optional_number("weld", weld_, units::length, "vertices at most this far apart become the first of them; elements that collapse are dropped. Unless given, vertices stay as they "
+                                                    "are").nonnegative();
+    f.check("unit", [this] { return LengthUnits{unit_, "m"}.problem(); });
   }
-  Mesh make() const override { return read_mesh(path_); }
+  Mesh make() const override {
+    Mesh mesh = read_mesh(path_);
+    std::vector<std::string> notes;
+    if (const LengthUnits units{unit_, "m"}; !units.trivial()) {
+      scale(mesh, Vec3::Constant(units.factor()));
+      notes.push_back(scaled_note(mesh, units.factor()));
+    }
+    if (weld_) notes.push_back(welded(mesh));
+    const std::lock_guard lock(notes_mutex_);
+    notes_ = std::move(notes);
+    return mesh;
+  }
   bool reads_files() const override { return true; }
+  std::vector<std::string> notes() const override {
+    const std::lock_guard lock(notes_mutex_);
+    return notes_;
+  }
 
  private:
+  // Returns the note of the vertices that were merged.
+  std::string welded(Mesh& mesh) const {
+    const auto elements = [&] { return mesh.tets.size() + mesh.triangles.size() + mesh.edges.size() + mesh.points.size(); };
+    const size_t vertices_before = mesh.vertices.size(), elements_before = elements();
+    merge_duplicate_vertices(mesh, *weld_);
+    if (elements() == 0) throw InputError(fmt::format("{}: all elements collapse when vertices within {:.6g} m are welded; weld shorter distances, and state the unit of the file", path_, *weld_));
+    return fmt::format("welded: {} of {} vertices merged with others within {:.3g} m, {} elements dropped", vertices_before - mesh.vertices.size(), vertices_before, *weld_,
+                       elements_before - elements());
+  }
+
   std::string path_;
+  std::string unit_ = "m";
+  std::optional<double> weld_;  // m
+  mutable std::mutex notes_mutex_;
+  mutable std::vector<std::string> notes_;  // of the last mesh
 };
 
 TACK_REGISTER(ShapeSource, BoxShape, "box", "A box of tets (or its surface).", "");

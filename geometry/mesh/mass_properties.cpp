@@ -39,7 +39,7 @@ void check_closed(const std::vector<Triangle>& triangles) {
   for (const auto& [edge, unused] : uses)
     if (!uses.count({edge[1], edge[0]}))
       throw InputError(fmt::format("its surface is not closed (edge ({}, {}) has one triangle), so it encloses no volume; "
-                                   "close it, or give tets", edge[0], edge[1]));
+                                   "close it, weld vertices that nearly coincide (`weld` of the shape), or give tets", edge[0], edge[1]));
 }
 
 // Throws InputError if a component inside another one is not a cavity, or a component inside a cavity faces inwards: space would

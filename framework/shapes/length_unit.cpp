@@ -1,4 +1,4 @@
-#include "framework/meshing/length_unit.hpp"
+#include "framework/shapes/length_unit.hpp"
 
 #include <fmt/format.h>
 
