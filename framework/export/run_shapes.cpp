@@ -139,14 +139,28 @@ double RunShapes::rate() const {
   return times_.size() > 1 && times_.back() > times_.front() ? static_cast<double>(times_.size() - 1) / (times_.back() - times_.front()) : rate_of_one_frame;
 }
 
-RunShapes::Loaded RunShapes::load(int number) const {
+// Elements of the last frame and its outer vertices: most frames have the same.
+struct RunShapes::KnownMesh {
+  Mesh mesh;  // without vertices
+  std::vector<std::vector<int>> outer;
+
+  bool has_elements_of(const Mesh& other) const {
+    return !outer.empty() && mesh.tets == other.tets && mesh.triangles == other.triangles && mesh.edges == other.edges && mesh.points == other.points;
+  }
+};
+
+RunShapes::Loaded RunShapes::load(int number, KnownMesh& known) const {
   const fs::path path = results_ / frames_[number].file;
-  const FrameFile frame = read_frame(path);
-  const int count = numbers_.empty() ? 0 : numbers_.back() + 1;
-  const auto outer = outer_vertices(frame, extract_surface(frame.mesh), count);
+  FrameFile frame = read_frame(path);
+  if (!known.has_elements_of(frame.mesh)) {
+    known.outer = outer_vertices(frame, extract_surface(frame.mesh), numbers_.empty() ? 0 : numbers_.back() + 1);
+    std::vector<Vec3> vertices = std::move(frame.mesh.vertices);
+    known.mesh = std::move(frame.mesh);
+    frame.mesh.vertices = std::move(vertices);
+  }
   Loaded loaded{number, {}};
   for (size_t k = 0; k < objects_.size(); ++k) {
-    const std::vector<int>& vertices = outer[numbers_[k]];
+    const std::vector<int>& vertices = known.outer[numbers_[k]];
     if (static_cast<int>(vertices.size()) != objects_[k].vertices)
       throw InputError(fmt::format("{}: object '{}' has {} outer vertices, and {} in the first frame; run the scene again", path.string(), objects_[k].name,
                                    vertices.size(), objects_[k].vertices));
@@ -157,19 +171,20 @@ RunShapes::Loaded RunShapes::load(int number) const {
 
 void RunShapes::visit(const std::function<void(int, const ObjectPositions&)>& visit) const {
   Loaded before, after;
+  KnownMesh known;
   int next = 0;  // first frame that is not before the sample
   for (size_t i = 0; i < times_.size(); ++i) {
     while (next + 1 < static_cast<int>(frames_.size()) && frames_[next].time < times_[i]) ++next;
     if (after.frame != next) {
       if (after.frame == next - 1) before = std::move(after);
-      after = load(next);
+      after = load(next, known);
     }
     const double end = frames_[next].time, begin = next > 0 ? frames_[next - 1].time : end;
     if (!(times_[i] < end) || next == 0) {
       visit(static_cast<int>(i), after.positions);
       continue;
     }
-    if (before.frame != next - 1) before = load(next - 1);
+    if (before.frame != next - 1) before = load(next - 1, known);
     const double weight = (times_[i] - begin) / (end - begin);
     ObjectPositions between = before.positions;
     for (size_t k = 0; k < between.size(); ++k)

@@ -80,8 +80,9 @@ class RunShapes {
 
  private:
   struct Loaded;
+  struct KnownMesh;
   void choose_times(const ShapeSelection& selection);
-  Loaded load(int frame) const;
+  Loaded load(int frame, KnownMesh& known) const;
 
   std::filesystem::path results_;
   std::string name_;

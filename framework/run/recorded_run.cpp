@@ -116,13 +116,18 @@ const RunSummary& RecordedRun::execute() {
   return summary_;
 }
 
-// Makes the further formats of output.formats from the frames.
+// Makes the further formats of output.formats from the frames. A run that failed reports an export
+// that fails as a warning, because its own error is the one to look at.
 void RecordedRun::export_frames() {
-  if (!experiment_.output.frames) return;
-  for (const auto& format : experiment_.output.formats) {
+  std::error_code none;
+  if (!std::filesystem::exists(folder_.pvd(), none)) return;
+  for (const auto& format : experiment_.output.formats) try {
     const Exported made = format->write(folder_.root(), {});
     for (const std::string& note : made.notes) progress_.message("note: " + note);
     for (const auto& path : made.paths) progress_.message(fmt::format("{}: {}", format->type(), path.string()));
+  } catch (const InputError& error) {
+    if (summary_.status != RunStatus::simulation_failed) throw;
+    progress_.warning(error.what());
   }
 }
 

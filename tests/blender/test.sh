@@ -16,3 +16,10 @@ grep -q MESH_CACHE play.py
 blender -b --factory-startup --python-exit-code 1 --python play.py --python "$here/check.py" -- run/export/pc2 "$source" >log.txt 2>&1 || { cat log.txt; exit 1; }
 grep -q '^all formats agree$' log.txt || { cat log.txt; exit 1; }
 grep '^agrees: ' log.txt
+# A mesh that was modelled in Blender, simulated and played on itself.
+run_blender() { blender -b "$@" >log.txt 2>&1 || { cat log.txt; exit 1; }; }
+run_blender --factory-startup --python-exit-code 1 --python "$here/own_mesh.py" -- make "$source"
+cp "$here/ring.yaml" .
+"$tack" run ring.yaml -q -o ring
+run_blender ring.blend --python-exit-code 1 --python "$here/own_mesh.py" -- play "$source"
+grep '^agrees: ' log.txt || { cat log.txt; exit 1; }
