@@ -95,13 +95,13 @@ class Run(_Folder):
         """Frames, read on access: run.frames[-1].x"""
         return Frames(self.path)
 
-    def export(self, to: str, output: str | os.PathLike = "", **settings) -> pathlib.Path | None:
+    def export(self, to: str, output: str | os.PathLike = "", **settings: object) -> pathlib.Path | None:
         """Writes the shapes of the run for other programs, as `tack export` does.
 
         Args:
             to: The format: 'pc2', 'usd', ... (`tack list format`).
             output: The file or folder to write; default: below export in the results folder.
-            settings: Keys of the format, such as fps=25, objects=["cube"].
+            **settings: Keys of the format, such as fps=25, objects=["cube"].
 
         Returns:
             The path of the file or folder; None for 'vtu', which the run has written.
@@ -179,7 +179,7 @@ class Tables(_Folder):
         return f"<{_tack.kind_of(str(self.path))}: {', '.join(self.tables)}>"
 
 
-def export(results: str | os.PathLike, to: str, output: str | os.PathLike = "", **settings) -> pathlib.Path | None:
+def export(results: str | os.PathLike, to: str, output: str | os.PathLike = "", **settings: object) -> pathlib.Path | None:
     """Writes the shapes of a run for other programs: Run.export for a folder of results, which may be that of a run under way."""
     paths = _tack.export(os.fspath(results), to, os.fspath(output), overrides_of(settings))
     return pathlib.Path(paths[0]) if paths else None
