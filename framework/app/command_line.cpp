@@ -272,6 +272,8 @@ class CommandLine {
     render->add_option("-o,--output", render_.output, "output file; its extension selects the format")->type_name("PICTURE")->capture_default_str();
     render->add_option("--view", render_.view, "file (YAML) with size, camera, materials of objects, colours by a field")->type_name("YAML");
     render->add_option("--set", render_.overrides, "override keys of the view: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
+    render->add_option("--with", render_.with, "what draws: a browser, in seconds, or Blender's path tracer Cycles, in minutes")
+        ->check(CLI::IsMember({"browser", "blender"}))->capture_default_str();
     render->add_flag("-q,--quiet", render_.quiet, "print errors only");
     render->callback([this] { exit_code_ = render_command(render_); });
   }

@@ -126,6 +126,7 @@ struct RenderOptions {
   std::string view;                    // the file of a view; empty: the default view
   std::vector<std::string> overrides;  // overrides of the view, "a.b=c"
   std::string output = "picture.png";
+  std::string with = "browser";  // or "blender"
   bool quiet = false;
 };
 // Writes a picture or a film of runs, side by side.

@@ -16,6 +16,7 @@ int render_command(const RenderOptions& options) {
   RenderSettings settings;
   settings.folders.assign(options.folders.begin(), options.folders.end());
   settings.output = options.output;
+  settings.with_blender = options.with == "blender";
   settings.quiet = options.quiet;
   settings.version = this_build().version;
   settings.commit = this_build().revision();

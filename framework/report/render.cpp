@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <regex>
 
+#include "framework/config/bind.hpp"
+#include "framework/output/output_format.hpp"
 #include "framework/report/report.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
@@ -16,9 +21,10 @@ namespace tack {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 constexpr int frame_count_max = 5000;  // limit of the frames read of a run
-constexpr int lights_per_picture = 48, lights_per_film_frame = 8;
+constexpr RenderQuality picture_quality{.lights = 48, .samples = 128}, film_quality{.lights = 8, .samples = 32};
 
 // A temporary folder, deleted with its owner.
 class ScratchFolder {
@@ -47,8 +53,66 @@ fs::path modules() {
   return fs::exists(installed / "node_modules", none) ? installed : own_root() / "report";
 }
 
+// Returns the end of a text file.
+std::string last_lines(const fs::path& path) {
+  constexpr std::streamoff size = 1500;
+  std::ifstream in(path, std::ios::ate);
+  in.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(in.tellg()) - size));
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 // Returns true for a film as numbered pictures, "film_%04d.png".
 bool is_numbered(const fs::path& output) { return std::regex_search(output.filename().string(), std::regex("%0[0-9]+d")); }
+
+// Throws InputError if a program that was run is missing or failed.
+void check_exit(int code, const char* program, const char* package, const fs::path& output) {
+  if (code < 0 || code == 127) throw InputError(fmt::format("{} is missing; install it (Debian: {}), or run `./tack render`, which installs it", program, package));
+  if (code != 0) throw InputError(fmt::format("{} was not drawn", output.string()));
+}
+
+void draw_in_browser(const RenderSettings& settings, const Json& view, const ScratchFolder& scratch) {
+  ReportSettings report;
+  report.folders = settings.folders;
+  report.output = scratch.path() / "film.html";
+  report.frames = frame_count_max;
+  report.page = shared_file("film.html");
+  report.version = settings.version;
+  report.commit = settings.commit;
+  for (const std::string& note : write_report(report).notes)
+    if (!settings.quiet) fmt::print("note: {}\n", note);
+  const fs::path view_file = scratch.path() / "view.json";
+  replace_file(view_file, view.dump());
+  std::fflush(nullptr);
+  check_exit(run_program({"node", shared_file("render.mjs").string(), modules().string(), report.output.string(), view_file.string(), settings.output.string()},
+                         {{}, settings.quiet ? "/dev/null" : ""}),
+             "node", "nodejs", settings.output);
+}
+
+// Draws the pictures by Blender; a film is made of them by ffmpeg.
+void draw_in_blender(const RenderSettings& settings, const Json& view, const ScratchFolder& scratch) {
+  if (settings.folders.size() > 1) throw InputError("Blender draws one run; give one folder, or leave --with blender out");
+  Value format = Value::map();
+  format.set("type", Value::scalar("npy"));
+  const fs::path shapes = scratch.path() / "shapes", view_file = scratch.path() / "view.json", log = scratch.path() / "blender.txt";
+  for (const std::string& note : bind_component<OutputFormat>(format)->write(settings.folders.front(), shapes).notes)
+    if (!settings.quiet) fmt::print("note: {}\n", note);
+  replace_file(view_file, view.dump());
+  const bool film = settings.output.extension() != ".png";
+  const fs::path pictures = film ? scratch.path() / "film_%06d.png" : fs::absolute(settings.output);
+  std::fflush(nullptr);
+  const int code = run_program({"blender", "-b", "--factory-startup", "-P", shared_file("blender.py").string(), "--", view_file.string(), shapes.string(), pictures.string()},
+                               {{}, log, true});
+  if (code > 0 && code != 127) fmt::print(stderr, "{}\n", last_lines(log));
+  check_exit(code, "blender", "blender", settings.output);
+  if (!film) return;
+  std::vector<std::string> words{"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:g}", view["fps"].get<double>()), "-i", pictures.string()};
+  const std::vector<std::string> gif{"-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0"};
+  const std::vector<std::string> mp4{"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"};
+  const auto& coding = settings.output.extension() == ".gif" ? gif : mp4;
+  words.insert(words.end(), coding.begin(), coding.end());
+  words.push_back(fs::absolute(settings.output).string());
+  check_exit(run_program(words), "ffmpeg", "ffmpeg", settings.output);
+}
 
 }  // namespace
 
@@ -60,24 +124,11 @@ void render(const RenderSettings& settings, const RenderView& view) {
     throw InputError(fmt::format("{}: films have no transparent background; draw numbered pictures (-o film_%04d.png)", settings.output.string()));
   for (const fs::path& folder : settings.folders)
     if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs can be rendered; give the folder of a run", folder.string()));
-  const ScratchFolder scratch;
-  ReportSettings report;
-  report.folders = settings.folders;
-  report.output = scratch.path() / "film.html";
-  report.frames = frame_count_max;
-  report.page = shared_file("film.html");
-  report.version = settings.version;
-  report.commit = settings.commit;
-  for (const std::string& note : write_report(report).notes)
-    if (!settings.quiet) fmt::print("note: {}\n", note);
-  const fs::path view_file = scratch.path() / "view.json";
-  replace_file(view_file, json_of(view, ending == ".png" && !is_numbered(settings.output) ? lights_per_picture : lights_per_film_frame).dump());
+  settings.with_blender ? check_blender(view) : check_built_in(view);
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
-  std::fflush(nullptr);
-  const int code = run_program({"node", shared_file("render.mjs").string(), modules().string(), report.output.string(), view_file.string(), settings.output.string()},
-                               {{}, settings.quiet ? "/dev/null" : ""});
-  if (code < 0 || code == 127) throw InputError("node is missing; install it (Debian: nodejs), or run `./tack render`, which installs it");
-  if (code != 0) throw InputError(fmt::format("{} was not drawn", settings.output.string()));
+  const ScratchFolder scratch;
+  const Json json = json_of(view, ending == ".png" && !is_numbered(settings.output) ? picture_quality : film_quality);
+  settings.with_blender ? draw_in_blender(settings, json, scratch) : draw_in_browser(settings, json, scratch);
 }
 
 }  // namespace tack

@@ -1,6 +1,10 @@
 #include "framework/report/render_view.hpp"
 
+#include <fmt/format.h>
+
 #include <numbers>
+
+#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -34,6 +38,9 @@ void RenderLook::fields(Fields& f) {
   f.optional_number("smooth", smooth, units::angle, "angle between triangles below which they are shaded as one smooth surface; 0: flat shading; 40 degrees unless given").range(0, std::numbers::pi);
   optional_flag(f, "lines", lines, "draw the edges of the mesh");
   optional_flag(f, "hide", hide, "do not draw it");
+  f.optional_number("transmission", transmission, units::none, "fraction of light that passes as through glass (Blender)").range(0, 1);
+  f.optional_number("translucency", translucency, units::none, "fraction of light that is scattered below the surface, as in wax and gels (Blender)").range(0, 1);
+  f.optional_integer("subdivide", subdivide, "levels of Catmull-Clark subdivision, which rounds coarse meshes (Blender)").at_least(0).at_most(4);
 }
 
 void RenderGround::fields(Fields& f) {
@@ -75,6 +82,7 @@ void RenderView::fields(Fields& f) {
   f.optional_number("to", to, units::time, "end time of films");
   f.optional_integer("lights", lights, "lights whose drawings are averaged into a picture: more give smoother shadows and take longer; 48 unless "
                                        "given, 8 for films").at_least(1).at_most(1000);
+  f.optional_integer("samples", samples, "light paths per pixel (Blender): more give less noise and take longer; 128 unless given, 32 for films").at_least(1).at_most(100000);
   f.text("background", background, "CSS colour of the background, or `transparent` (pictures)");
   f.number("exposure", exposure, units::none, "factor of the light").positive();
   f.choice("tone", tone, {{"none", "none", "colours as they are, bright ones cut off"}, {"filmic", "filmic", "bright colours are compressed, as film does"}}, "tone mapping");
@@ -87,7 +95,7 @@ void RenderView::fields(Fields& f) {
   f.object("camera", camera, "position and direction of the camera");
 }
 
-Json json_of(const RenderView& v, int lights) {
+Json json_of(const RenderView& v, const RenderQuality& quality) {
   Json objects = Json::object();
   for (const auto& [name, look] : v.objects) {
     // Keys that are not given do not replace those of another pattern.
@@ -98,6 +106,9 @@ Json json_of(const RenderView& v, int lights) {
     give("metalness", look.metalness);
     give("opacity", look.opacity);
     if (look.smooth) one["smooth"] = degrees(*look.smooth);
+    give("transmission", look.transmission);
+    give("translucency", look.translucency);
+    give("subdivide", look.subdivide);
     if (look.lines.given) one["lines"] = look.lines.value;
     if (look.hide.given) one["hide"] = look.hide.value;
     objects[name] = one;
@@ -109,8 +120,25 @@ Json json_of(const RenderView& v, int lights) {
   if (v.ground) ground = {{"at", or_null(v.ground->at)}, {"colour", v.ground->colour.empty() ? Json(nullptr) : Json(v.ground->colour)}};
   const RenderCamera& c = v.camera;
   return {{"size", v.size}, {"fps", v.fps}, {"speed", or_null(v.speed)}, {"at", or_null(v.at)}, {"from", or_null(v.from)}, {"to", or_null(v.to)},
-          {"lights", v.lights.value_or(lights)}, {"background", v.background}, {"exposure", v.exposure}, {"tone", v.tone}, {"ground", ground}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
+          {"lights", v.lights.value_or(quality.lights)}, {"samples", v.samples.value_or(quality.samples)}, {"background", v.background}, {"exposure", v.exposure}, {"tone", v.tone}, {"ground", ground}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
           {"camera", {{"from", or_null(c.from)}, {"to", or_null(c.to)}, {"look", c.look}, {"turn", degrees(c.turn)}, {"lift", degrees(c.lift)}, {"zoom", c.zoom}, {"angle", degrees(c.angle)}, {"fit", c.fit}}}};
+}
+
+void check_built_in(const RenderView& view) {
+  constexpr const char* remedy = "give --with blender, or leave it out";
+  if (view.samples) throw InputError(fmt::format("samples: only Blender takes them; {}", remedy));
+  for (const auto& [name, look] : view.objects)
+    if (look.transmission || look.translucency || look.subdivide)
+      throw InputError(fmt::format("objects.{}: transmission, translucency and subdivide are drawn by Blender alone; {}", name, remedy));
+}
+
+void check_blender(const RenderView& view) {
+  const auto refuse = [](const std::string& key) { throw InputError(key + " is not drawn by Blender; leave it out, or leave --with blender out"); };
+  if (view.field) refuse("field");
+  if (view.lights) refuse("lights (of Blender: samples)");
+  if (!view.labels.empty()) refuse("labels");
+  for (const auto& [name, look] : view.objects)
+    if (look.lines.given && look.lines.value) refuse(fmt::format("objects.{}.lines", name));
 }
 
 }  // namespace tack

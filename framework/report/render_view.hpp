@@ -22,6 +22,9 @@ struct RenderLook {
     bool value = false, given = false;
   };
   Flag lines, hide;
+  // Only drawn by Blender.
+  std::optional<double> transmission, translucency;
+  std::optional<int> subdivide;  // levels of Catmull-Clark subdivision
   void fields(Fields& f);
 };
 
@@ -53,6 +56,7 @@ struct RenderView {
   double fps = 30;
   std::optional<double> speed, at, from, to;  // at, from, to: s
   std::optional<int> lights;
+  std::optional<int> samples;          // paths per pixel, of Blender
   std::string background = "#ffffff";  // CSS, or "transparent"
   double exposure = 1;                 // factor of the light before `tone`
   std::string tone = "none";           // or "filmic"
@@ -65,7 +69,17 @@ struct RenderView {
   void fields(Fields& f);
 };
 
-// Returns the view for report/render.mjs. lights: used unless the view gives a number.
-nlohmann::ordered_json json_of(const RenderView& view, int lights);
+// Defaults that differ between pictures and films.
+struct RenderQuality {
+  int lights, samples;
+};
+
+// Returns the view for report/render.mjs and report/blender.py. Numbers of `quality` are used
+// unless the view gives its own.
+nlohmann::ordered_json json_of(const RenderView& view, const RenderQuality& quality);
+
+// Throw InputError for a key of the view that this renderer does not draw.
+void check_built_in(const RenderView& view);
+void check_blender(const RenderView& view);
 
 }  // namespace tack

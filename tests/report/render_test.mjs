@@ -9,6 +9,7 @@ import { needBrowser, runTests } from "./browser.mjs";
 
 const [tack, modules, pageFile] = process.argv.slice(2);
 const start = needBrowser(modules, pageFile, "what draws");
+const blender = spawnSync("blender", ["--version"]).status === 0;
 const films = spawnSync("ffmpeg", ["-version"]).status === 0;
 
 const folder = mkdtempSync(join(tmpdir(), "tack_render_test_"));
@@ -182,7 +183,33 @@ const tests = {
     }
     assert.match(done("render", "out", "-o", "slow.mp4", "--set", "size=[160, 120]", "lights=1", "speed=0.2", "from=0.1"), /frame 16 of 16/);
   },
+  async "Blender draws the same objects at the same places as the browser"() {
+    if (!blender) return console.log("skipped: there is no Blender: apt-get install blender");
+    const places = Array.from({ length: 1200 }, (_, i) => [((i % 40) + 0.5) / 40, (Math.floor(i / 40) + 0.5) / 30]);
+    const kind = ([r, g, b]) => (r > 1.5 * g && r > 1.5 * b ? "cube" : b > 1.5 * r && b > 1.5 * g ? "background" : "plate");
+    const common = ["--set", "size=[200, 150]", "time=false", "background='#0000ff'", "objects={plate: {colour: '#808080'}, cube: {colour: '#ff0000', smooth: 0}}"];
+    for (const camera of ["{from: [0, 8, 0.01], to: [0, 0, 0], angle: 40 deg}", "{look: corner, turn: 20 deg, lift: 10 deg}", "{look: x, zoom: 1.5, fit: last}"]) {
+      done("render", "out", "-o", "browser.png", ...common, "lights=4", `camera=${camera}`);
+      done("render", "out", "-o", "blender.png", "--with", "blender", ...common, "samples=4", `camera=${camera}`);
+      const [one, other] = [(await looked("browser.png", places)).pixels.map(kind), (await looked("blender.png", places)).pixels.map(kind)];
+      assert.equal(new Set(one).size, 3, `the view shows the cube, the plate and the background: ${camera}`);
+      const same = one.filter((k, i) => k === other[i]).length;
+      assert.ok(same > 0.97 * places.length, `${camera}: ${same} of ${places.length} places agree`);
+    }
+    done("render", "out", "-o", "numbered_%02d.png", "--with", "blender", ...common, "samples=1", "from=0.18");
+    for (const i of [0, 1]) assert.ok(statSync(join(folder, `numbered_0${i}.png`)).size > 300);
+    if (films) {
+      done("render", "out", "-o", "traced.mp4", "--with", "blender", ...common, "samples=1", "from=0.16");
+      assert.ok(statSync(join(folder, "traced.mp4")).size > 500);
+    }
+    refused(/field is not drawn by Blender/, "render", "out", "--with", "blender", "--set", "field={name: displacement}");
+    refused(/Blender draws one run/, "render", "out", "out", "--with", "blender");
+    refused(/has no object 'cubo'/, "render", "out", "--with", "blender", "--set", "objects={cubo: {hide: true}}");
+    refused(/Blender takes colours as #rrggbb/, "render", "out", "--with", "blender", "--set", "background=tomato");
+  },
   async "invalid settings are refused"() {
+    refused(/samples: only Blender takes them; give --with blender/, "render", "out", "--set", "samples=4");
+    refused(/objects\.cube: transmission, translucency and subdivide are drawn by Blender alone/, "render", "out", "--set", "objects.cube.transmission=1");
     refused(/picture\.jpg: names of pictures end in \.png, names of films in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
     refused(/no run has an object 'cubo'; there are plate, cube/, "render", "out", "--set", "objects={cubo: {hide: true}}");
     refused(/has no 'stress'; its frames have displacement/, "render", "out", "--set", "field={name: stress}");

@@ -1,0 +1,350 @@
+"""Draws a run with Cycles: blender -b -P blender.py -- VIEW.json SHAPES OUTPUT
+
+VIEW.json: the view of `tack render`. SHAPES: a folder of `tack export --to npy`. OUTPUT: a file
+that ends in .png, or the pattern of numbered pictures ("film_%04d.png"). Prints "frame 3 of 120".
+
+Scenes of tack have any axis upwards and any size; the picture is drawn with z upwards and with the
+run's longest extent as the unit of length, for which Blender's defaults are made.
+"""
+import json
+import math
+import os
+import re
+import sys
+
+import numpy as np
+
+COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#999999"]
+# Radiance of a white surface that faces the sun: SUN_STRENGTH / pi + SKY_STRENGTH = 1.04, just white.
+SUN_STRENGTH = 2.0  # W/m^2, as Blender counts it
+SKY_STRENGTH = 0.4
+SUN_ANGLE = math.radians(8)  # of the sun's disc: shadows are soft
+
+
+def linear(css):
+    """Returns the linear colour of "#rrggbb" or of a name that CSS and matplotlib share."""
+    digits = css.lstrip("#")
+    if not re.fullmatch(r"[0-9a-fA-F]{6}", digits):
+        raise SystemExit(f"colour '{css}': Blender takes colours as #rrggbb")
+    srgb = np.array([int(digits[i:i + 2], 16) / 255 for i in (0, 2, 4)])
+    return np.where(srgb < 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
+
+
+def matches(pattern, name):
+    return name.startswith(pattern[:-1]) if pattern.endswith("*") else pattern == name
+
+
+class Run:
+    """Positions and elements of a run, turned so that z points up."""
+
+    def __init__(self, folder):
+        with open(os.path.join(folder, "shapes.json")) as file:
+            data = json.load(file)
+        self.times, self.objects = np.array(data["times"]), data["objects"]
+        self.turn = rotation_to_z(np.array(data["up"]))
+        for o in self.objects:
+            o["x"] = np.load(os.path.join(folder, o["positions"]), mmap_mode="r")
+
+    def positions(self, o, sample):
+        return np.asarray(o["x"][sample]) @ self.turn.T
+
+    def box(self, samples):
+        shown = [o for o in self.objects if not o["look"].get("hide") and o["vertices"]]
+        x = np.concatenate([self.positions(o, s) for s in samples for o in shown])
+        return x.min(0), x.max(0)
+
+
+def rotation_to_z(up):
+    """Returns the rotation that takes the direction `up` to z; y up as Blender's importers do it."""
+    axis = int(np.argmax(np.abs(up)))
+    if axis == 2 and up[2] > 0:
+        return np.eye(3)
+    if axis == 1 and up[1] > 0:
+        return np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]])
+    if axis == 0 and up[0] > 0:
+        return np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]])
+    return np.diag([1, -1, -1]) @ rotation_to_z(-up)
+
+
+def camera_of(view, run, low, high, aspect):
+    """Returns position and target [m, z up], as report/src/studio.js places them."""
+    turn = run.turn
+    target = turn @ np.array(view["to"]) if view["to"] else (low + high) / 2
+    if view["from"]:
+        return turn @ np.array(view["from"]), target
+    axes = {"x": [1, 0, 0], "y": [0, 1, 0], "z": [0, 0, 1]}
+    z = np.array([0.0, 0.0, 1.0])
+    if view["look"] in axes:
+        direction = turn @ np.array(axes[view["look"]], float)
+    else:
+        up = turn.T @ z
+        corner = [0.55, 0, 1] if abs(up[1]) > 0.5 else [0.55, -1, 0] if abs(up[2]) > 0.5 else [0, 0.55, 1]
+        direction = turn @ np.array(corner, float) + 0.5 * z
+    direction /= np.linalg.norm(direction)
+    if abs(direction @ z) > 0.99:
+        z = turn @ (np.array([0.0, 1, 0]) if abs((turn.T @ z)[2]) > 0.5 else np.array([0.0, 0, -1]))
+    direction = turned(direction, z, math.radians(view["turn"]))
+    side = np.cross(direction, z)
+    direction = turned(direction, side / np.linalg.norm(side), math.radians(view["lift"]))
+    extent = np.linalg.norm(high - low) or 1
+    away = 0.54 * extent / math.tan(math.radians(view["angle"]) / 2) / min(1, aspect) / view["zoom"]
+    return target + away * direction, target
+
+
+def turned(v, axis, angle):
+    """Rotates a vector about a unit axis (Rodrigues)."""
+    return v * math.cos(angle) + np.cross(axis, v) * math.sin(angle) + axis * (axis @ v) * (1 - math.cos(angle))
+
+
+class Drawing:
+    """The Blender scene of a run."""
+
+    def __init__(self, run, view):
+        import bpy
+
+        self.bpy, self.run, self.view = bpy, run, view
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        self.scene = bpy.context.scene
+        low, high = run.box(range(len(run.times)))
+        self.unit = 1 / (np.linalg.norm(high - low) or 1)  # Blender units per metre
+        self.middle = (low + high) / 2
+        self.settings()
+        self.shapes = [self.shape(i, o) for i, o in enumerate(run.objects) if not o["look"].get("hide")]
+        if view["ground"]:
+            self.ground(low[2])
+        self.light()
+        self.camera = self.add("camera", bpy.data.cameras.new("camera"))
+        self.scene.camera = self.camera
+
+    def add(self, name, data):
+        made = self.bpy.data.objects.new(name, data)
+        self.scene.collection.objects.link(made)
+        return made
+
+    def placed(self, x):
+        return (x - self.middle) * self.unit
+
+    def settings(self):
+        s, view = self.scene, self.view
+        s.render.engine = "CYCLES"
+        s.cycles.device = "CPU"
+        s.cycles.samples = view["samples"]
+        s.cycles.seed = 0
+        s.cycles.use_denoising = False  # Debian's Blender has no denoiser that takes the processor
+        s.render.resolution_x, s.render.resolution_y = view["size"]
+        s.view_settings.view_transform = "Filmic" if view["tone"] == "filmic" else "Standard"
+        s.view_settings.exposure = math.log2(view["exposure"])
+        s.render.film_transparent = True
+        s.render.image_settings.file_format = "PNG"
+        s.render.image_settings.color_mode = "RGBA"
+        s.render.use_persistent_data = True
+
+    def material(self, name, look, colour, transmission=0.0):
+        m = self.bpy.data.materials.new(name)
+        m.use_nodes = True
+        shader = m.node_tree.nodes["Principled BSDF"].inputs
+        shader["Base Color"].default_value = (*colour, 1)
+        shader["Roughness"].default_value = look.get("roughness", 0.7)
+        shader["Metallic"].default_value = look.get("metalness", 0)
+        shader["Alpha"].default_value = look.get("opacity", 1)
+        shader["Transmission"].default_value = look.get("transmission", 0)
+        if look.get("translucency"):
+            shader["Subsurface"].default_value = look["translucency"]
+            shader["Subsurface Color"].default_value = (*colour, 1)
+            shader["Subsurface Radius"].default_value = (0.02, 0.02, 0.02)
+        return m
+
+    def shape(self, i, o):
+        bpy, look, name = self.bpy, o["look"], o["name"]
+        given = look.get("colour")
+        colour = linear(given or COLOURS[i % len(COLOURS)])
+        mesh = bpy.data.meshes.new(name)
+        starts = np.concatenate([[0], np.cumsum(o["face_sizes"])]).astype(int)
+        faces = [o["corners"][a:b] for a, b in zip(starts[:-1], starts[1:])]
+        mesh.from_pydata(self.placed(self.run.positions(o, 0)).tolist(), [] if faces else o["edges"], faces)
+        made = self.add(name, mesh)
+        if faces and not given and len(o["materials"]) > 1:  # the materials of the object's own file
+            for m in o["materials"]:
+                mesh.materials.append(self.material(m["name"], look, m["colour"]))
+            mesh.polygons.foreach_set("material_index", o["face_material"])
+        else:
+            mesh.materials.append(self.material(name, look, colour))
+        if faces:
+            mesh.polygons.foreach_set("use_smooth", [True] * len(faces))
+            mesh.use_auto_smooth = True
+            mesh.auto_smooth_angle = math.radians(look.get("smooth", 40))
+            if look.get("subdivide"):
+                s = made.modifiers.new("subdivide", "SUBSURF")
+                s.levels = s.render_levels = look["subdivide"]
+        elif o["edges"] or o["points"]:
+            self.thicken(made, max(o["radius"] * self.unit, 8e-4), bool(o["edges"]))
+        if look.get("opacity", 1) <= 0.5:
+            made.visible_shadow = False
+        return o, made
+
+    def thicken(self, made, radius, rod):
+        """Gives edges or points a radius, by geometry nodes."""
+        bpy = self.bpy
+        tree = bpy.data.node_groups.new("thick", "GeometryNodeTree")
+        tree.inputs.new("NodeSocketGeometry", "Geometry")
+        tree.outputs.new("NodeSocketGeometry", "Geometry")
+        new, link = tree.nodes.new, tree.links.new
+        start, end = new("NodeGroupInput"), new("NodeGroupOutput")
+        material = new("GeometryNodeSetMaterial")
+        material.inputs["Material"].default_value = made.data.materials[0]
+        smooth = new("GeometryNodeSetShadeSmooth")
+        if rod:
+            curve, circle, thick = new("GeometryNodeMeshToCurve"), new("GeometryNodeCurvePrimitiveCircle"), new("GeometryNodeCurveToMesh")
+            circle.inputs["Resolution"].default_value = 12
+            circle.inputs["Radius"].default_value = radius
+            thick.inputs["Fill Caps"].default_value = True
+            link(start.outputs[0], curve.inputs["Mesh"])
+            link(curve.outputs[0], thick.inputs["Curve"])
+            link(circle.outputs["Curve"], thick.inputs["Profile Curve"])
+        else:
+            ball, thick, real = new("GeometryNodeMeshIcoSphere"), new("GeometryNodeInstanceOnPoints"), new("GeometryNodeRealizeInstances")
+            ball.inputs["Radius"].default_value = radius
+            ball.inputs["Subdivisions"].default_value = 3
+            link(start.outputs[0], thick.inputs["Points"])
+            link(ball.outputs["Mesh"], thick.inputs["Instance"])
+            link(thick.outputs[0], real.inputs[0])
+            thick = real
+        link(thick.outputs[0], smooth.inputs["Geometry"])
+        link(smooth.outputs[0], material.inputs["Geometry"])
+        link(material.outputs[0], end.inputs[0])
+        made.modifiers.new("thick", "NODES").node_group = tree
+
+    def ground(self, lowest):
+        given = self.view["ground"]
+        height = lowest if given["at"] is None else given["at"]
+        mesh = self.bpy.data.meshes.new("ground")
+        z = (height - self.middle[2]) * self.unit - 1e-4
+        mesh.from_pydata([(-50, -50, z), (50, -50, z), (50, 50, z), (-50, 50, z)], [], [(0, 1, 2, 3)])
+        made = self.add("ground", mesh)
+        if given["colour"] is None:
+            made.is_shadow_catcher = True
+        else:
+            mesh.materials.append(self.material("ground", {"roughness": 0.8}, linear(given["colour"])))
+
+    def light(self):
+        bpy = self.bpy
+        world = bpy.data.worlds.new("sky")
+        self.scene.world = world
+        world.use_nodes = True
+        world.node_tree.nodes["Background"].inputs["Strength"].default_value = SKY_STRENGTH
+        world.node_tree.nodes["Background"].inputs["Color"].default_value = (1, 1, 1, 1)
+        sun = bpy.data.lights.new("sun", "SUN")
+        sun.energy, sun.angle = SUN_STRENGTH, SUN_ANGLE
+        self.sun = self.add("sun", sun)
+
+    def set(self, sample):
+        """Places objects, camera and sun of a sample."""
+        from mathutils import Vector
+
+        for o, made in self.shapes:
+            x = self.placed(self.run.positions(o, sample)).astype(np.float32).ravel()
+            made.data.vertices.foreach_set("co", x)
+            made.data.update()
+        view = self.view["camera"]
+        samples = {"run": range(len(self.run.times)), "first": [0], "last": [len(self.run.times) - 1]}.get(view["fit"], [sample])
+        low, high = self.run.box(samples)
+        width, height = self.view["size"]
+        position, target = (self.placed(p) for p in camera_of(view, self.run, low, high, width / height))
+        back = Vector(position - target)
+        lens = self.camera.data
+        lens.sensor_fit = "VERTICAL"
+        lens.angle = math.radians(view["angle"])
+        lens.clip_start, lens.clip_end = 1e-3 * back.length, 100 + back.length
+        self.camera.location = position
+        self.camera.rotation_euler = back.to_track_quat("Z", "Y").to_euler()
+        back.normalize()
+        side = Vector((0, 0, 1)).cross(back)
+        side = side.normalized() if side.length > 1e-3 else Vector((1, 0, 0))
+        self.sun.rotation_euler = (1.1 * Vector((0, 0, 1)) + 0.8 * back - 0.55 * side).to_track_quat("Z", "Y").to_euler()
+
+    def draw(self, sample, path):
+        """Renders a sample, lays it over the background and writes the time on it."""
+        bpy, s = self.bpy, self.scene
+        self.set(sample)
+        s.render.use_stamp = self.view["time"]
+        for part in ("camera", "date", "filename", "frame", "hostname", "lens", "marker", "memory", "render_time", "scene", "sequencer_strip", "time", "frame_range"):
+            if hasattr(s.render, "use_stamp_" + part):
+                setattr(s.render, "use_stamp_" + part, False)
+        s.render.use_stamp_note = True
+        s.render.use_stamp_labels = False
+        s.render.stamp_note_text = f"t = {self.run.times[sample]:.4g} s"
+        s.render.stamp_font_size = max(12, round(20 * self.view["size"][1] / 720))
+        s.render.stamp_background = (0, 0, 0, 0)
+        dark = self.view["background"] != "transparent" and linear(self.view["background"]) @ [0.3, 0.6, 0.1] < 0.3
+        s.render.stamp_foreground = (0.95, 0.95, 0.95, 1) if dark else (0.1, 0.1, 0.1, 1)
+        s.render.filepath = path
+        bpy.ops.render.render(write_still=True)
+
+    def background(self):
+        """Composes the picture over the background, which tone and exposure leave as it is."""
+        if self.view["background"] == "transparent":
+            return
+        colour = linear(self.view["background"])
+        s = self.scene
+        s.use_nodes = True
+        tree = s.node_tree
+        tree.nodes.clear()
+        layers, over, out = tree.nodes.new("CompositorNodeRLayers"), tree.nodes.new("CompositorNodeAlphaOver"), tree.nodes.new("CompositorNodeComposite")
+        over.inputs[1].default_value = (*(colour / self.view["exposure"]), 1)
+        tree.links.new(layers.outputs["Image"], over.inputs[2])
+        tree.links.new(over.outputs[0], out.inputs["Image"])
+
+
+def samples_of(view, times):
+    """Returns the samples of a film, as report/render.mjs counts them."""
+    first = times[0] if view["from"] is None else view["from"]
+    last = times[-1] if view["to"] is None else view["to"]
+    if view["speed"] is None:
+        count = int(((times >= first) & (times <= last)).sum())
+    else:
+        count = max(2, round((last - first) / view["speed"] * view["fps"]) + 1)
+    wanted = first + (last - first) * np.arange(count) / max(1, count - 1)
+    return [int(np.argmin(np.abs(times - t))) for t in wanted]
+
+
+def main():
+    view_file, shapes, output = sys.argv[sys.argv.index("--") + 1:]
+    with open(view_file) as file:
+        view = json.load(file)
+    run = Run(shapes)
+    for pattern in view["objects"]:
+        if not any(matches(pattern, o["name"]) for o in run.objects):
+            names = ", ".join(o["name"] for o in run.objects[:12])
+            raise SystemExit(f"objects: the run has no object '{pattern}'; there are {names}")
+    for o in run.objects:
+        o["look"] = {}
+        for pattern, look in view["objects"].items():
+            if matches(pattern, o["name"]):
+                o["look"].update(look)
+    if all(o["look"].get("hide") for o in run.objects):
+        raise SystemExit("all objects are hidden")
+    drawing = Drawing(run, view)
+    drawing.background()
+    if "%" in os.path.basename(output):
+        samples = samples_of(view, run.times)
+        for i, sample in enumerate(samples):
+            drawing.draw(sample, output % i)
+            print(f"frame {i + 1} of {len(samples)}", flush=True)
+    else:
+        at = run.times[-1] if view["at"] is None else view["at"]
+        drawing.draw(int(np.argmin(np.abs(run.times - at))), output)
+
+
+try:
+    main()
+except SystemExit as error:
+    # Blender ends with 0 unless it is told otherwise.
+    print(error, file=sys.stderr)
+    sys.stdout.flush()
+    os._exit(2)
+except Exception:
+    import traceback
+
+    traceback.print_exc()
+    sys.stdout.flush()
+    os._exit(3)
