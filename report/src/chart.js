@@ -6,6 +6,7 @@ import { axisTitle, format, powerOfTen, scaled } from "./format.js";
 import { colour, dash, onEnd, onThemeChange, style } from "./theme.js";
 
 const tableRows = 200;
+const nameRoom = 0.07; // of the height, above the lines: for the names of bands
 
 const finite = (n) => n !== null && n !== undefined && Number.isFinite(n);
 
@@ -86,7 +87,9 @@ export function chart(options) {
     const all = lines.map((s, i) => ({ values: data[i + 1][1], keep: inside(data[i + 1][0]) }));
     if (options.stacked || y.zero) all.push({ values: [0] });
     if (y.span) all.push({ values: y.span.map((v) => v * unitY.factor) });
-    return padded(extent(all, okY) ?? [wholeY[0] * unitY.factor, wholeY[1] * unitY.factor], y.log);
+    const [low, high] = padded(extent(all, okY) ?? [wholeY[0] * unitY.factor, wholeY[1] * unitY.factor], y.log);
+    if (!options.bands?.length) return [low, high];
+    return [low, y.log ? high * (high / low) ** nameRoom : high + nameRoom * (high - low)];
   };
 
   const path = (u, s) => {
@@ -172,9 +175,12 @@ export function chart(options) {
     }
     ctx.restore();
   };
-  // Every second band is shaded; labels stand at the top where they fit.
+  // Every second band is shaded. Names stand at the top where they fit, elsewhere numbers, which the key below the chart explains.
+  const names = [...new Set((options.bands ?? []).map((band) => band.label))];
+  const key = h("p", { class: "note band-key", hidden: true });
   const bands = (u) => {
     if (!options.bands?.length) return;
+    const numbered = new Set();
     const { ctx } = u;
     const { left, top, width, height } = u.bbox;
     const size = 10 * devicePixelRatio;
@@ -192,12 +198,18 @@ export function chart(options) {
         ctx.fillRect(low, top, high - low, height);
         ctx.globalAlpha = 1;
       }
-      if (ctx.measureText(label).width + size > high - low) return;
+      const fits = (text, room) => ctx.measureText(text).width + room <= high - low;
+      const number = names.indexOf(label) + 1;
+      const text = fits(label, size) ? label : fits(number, 0) ? `${number}` : "";
+      if (text !== label) numbered.add(number);
       ctx.fillStyle = style("--quiet");
-      ctx.fillText(label, (low + high) / 2, top + size / 3);
+      ctx.fillText(text, (low + high) / 2, top + size / 3);
     });
     ctx.restore();
+    key.hidden = numbered.size === 0;
+    key.textContent = `Narrow bands: ${[...numbered].sort((a, b) => a - b).map((n) => `${n} ${names[n - 1]}`).join(", ")}`;
   };
+  const bandAt = (at) => options.bands?.find(({ from, to }) => at >= from * unitX.factor && at <= to * unitX.factor)?.label;
   const roomRight = (u) => (direct && u.width >= 480 && longest <= 22 ? 12 + 6.4 * longest : 14);
 
   // The legend shows the values at the cursor.
@@ -224,7 +236,8 @@ export function chart(options) {
       values[i].textContent = at === null || !finite(value) ? "" : `${format(value)}${unitY.unit ? ` ${unitY.unit}` : ""}`;
     });
     const single = lines.length === 1 && values[0].textContent ? `: ${values[0].textContent}` : "";
-    where.textContent = at === null ? "" : `${x.name} ${format(at)}${unitX.unit ? ` ${unitX.unit}` : ""}${single}`;
+    const band = at === null ? undefined : bandAt(at);
+    where.textContent = at === null ? "" : `${x.name} ${format(at)}${unitX.unit ? ` ${unitX.unit}` : ""}${band ? `, ${band}` : ""}${single}`;
   };
   // Announces the values to screen readers when keys move the cursor.
   const announce = () => {
@@ -333,7 +346,7 @@ export function chart(options) {
     event.preventDefault();
     keys[key]();
   });
-  const parts = [h("div", { class: "plot-frame" }, holder, reset), lines.length > 1 || options.stacked ? legend : null, h("div", { class: "below" }, numbers(options, unitX, unitY), where)];
+  const parts = [h("div", { class: "plot-frame" }, holder, reset), options.bands?.length ? key : null, lines.length > 1 || options.stacked ? legend : null, h("div", { class: "below" }, numbers(options, unitX, unitY), where)];
   figure.append(...parts.filter(Boolean));
   return figure;
 }

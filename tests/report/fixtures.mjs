@@ -38,6 +38,25 @@ const objectsHave = "  - {name: __proto__, type: energy, term: kinetic}\n  - {na
 
 const failing = "  - {name: it flies, probe: height, statistic: max, at_least: 10}\n";
 
+// A block that a drive lowers, holds and lifts quickly: the last stage is a narrow band.
+const staged = `name: staged
+time: {step: 10 ms, duration: 2 s, integrator: quasi_static}
+objects:
+  - name: block
+    shape: {type: box, size: [0.1, 0.1, 0.1], cells: [1, 2, 1]}
+    energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3}]
+    motion:
+      - {type: fixed, select: {type: face, direction: [0, -1, 0]}}
+      - {type: driven, drive: head, direction: [0, 1, 0], select: {type: face, direction: [0, 1, 0]}}
+protocols:
+  - name: press
+    stages:
+      - {name: approach, drive: {head: {velocity: -5 mm/s}}, until: {time: 0.5 s}}
+      - {name: hold, until: {time: 0.5 s}}
+      - {name: retraction, drive: {head: {velocity: 50 mm/s}}, until: {time: 0.03 s}}
+probes: [{name: height, type: centre_of_mass, object: block, direction: [0, 1, 0]}]
+`;
+
 export function makeFixtures(tack, folder) {
   const run = (name, text, options = []) => {
     writeFileSync(join(folder, `${name}.yaml`), text);
@@ -49,6 +68,7 @@ export function makeFixtures(tack, folder) {
   };
   run("soft", scene("soft", { about: `${evil} falls`, expect: failing, young: "0.1 MPa" }));
   run("stiff", scene("stiff"));
+  run("staged", staged);
   const warned = JSON.parse(readFileSync(join(folder, "soft", "summary.json"), "utf8"));
   warned.warnings = [{ text: `object '${evil}' is coarse, 'block' is not`, times: 1 }, { text: "step 3: rolled back", times: 12 }];
   writeFileSync(join(folder, "soft", "summary.json"), JSON.stringify(warned));

@@ -46,6 +46,23 @@ const tests = {
     await one.close();
   },
 
+  async "stages: numbers for narrow bands, names below the chart and at the cursor"(browser) {
+    const one = await Page.open(browser, makeReport(tack, folder, ["staged"], "staged.html"));
+    await one.ready();
+    const plot = one.page.locator("#probes figure .plot").first();
+    await plot.scrollIntoViewIfNeeded();
+    assert.deepEqual(await one.text("#probes .band-key"), ["Narrow bands: 3 retraction"]);
+    const { x, y, width, height } = await plot.locator(".u-over").boundingBox();
+    for (const [at, stage] of [[0.2, "approach"], [0.7, "hold"], [0.99, "retraction"]]) {
+      await one.page.mouse.move(x + at * width, y + height / 2);
+      assert.match((await one.text("#probes .where"))[0], new RegExp(`^time .* s, ${stage}: `));
+    }
+    await plot.focus();
+    for (const key of ["End", "+", "+", "+", "+"]) await one.page.keyboard.press(key);
+    await one.page.waitForFunction(() => document.querySelector("#probes .band-key").hidden);
+    await one.close();
+  },
+
   async "the 3D view: frames, fields, objects, cuts, keys, pictures"(browser) {
     const one = await Page.open(browser, join(folder, "run.html"));
     await one.ready();
