@@ -35,7 +35,7 @@ struct ExportedObject {
   std::string name;       // of the scene
   std::string file_name;  // with special characters replaced, and unlike those of other objects
   int vertices = 0;
-  // Faces: as in the object's .obj file, else triangles.
+  // Faces: as in the object's .obj, .ply or .off file, else triangles.
   std::vector<int> face_sizes, corners;
   std::vector<Vec2> uvs;
   std::vector<int> corner_uvs;     // per corner: index into uvs; empty: no texture coordinates

@@ -9,19 +9,19 @@
 #include <sstream>
 
 #include "geometry/errors.hpp"
-#include "geometry/io/obj_faces.hpp"
+#include "geometry/io/file_faces.hpp"
 
 namespace tack {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Collects the .obj files of a shape and of those that it is made of.
-void collect_obj_files(const Value& value, std::vector<std::string>& found) {
+// Collects the files with polygons of a shape and of those that it is made of.
+void collect_files(const Value& value, std::vector<std::string>& found) {
   const Value* path = value.find("path");
-  if (path && path->is_scalar() && fs::path(path->text).extension() == ".obj") found.push_back(path->text);
-  for (const Value& item : value.items) collect_obj_files(item, found);
-  for (const Value::Entry& entry : value.entries) collect_obj_files(entry.value, found);
+  if (path && path->is_scalar() && has_file_faces(path->text)) found.push_back(path->text);
+  for (const Value& item : value.items) collect_files(item, found);
+  for (const Value::Entry& entry : value.entries) collect_files(entry.value, found);
 }
 
 // Rotates the smallest index to the front, so that equal oriented triangles are equal.
@@ -61,7 +61,7 @@ void reverse_faces(ExportedObject& object) {
   }
 }
 
-void take_materials(const ObjFaces& faces, const fs::path& folder, ExportedObject& object) {
+void take_materials(const FileFaces& faces, const fs::path& folder, ExportedObject& object) {
   std::map<std::string, Vec3> colours;
   for (const std::string& library : faces.libraries) colours.merge(diffuse_colours(folder / library));
   const Vec3 plain = object.materials[0].colour;
@@ -82,16 +82,16 @@ void take_materials(const ObjFaces& faces, const fs::path& folder, ExportedObjec
 
 std::string take_source_faces(const Value& shape, ExportedObject& object) {
   std::vector<std::string> files;
-  collect_obj_files(shape, files);
+  collect_files(shape, files);
   if (files.size() != 1 || !object.has_faces()) return "";
   const auto kept = [&](const std::string& why) {
-    return fmt::format("object '{}' is written as triangles without texture coordinates: {}", object.name, why);
+    return fmt::format("object '{}' is written as triangles: {}", object.name, why);
   };
-  ObjFaces faces;
+  FileFaces faces;
   std::error_code none;
   if (!fs::exists(files[0], none)) return kept(files[0] + " is not there any more");
   try {
-    faces = read_obj_faces(files[0]);
+    faces = read_file_faces(files[0]);
   } catch (const InputError& error) {
     return kept(error.what());
   }

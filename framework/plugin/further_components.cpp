@@ -28,7 +28,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> further_names
                 "string", "stvk_membrane", "von_mises", "von_mises_membrane", "yeoh", "yeoh_membrane"}},
     {"field", {"plastic_strain"}},
     {"filling", {"gas", "liquid"}},
-    {"format", {"gltf", "mdd", "obj", "pc2", "ply", "usd"}},
+    {"format", {"gltf", "mdd", "npy", "obj", "pc2", "ply", "usd"}},
     {"interaction", {"ball", "chamber", "hinge", "rope", "slider", "spring", "weld"}},
     {"load", {"chamber", "field", "torque", "wind"}},
     {"minimizer", {"ceres_line_search", "ceres_trust_region", "nlopt"}},

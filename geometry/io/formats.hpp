@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "geometry/io/file_faces.hpp"
 #include "geometry/mesh/mesh.hpp"
 
 namespace tack {
@@ -16,5 +17,9 @@ Mesh read_vtk(const std::filesystem::path& path);
 Mesh read_vtu(const std::filesystem::path& path);
 Mesh read_gltf(const std::filesystem::path& path);
 Mesh read_msh(const std::filesystem::path& path);
+
+// Readers for read_file_faces().
+FileFaces read_obj_faces(const std::filesystem::path& path);
+FileFaces read_polygon_faces(const std::filesystem::path& path, bool is_ply);
 
 }  // namespace tack

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "geometry/errors.hpp"
+#include "geometry/io/file_faces.hpp"
 #include "geometry/io/formats.hpp"
 #include "geometry/io/isolated.hpp"
 #include "geometry/mesh/validate.hpp"
@@ -57,6 +58,17 @@ Mesh read_by_extension(const std::filesystem::path& path) {
 }
 
 }  // namespace
+
+bool has_file_faces(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".obj" || extension == ".ply" || extension == ".off";
+}
+
+FileFaces read_file_faces(const std::filesystem::path& path) {
+  read_mesh(path);  // in a process of its own: what comes through it is not damaged
+  const std::string extension = extension_of(path);
+  return extension == ".obj" ? read_obj_faces(path) : read_polygon_faces(path, extension == ".ply");
+}
 
 Mesh read_mesh(const std::filesystem::path& path) {
   check_readable(path);

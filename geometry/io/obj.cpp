@@ -1,5 +1,5 @@
 // Wavefront .obj: v, f, l, p and the group names g and o; normals and smoothing are skipped, and
-// texture coordinates and materials are read for obj_faces.hpp alone. This reader keeps double
+// texture coordinates and materials are read for file_faces.hpp alone. This reader keeps double
 // precision and the order of vertices; VTK's reader has single precision and duplicates vertices
 // per normal, CGAL's reads no lines.
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
-#include "geometry/io/obj_faces.hpp"
+#include "geometry/io/file_faces.hpp"
 #include "geometry/io/polygon.hpp"
 #include "geometry/io/printable.hpp"
 
@@ -37,7 +37,7 @@ std::vector<std::string_view> split(std::string_view line) {
 class ObjReader {
  public:
   // faces: receives the polygons with their texture coordinates and materials; null: not wanted.
-  explicit ObjReader(const std::filesystem::path& path, ObjFaces* faces = nullptr)
+  explicit ObjReader(const std::filesystem::path& path, FileFaces* faces = nullptr)
       : path_(path.string()), file_(path), faces_(faces) {}
 
   Mesh read() {
@@ -186,15 +186,15 @@ class ObjReader {
   int material_ = -1;  // of the next faces; -1: none
   std::vector<std::string> groups_;
   Mesh mesh_;
-  ObjFaces* faces_;
+  FileFaces* faces_;
 };
 
 }  // namespace
 
 Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read(); }
 
-ObjFaces read_obj_faces(const std::filesystem::path& path) {
-  ObjFaces faces;
+FileFaces read_obj_faces(const std::filesystem::path& path) {
+  FileFaces faces;
   const Mesh mesh = ObjReader(path, &faces).read();
   faces.vertices = static_cast<int>(mesh.vertices.size());
   faces.triangles = mesh.triangles;

@@ -30,7 +30,8 @@ bool read_soup(const std::string& path, bool is_ply, std::vector<Point>& points,
   }
 }
 
-Mesh read_polygons(const std::string& name, bool is_ply) {
+// faces: receives the polygons; null: not wanted.
+Mesh read_polygons(const std::string& name, bool is_ply, FileFaces* faces = nullptr) {
   std::vector<Point> points;
   Polygons polygons;
   if (!read_soup(name, is_ply, points, polygons)) {
@@ -47,6 +48,10 @@ Mesh read_polygons(const std::string& name, bool is_ply) {
       corners.push_back(static_cast<int>(std::min(v, points.size())));  // out of range stays so
     }
     add_polygon(mesh, corners, fmt::format("{}: face {}", name, i));
+    if (!faces) continue;
+    faces->sizes.push_back(static_cast<int>(corners.size()));
+    faces->corners.insert(faces->corners.end(), corners.begin(), corners.end());
+    faces->material.push_back(-1);
   }
   return mesh;
 }
@@ -59,5 +64,14 @@ Mesh read_ply(const std::filesystem::path& path) {
 }
 
 Mesh read_off(const std::filesystem::path& path) { return read_polygons(path.string(), false); }
+
+FileFaces read_polygon_faces(const std::filesystem::path& path, bool is_ply) {
+  if (is_ply) precheck_ply(path.string());
+  FileFaces faces;
+  const Mesh mesh = read_polygons(path.string(), is_ply, &faces);
+  faces.vertices = static_cast<int>(mesh.vertices.size());
+  faces.triangles = mesh.triangles;
+  return faces;
+}
 
 }  // namespace tack

@@ -2,6 +2,8 @@
 // coordinates and materials from an .obj file, a solid ball, a rod and particles above a floor.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <set>
 
 #include "framework/export/outer_vertices.hpp"
@@ -81,7 +83,7 @@ class ExportedRun {
   // Positions of an object (by its index in the scene) in a frame [m].
   std::vector<Vec3> positions(int object, int frame) const {
     const FrameFile file =
-        read_frame(path() / "run" / "frames" / ("frame_00000" + std::to_string(frame) + ".vtu"));
+        read_frame(path() / "run" / "frames" / fmt::format("frame_{:06}.vtu", frame));
     const auto outer = outer_vertices(file, extract_surface(file.mesh), 5);
     std::vector<Vec3> x;
     for (const int v : outer[object]) x.push_back(file.mesh.vertices[v]);

@@ -1,5 +1,6 @@
-// Faces of a Wavefront .obj file as they stand there: polygons with texture coordinates and
-// materials, which a Mesh has not. Vertices and triangles are numbered as by read_mesh().
+// Faces of .obj, .ply and .off files as they stand there: polygons, of .obj files with texture
+// coordinates and materials, which a Mesh has not. Vertices and triangles are numbered as by
+// read_mesh().
 #pragma once
 
 #include <filesystem>
@@ -10,7 +11,7 @@
 
 namespace tack {
 
-struct ObjFaces {
+struct FileFaces {
   int vertices = 0;
   std::vector<int> sizes;       // corners of each face
   std::vector<int> corners;     // vertices of all faces, one face after the other
@@ -22,7 +23,10 @@ struct ObjFaces {
   std::vector<Triangle> triangles;     // of all faces, as read_mesh() cuts them
 };
 
-// Throws InputError with file and line.
-ObjFaces read_obj_faces(const std::filesystem::path& path);
+// Returns whether read_file_faces() knows the ending of the file.
+bool has_file_faces(const std::filesystem::path& path);
+
+// Throws InputError with the file, and the line of .obj files.
+FileFaces read_file_faces(const std::filesystem::path& path);
 
 }  // namespace tack
