@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "framework/config/nearest.hpp"
 #include "geometry/errors.hpp"
@@ -12,7 +13,7 @@
 namespace tack {
 namespace {
 
-constexpr int path_width = 6;  // numbers of a path
+constexpr int path_width = 7;  // numbers of a path
 
 std::string history_name(const std::string& drive) { return "drive/" + drive; }
 
@@ -98,6 +99,7 @@ const DriveAction* Drive::action(int stage) const {
 void Drive::begin_stage(int stage, double t) {
   DrivePath path{at(t), t};
   path.slope = path_.slope;
+  path.before = path.start;
   if (const DriveAction* action = this->action(stage)) {
     path.stage = action->formula.empty() ? -1 : stage;
     if (action->velocity) path.velocity = action->velocity->si;
@@ -154,7 +156,7 @@ void Drives::begin(double t, History& history) {
   for (Drive& drive : drives_) {
     drive.path_ = {drive.kind() == FollowerKind::adhesion ? 1.0 : 0.0, t};
     drive.begin_stage(0, t);
-    drive.now_ = drive.at(t);
+    drive.now_ = drive.path_.before = drive.at(t);
   }
   store(history);
 }
@@ -162,18 +164,31 @@ void Drives::begin(double t, History& history) {
 void Drives::store(History& history) const {
   for (const Drive& drive : drives_) {
     const DrivePath& p = drive.path_;
-    history[history_name(drive.name())] = {path_width, {p.start, p.time, p.velocity, p.duration, static_cast<double>(p.stage), p.slope}, {}};
+    history[history_name(drive.name())] = {path_width, {p.start, p.time, p.velocity, p.duration, static_cast<double>(p.stage), p.slope, p.before}, {}};
   }
 }
 
 void Drives::load_history(const History& history) {
   for (Drive& drive : drives_)
     if (const auto* values = history_values(history, history_name(drive.name()), path_width, 1))
-      drive.path_ = {(*values)[0], (*values)[1], (*values)[2], (*values)[3], static_cast<int>((*values)[4]), (*values)[5]};
+      drive.path_ = {(*values)[0], (*values)[1], (*values)[2], (*values)[3], static_cast<int>((*values)[4]), (*values)[5], (*values)[6]};
 }
 
 void Drives::begin_step(const StepStart& start) {
-  for (Drive& drive : drives_) drive.now_ = drive.at(start.time + start.h);
+  for (Drive& drive : drives_) {
+    drive.before_ = start.time > drive.path_.time ? drive.at(start.time) : drive.path_.before;
+    drive.now_ = drive.at(start.time + start.h);
+  }
+  if (adhesion_changes()) step_start_ = start.x;
+}
+
+bool Drives::adhesion_changes() const {
+  return std::any_of(drives_.begin(), drives_.end(), [](const Drive& d) { return d.kind() == FollowerKind::adhesion && d.before_ != d.now_; });
+}
+
+void Drives::exchange_adhesion() {
+  for (Drive& drive : drives_)
+    if (drive.kind() == FollowerKind::adhesion) std::swap(drive.before_, drive.now_);
 }
 
 }  // namespace tack

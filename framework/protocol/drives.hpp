@@ -28,8 +28,9 @@ struct DrivePath {
   double time = 0;                                            // t0 [s]
   double velocity = 0;                                        // v
   double duration = std::numeric_limits<double>::infinity();  // s
-  int stage = -1;    // of the protocol, for its formula; -1: none
-  double slope = 0;  // under control: of the probe by the drive, as last seen; 0: unknown
+  int stage = -1;     // of the protocol, for its formula; -1: none
+  double slope = 0;   // under control: of the probe by the drive, as last seen; 0: unknown
+  double before = 0;  // value just before t0: a stage may set a factor at once
 };
 
 class Drive {
@@ -44,6 +45,8 @@ class Drive {
   double at(double t) const;
   // Returns its value at the end of the present step.
   double now() const { return now_; }
+  // Returns its value before the present step.
+  double before() const { return before_; }
   const DrivePath& path() const { return path_; }
   void set(const DrivePath& path) { path_ = path; }
   // Sets the velocity of the present try of a step under control; nothing: that of the path.
@@ -62,7 +65,7 @@ class Drive {
   std::vector<std::optional<Formula>> formulas_;  // per stage
   DrivePath path_;
   std::optional<double> tried_;  // no history: each try sets it
-  double now_ = 0;
+  double now_ = 0, before_ = 0;
 };
 
 class Drives : public StepParticipant {
@@ -84,8 +87,16 @@ class Drives : public StepParticipant {
   void load_history(const History& history) override;
   void begin_step(const StepStart& start) override;
 
+  // Returns whether the present step changes the factor of an adhesion.
+  bool adhesion_changes() const;
+  // Exchanges the factors of adhesion at the start and at the end of the present step.
+  void exchange_adhesion();
+  // Returns the positions at the start of the present step (3n) [m]; known if adhesion changes.
+  const VecX& step_start() const { return step_start_; }
+
  private:
   std::deque<Drive> drives_;  // at fixed addresses
+  VecX step_start_;
 };
 
 }  // namespace tack

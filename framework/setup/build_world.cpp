@@ -28,6 +28,7 @@
 #include "framework/setup/start_checks.hpp"
 #include "framework/shapes/mesh_cache.hpp"
 #include "framework/world/consistent_mass.hpp"
+#include "framework/world/driven_adhesion.hpp"
 #include "framework/world/energy_records.hpp"
 #include "framework/world/remeshed_energy.hpp"
 #include "geometry/errors.hpp"
@@ -376,6 +377,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     world->participants.add(world->remeshed.get());
   }
   publish(*world, has_friction(scene));
+  publish_driven_adhesion(*world);
   if (world->remeshed) world->remeshed->publish(world->records);
   check_remeshing(scene, root, *world);
   return world;

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/core/term_gradient.hpp"
 #include "framework/load/following_load.hpp"
+#include "framework/world/driven_adhesion.hpp"
 #include "framework/world/energy_records.hpp"
 
 namespace tack {
@@ -131,7 +133,7 @@ void EnergyBalance::begin(const State& state, bool has_prescribed_motion) {
   dissipated_ = {};
   start_ = state.energy;
   contact_.reset();
-  if (start_.open && start_.contact == 0) {
+  if (start_.open && start_.contact == 0 && !world_.drives.adhesion_changes()) {
     contact_ = 0;
   } else if (has_prescribed_motion || !start_.open) {
     world_.participants.move_to(state.x);
@@ -147,6 +149,7 @@ void EnergyBalance::begin(const State& state, bool has_prescribed_motion) {
 }
 
 void EnergyBalance::end(const VecX& x) {
+  fed_at_start_ = 0;
   groups_.end(x);
   dissipated_ = EnergyFlows(world_.records);
   for (const auto& load : world_.following_loads)
@@ -155,6 +158,7 @@ void EnergyBalance::end(const VecX& x) {
   for (const FlowRecord& record : world_.records.flows()) {
     std::vector<double> amounts(record.columns.size());
     record.amounts(x, amounts.data());
+    if (record.name == driven_adhesion) fed_at_start_ += std::accumulate(amounts.begin(), amounts.end(), 0.0);
     for (size_t i = 0; i < amounts.size(); ++i) {
       const std::string& column = record.columns[i].name;
       const bool first = std::find(written.begin(), written.end(), column) == written.end();
@@ -229,7 +233,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   }
   for (const EnergyFlows::Published& flow : flows.published)
     if (flow.kind == FlowKind::dissipated) end.account(flow.account, start_) += flow.amount;
-  flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
+  flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential) + fed_at_start_;
   const double before = stored(start_) - released_;
   flows.numerics = before + flows.loads + flows.prescribed_motion + flows.sum(FlowKind::fed) - flows.sum(FlowKind::dissipated) - flows.areas - stored(end);
   end.loads = start_.loads + flows.loads;

@@ -88,6 +88,7 @@ class EnergyBalance {
   EnergyAccount start_;            // at the start of the step
   double released_ = 0;            // energy added by released or fixed vertices [J]
   std::optional<double> contact_;  // contact energy at the start, with the areas of the step [J]
+  double fed_at_start_ = 0;        // of it, fed by factors of adhesion [J]
   EnergyFlows dissipated_;         // set by end()
   double jerk_ = 0;                // EnergyFlows::jerk [J]
   std::string warning_;

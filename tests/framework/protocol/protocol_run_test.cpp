@@ -196,14 +196,17 @@ protocols:
   CHECK(strain_at(0.27) == Approx(0).margin(1e-9));
 }
 
-TEST_CASE("an adhesion follows a drive", "[protocol]") {
-  TestRun run(R"(time: {step: 10 ms, duration: 1 s, integrator: quasi_static}
+namespace {
+
+// A block 0.15 mm above a plate to which it adheres, its upper face held; the factor of the adhesion follows a drive.
+std::string glued(const std::string& stages) {
+  return R"(time: {step: 10 ms, duration: 1 s, integrator: quasi_static}
 objects:
   - {name: plate, shape: {type: box, size: [20 mm, 2 mm, 20 mm]}, place: {translate: [0, -1 mm, 0]}, motion: [fixed]}
   - name: block
     shape: {type: box, size: [10 mm, 10 mm, 10 mm], cells: [2, 2, 2]}
     place: {translate: [0, 5.15 mm, 0]}
-    energies: [{type: neo_hookean, young: 10 MPa, poisson: 0, density: 1000}]
+    energies: [{type: neo_hookean, young: 1 GPa, poisson: 0, density: 1000}]
     motion: [{type: fixed, select: {type: face, direction: [0, 1, 0]}}]
 contact:
   distance: 0.1 mm
@@ -213,10 +216,17 @@ solver: {type: projected_newton, tolerance: 1e-8}
 protocols:
   - name: cure
     stages:
+)" + stages;
+}
+
+}  // namespace
+
+TEST_CASE("an adhesion follows a drive", "[protocol]") {
+  TestRun run(glued(R"(
       - {name: whole, until: {time: 20 ms}}
       - {name: half, drive: {glue: {factor: 0.5}}, until: {time: 20 ms}}
       - {name: none, drive: {glue: {factor: 0, within: 20 ms}}, until: {time: 30 ms}}
-)");
+)"));
   const auto pull_at = [&](double t) {
     while (run.state().time < t - 1e-9) run.step();
     return value(run, 0);
@@ -226,6 +236,28 @@ protocols:
   CHECK(pull_at(0.04) == Approx(whole / 2).epsilon(0.01));
   CHECK(pull_at(0.05) == Approx(whole / 4).epsilon(0.01));
   CHECK(pull_at(0.07) == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("a change of an adhesion's factor is work of the environment: at a constant gap the factor times the energy", "[protocol]") {
+  TestRun run(glued(R"(
+      - {name: whole, until: {time: 20 ms}}
+      - {name: half, drive: {glue: {factor: 0.5}}, until: {time: 20 ms}}
+      - {name: none, drive: {glue: {factor: 0, within: 30 ms}}, until: {time: 40 ms}}
+      - {name: again, drive: {glue: {factor: 0.25}}, until: {time: 20 ms}}
+)"));
+  // Traction falls from 1 kPa at 0.1 mm to 0 at 0.2 mm; the gap is 0.15 mm, the area 1 cm^2.
+  const double whole = -1e3 * 0.05e-3 * 0.05e-3 / (2 * 0.1e-3) * 1e-4;
+  double factor = 1;
+  const auto factor_at = [](double t) { return t < 0.025 ? 1 : t < 0.045 ? 0.5 : t < 0.075 ? 0.5 * (1 - (t - 0.04) / 0.03) : t < 0.085 ? 0 : 0.25; };
+  for (int step = 0; step < 10; ++step) {
+    const StepReport r = run.step();
+    const double before = factor;
+    factor = factor_at(run.state().time);
+    INFO("at " << run.state().time << " s, factor " << factor);
+    CHECK(r.flows.of("work_environment") == Approx((factor - before) * whole).epsilon(1e-3).margin(-1e-9 * whole));
+    CHECK(std::abs(r.flows.areas) < -1e-3 * whole);
+    CHECK(std::abs(r.flows.numerics) < -1e-3 * whole);
+  }
 }
 
 TEST_CASE("first contact ends a stage", "[protocol]") {
