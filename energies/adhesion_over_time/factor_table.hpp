@@ -5,18 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "framework/config/piecewise_linear.hpp"
+
 namespace tack {
 
 struct FactorTable {
   std::vector<double> at, factors;  // ascending; as many
 
   double operator()(double x) const {
-    const auto next = std::upper_bound(at.begin(), at.end(), x);
-    if (next == at.begin()) return factors.front();
-    if (next == at.end()) return factors.back();
-    const auto i = static_cast<size_t>(next - at.begin());
-    const double share = (x - at[i - 1]) / (at[i] - at[i - 1]);
-    return factors[i - 1] + share * (factors[i] - factors[i - 1]);
+    return piecewise_linear(
+        at.size(), [&](size_t i) { return at[i]; }, [&](size_t i) { return factors[i]; }, x);
   }
   double largest() const { return *std::max_element(factors.begin(), factors.end()); }
   /// Returns what is wrong with the table, or "". name: of the list `at`.

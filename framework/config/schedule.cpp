@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
+#include "framework/config/piecewise_linear.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -21,13 +19,7 @@ Schedule::Schedule(std::vector<Point> points) : points_(std::move(points)) {
 }
 
 double Schedule::at(double time) const {
-  const auto later = [](double t, const Point& p) { return t < p.time; };
-  const auto next = std::upper_bound(points_.begin(), points_.end(), time, later);
-  if (next == points_.begin()) return next->value;
-  const Point& before = *std::prev(next);
-  if (next == points_.end()) return before.value;
-  const double s = (time - before.time) / (next->time - before.time);
-  return (1 - s) * before.value + s * next->value;
+  return piecewise_linear(points_.size(), [&](std::size_t i) { return points_[i].time; }, [&](std::size_t i) { return points_[i].value; }, time);
 }
 
 std::vector<double> Schedule::corners() const {
