@@ -5,13 +5,12 @@
 
 #include "framework/config/nearest.hpp"
 #include "framework/output/probe.hpp"
+#include "framework/protocol/stage_metrics.hpp"
 #include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
-
-constexpr std::string_view prefix = "stage_";  // protocol/stage_metrics.hpp
 
 class StageProbe : public Probe {
  public:
@@ -23,13 +22,12 @@ class StageProbe : public Probe {
     std::vector<std::string> names;
     for (size_t i = 0; i < world.step_metrics.size(); ++i) {
       const std::string& metric = world.step_metrics[i].name;
-      if (!metric.starts_with(prefix)) continue;
-      names.push_back(metric.substr(prefix.size()));
+      if (!metric.starts_with(stage_prefix)) continue;
+      names.push_back(metric.substr(stage_prefix.size()));
       at_ = i;
     }
     if (names.empty()) throw InputError(fmt::format("probe '{}': the scene has no protocol; remove the probe", name_));
-    std::string wanted = protocol_;
-    std::replace(wanted.begin(), wanted.end(), ' ', '_');
+    const std::string wanted = column_name(protocol_);
     if (wanted.empty() && names.size() == 1) return;
     const auto found = std::find(names.begin(), names.end(), wanted);
     if (found == names.end()) throw InputError(fmt::format("probe '{}': there is no protocol '{}'{}", name_, protocol_, suggestion(wanted, names, "protocols")));

@@ -8,6 +8,9 @@ namespace {
 
 constexpr int control_tries_max = 50;
 constexpr double shortest_bracket = 1e-9;  // of the speed: the probe jumps there
+// A try stays this fraction of the bracket away from its ends: where the probe is nearly flat on one
+// side, a secant returns to an end, and the bracket would not shrink.
+constexpr double end_fraction = 0.01;
 
 }  // namespace
 
@@ -47,7 +50,7 @@ bool ControlSearch::next(double error) {
   if (std::abs(width) <= shortest_bracket * std::abs(speed_)) return false;
   double fraction = now->error / (now->error - other->error);
   if (!std::isfinite(fraction)) fraction = 0.5;
-  velocity_ = now->velocity + std::clamp(fraction, 0.01, 0.99) * width;
+  velocity_ = now->velocity + std::clamp(fraction, end_fraction, 1 - end_fraction) * width;
   return true;
 }
 
