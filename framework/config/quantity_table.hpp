@@ -1,9 +1,10 @@
 // Columns of numbers with units from a text file, such as measured data or a spreadsheet export:
-//    first line    names, each with its unit ("gap [um], traction [kPa]"; without one: SI)
-//    second line   optionally the units instead
-//    cells         separated by commas, semicolons or tabs
-// Allowed: any line ends, a byte order mark, quotes, empty lines, lines that begin with #, and
-// columns that are not read.
+//    title lines   above the line that names the columns; not read
+//    names         each with its unit ("gap [um], traction [kPa]"; without one: SI)
+//    units         optionally in a line below the names instead
+//    rows          cells separated by semicolons, tabs or commas
+// Decimal commas are read if they are unambiguous: no number of the columns has a point, and some
+// number cannot have thousands in groups ("0,5", "12,25"). What else is allowed: text_table.hpp.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@
 namespace tack {
 
 void MeasuredData::fields(Fields& f) {
-  f.path("file", file, "text in columns (CSV) with a line of names and units, `opening [mm], load [N]`; relative to the file that names it").required();
+  f.path("file", file, "text in columns (CSV) with a line of names and units, `opening [mm], load [N]`; lines above it are titles; relative to the file that names it").required();
   f.text("x_column", x_column, "column of its abscissa; as the run's `along` unless given").line();
   f.text("y_column", y_column, "column of its measured values; as the run's `probe` unless given").line();
   f.optional_quantity("from", from, "smallest abscissa that counts; the file's unless given");
