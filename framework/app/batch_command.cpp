@@ -1,8 +1,6 @@
 // tack batch: many experiments, side by side on this machine or as a Slurm job array, and one table
 // of their results.
 #include <fmt/format.h>
-#include <fnmatch.h>
-#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -17,14 +15,13 @@
 #include "framework/app/commands.hpp"
 #include "framework/app/interrupt_signals.hpp"
 #include "framework/batch/batch_estimate.hpp"
+#include "framework/batch/batch_preparation.hpp"
 #include "framework/batch/batch_progress.hpp"
 #include "framework/batch/resolved_case.hpp"
-#include "framework/batch/results_table.hpp"
 #include "framework/batch/slurm.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/config/words.hpp"
 #include "framework/output/progress.hpp"
-#include "framework/output/run_folder.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
 #include "geometry/io/replace_file.hpp"
@@ -41,84 +38,29 @@ std::string this_program() { return std::filesystem::read_symlink("/proc/self/ex
 // line.
 class Preparation {
  public:
-  Preparation(std::string what, int live_width, bool quiet) : what_(std::move(what)), live_(live_width > 0), quiet_(quiet) {}
+  Preparation(int live_width, bool quiet) : live_(live_width > 0), quiet_(quiet) {}
   ~Preparation() {
     if (shown_ && live_) fmt::print("\r\x1b[K");
     std::fflush(stdout);
   }
-  void report(size_t done, size_t all) {
+  void report(const char* what, size_t done, size_t all) {
     if (interrupt_requested) throw Interrupted{};
     const auto now = std::chrono::steady_clock::now();
     if (quiet_ || now - reported_ < (live_ ? std::chrono::milliseconds(200) : std::chrono::seconds(5))) return;
     reported_ = now;
     shown_ = true;
-    fmt::print("{}{} {} of {}{}", live_ ? "\r" : "", what_, done, counted(all, "case"), live_ ? "\x1b[K" : "\n");
+    fmt::print("{}{} {} of {}{}", live_ ? "\r" : "", what, done, counted(all, "case"), live_ ? "\x1b[K" : "\n");
     std::fflush(stdout);
   }
 
  private:
-  std::string what_;
   bool live_, quiet_, shown_ = false;
   std::chrono::steady_clock::time_point reported_ = std::chrono::steady_clock::now();
 };
 
-// Returns the error of a case; "" if it has none.
-std::string case_error(const BatchPlan& plan, const BatchCase& one) {
-  try {
-    check_case(plan, one);
-    return "";
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
-// Builds every open case once, one of each group of equal cases; reports all errors together.
-void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& open, Preparation& preparation) {
-  std::vector<const BatchCase*> different;
-  std::set<std::string> digests;
-  for (const BatchCase* one : open)
-    if (digests.insert(one->digest).second) different.push_back(one);
-  std::vector<std::string> case_errors(different.size());
-  const auto check = [&](size_t i) { case_errors[i] = case_error(plan, *different[i]); };
-  // Shared data are set up before several threads build cases.
-  if (!different.empty()) check(0);
-  constexpr size_t at_once = 64;
-  for (size_t first = 1; first < different.size(); first += at_once) {
-    preparation.report(first, different.size());
-    tbb::parallel_for(first, std::min(first + at_once, different.size()), check);
-  }
-  std::vector<std::string> errors;
-  std::set<std::string> printed;  // an error of many cases is printed once
-  for (size_t i = 0; i < different.size() && errors.size() < 10; ++i)
-    if (const std::string& what = case_errors[i]; !what.empty() && printed.insert(what).second)
-      errors.push_back(what.find(different[i]->name) == what.npos ? fmt::format("{} (case '{}')", what, different[i]->name) : what);
-  if (!errors.empty()) throw InputError(fmt::format("{}", fmt::join(errors, "\n")));
-}
-
-bool is_named(const std::vector<std::string>& patterns, const BatchCase& one) {
-  return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return fnmatch(p.c_str(), one.name.c_str(), 0) == 0; });
-}
-
-void check_names(const BatchPlan& plan, const std::vector<std::string>& patterns) {
-  for (const std::string& pattern : patterns)
-    if (std::none_of(plan.cases.begin(), plan.cases.end(), [&](const BatchCase& one) { return is_named({pattern}, one); }))
-      throw InputError(fmt::format("--only {}: no case has such a name; the first is '{}', --dry-run shows {}", pattern, plan.cases.front().name,
-                                   plan.cases.size() > shown_cases_max ? "more" : "all"));
-}
-
-// Writes the table and the description in their present state. Returns the number of cases by
-// status.
-std::map<CaseStatus, size_t> collect(const BatchFolder& folder, const BatchDescription& description) {
-  write_description(folder, description);
-  replace_file(folder.table(), csv_text(results_of(folder, description.plan)));
-  std::map<CaseStatus, size_t> counts;
-  for (const BatchCase& one : description.plan.cases) ++counts[state_of(folder, one).status];
-  return counts;
-}
-
 // Returns the exit code for the cases named by `only`.
 int report(const BatchFolder& folder, const BatchDescription& description, bool quiet, const std::vector<std::string>& only = {}) {
-  const std::map<CaseStatus, size_t> counts = collect(folder, description);
+  const std::map<CaseStatus, size_t> counts = write_batch_table(folder, description);
   std::vector<std::string> parts;
   for (const auto& [status, count] : counts) parts.push_back(fmt::format("{} {}", count, to_string(status)));
   bool all_done = true, expectations_only = true;
@@ -198,6 +140,16 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
   return report(folder, d, options.quiet, options.only);
 }
 
+PreparedBatch prepared(const BatchConfig& config, const BatchSettings& settings, bool quiet) {
+  Preparation preparation(terminal_width(STDOUT_FILENO), quiet);
+  PreparationObserver observer;
+  observer.progress = [&](const char* what, size_t done, size_t all) { preparation.report(what, done, all); };
+  observer.print = [&](const std::string& line) {
+    if (!quiet) fmt::print("{}\n", line);
+  };
+  return prepare_batch(config, settings, observer);
+}
+
 std::atomic<bool> time_limit_reached = false;
 
 extern "C" void end_at_time_limit(int) {
@@ -246,36 +198,24 @@ int batch_command(const BatchOptions& options) {
     return report(folder, read_description(folder), options.quiet);
   }
   const BatchConfig config = load_batch(options.file.file, options.file.overrides);
-  BatchDescription d;
-  {
-    Preparation preparation("planned", terminal_width(STDOUT_FILENO), options.quiet);
-    d.plan = plan_of(config, program_digest(), [&](size_t done, size_t all) { preparation.report(done, all); });
-  }
-  if (!options.quiet)
-    for (const std::string& line : d.plan.warnings) fmt::print("warning: {}\n", line);
-  d.file = std::filesystem::absolute(options.file.file).lexically_normal().string();
-  d.limits.threads = options.threads > 0 ? options.threads : config.threads;
-  d.limits.jobs = jobs_that_fit(options.jobs > 0 ? options.jobs : config.jobs, d.limits.threads, config.memory);
-  d.limits.memory = config.memory;
-  d.limits.time_limit = config.time_limit;
-  d.provenance = provenance_text(provenance_of(options.command_line, d.limits.threads));
-  check_names(d.plan, options.only);
-  const std::filesystem::path root = RunFolder::chosen_root(options.output, config.name);
-  const bool other = is_other_batch(BatchFolder{std::filesystem::weakly_canonical(root), nullptr}, d);
-  const BatchFolder folder = options.dry_run ? BatchFolder{std::filesystem::weakly_canonical(root), nullptr} : BatchFolder::opened(root, other);
-  if (folder.moved_aside && !options.quiet) fmt::print("another batch that was there is moved to {}\n", folder.moved_aside->string());
-  std::vector<const BatchCase*> open = open_cases(folder, d.plan, options.failed);
-  const size_t done = d.plan.cases.size() - open.size();
-  std::erase_if(open, [&](const BatchCase* one) { return !is_named(options.only, *one); });
-  {
-    Preparation preparation("checked", terminal_width(STDOUT_FILENO), options.quiet);
-    check_cases(d.plan, open, preparation);
-  }
+  BatchSettings settings;
+  settings.file = std::filesystem::absolute(options.file.file).lexically_normal().string();
+  settings.output = options.output;
+  settings.jobs = options.jobs;
+  settings.threads = options.threads;
+  settings.provenance = provenance_of(options.command_line, options.threads > 0 ? options.threads : config.threads);
+  settings.only = options.only;
+  settings.rerun_failed = options.failed;
+  settings.dry_run = options.dry_run;
+  const PreparedBatch batch = prepared(config, settings, options.quiet);
+  const BatchFolder& folder = batch.folder;
+  const BatchDescription& d = batch.description;
+  const std::vector<const BatchCase*>& open = batch.open;
+  const size_t done = batch.done;
   if (options.dry_run) {
     show_plan(folder, d, open);
     return exit_done;
   }
-  write_description(folder, d);
   if (done > 0 && !options.quiet) fmt::print("{} of {} are done already\n", done, counted(d.plan.cases.size(), "case"));
   if (options.slurm && !open.empty()) return run_by_slurm(options, config, folder, d, open);
   {

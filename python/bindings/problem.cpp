@@ -202,27 +202,137 @@ void bind_problem(py::module_& module) {
       module, "Problem",
       "The incremental potential of one step, as a function of its unknowns q: the coordinates of all vertices that are free, one after the other [m].\n\n"
       "Valid until the step ends.")
-      .def_property_readonly("size", &Problem::size, "How many unknowns there are.")
-      .def_property_readonly("start", &Problem::start, "Where the minimisation begins: unknowns without intersections.")
-      .def("value", &Problem::value, py::arg("q"), "The incremental potential at q [J s^2; of quasi-static steps J]; infinite where surfaces intersect or elements are inverted.")
-      .def("gradient", &Problem::gradient, py::arg("q"), "Its gradient at q.")
-      .def("hessian", &Problem::hessian, py::arg("q"), py::arg("projection") = "none",
-           "Its Hessian at q, a scipy.sparse.csc_matrix. projection: 'none', or that each stencil is made positive semi-definite, 'clamp' or 'absolute'.")
-      .def("feasible_step", &Problem::feasible_step, py::arg("q"), py::arg("p"),
-           "The largest t in (0, 1] such that from q to q + t p nothing interpenetrates or inverts.")
-      .def("parts", &Problem::parts, py::arg("q"),
-           "What value and gradient at q consist of: dictionaries with name ('inertia', or that of an energy), value, gradient, dynamic (whether its stencils change with the contacts) and "
-           "stores (False: the dissipation of the step, as of friction). Values and gradients add up to value(q) and gradient(q).")
-      .def("pairs", &Problem::pairs, py::arg("q"), py::arg("reach"),
-           "Pairs of primitives whose gap at q is below reach [m], which is at most the largest range of contact: dictionaries with kind ('edge_edge', 'point_triangle', ...), first and "
-           "second (their vertices), weights_first and weights_second (of the vertices in the closest points), distance, gap (less the offset of the surfaces) [m], normal (from the second to the first) and objects.")
-      .def("cuts", &Problem::cuts, py::arg("q"), py::arg("p"), py::arg("below") = 1.0,
-           "What by itself allows less than `below` of the step from q to q + p: dictionaries with kind ('edge_edge', 'point_triangle', 'tet', ...), step (the fraction that it "
-           "allows), vertices (of the first primitive, then of the second), blocks (of three unknowns) and objects, in an order that does not depend on threads.")
-      .def("block_bounds", &Problem::block_bounds, py::arg("q"), py::arg("p"), py::arg("kind") = "together",
-           "For each block of three unknowns the fraction of p up to which it may move: 'together', whatever part of that each block makes, or 'alone', all others at rest.")
-      .def("stopping_norm", &Problem::stopping_norm, py::arg("p"), py::arg("gradient"), "Of a Newton direction p and the gradient where it starts, over what is tolerated.")
-      .def("converged", &Problem::converged, py::arg("q"), "Whether the minimisation may end at q, by the scene's own tolerances.");
+      .def_property_readonly("size", &Problem::size, "Number of unknowns.")
+      .def_property_readonly("start", &Problem::start, "Unknowns where the minimisation begins, without intersections.")
+      .def("value", &Problem::value, py::arg("q"), R"doc(Returns the incremental potential.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+
+Returns
+-------
+float
+    [J s^2; of quasi-static steps J]; infinite where surfaces intersect or elements are inverted.)doc")
+      .def("gradient", &Problem::gradient, py::arg("q"), R"doc(Returns the gradient of the incremental potential.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+
+Returns
+-------
+ndarray
+    (n,), in the unit of the value per metre.)doc")
+      .def("hessian", &Problem::hessian, py::arg("q"), py::arg("projection") = "none", R"doc(Returns the Hessian of the incremental potential.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+projection : {'none', 'clamp', 'absolute'}
+    Makes each stencil positive semi-definite: `clamp` sets negative eigenvalues to zero, `absolute` reverses their sign.
+
+Returns
+-------
+scipy.sparse.csc_matrix
+    (n, n).)doc")
+      .def("feasible_step", &Problem::feasible_step, py::arg("q"), py::arg("p"), R"doc(Returns the largest step without intersection and inversion.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+p : array_like
+    A direction (n,) [m].
+
+Returns
+-------
+float
+    The largest t in (0, 1] such that nothing intersects or inverts from q to q + t p.)doc")
+      .def("parts", &Problem::parts, py::arg("q"), R"doc(Returns the terms of value and gradient.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+
+Returns
+-------
+list of dict
+    name ('inertia', or that of an energy), value, gradient, dynamic (its stencils change with the contacts) and stores (False: the dissipation of the step, as of friction).
+    Values and gradients add up to value(q) and gradient(q).)doc")
+      .def("pairs", &Problem::pairs, py::arg("q"), py::arg("reach"), R"doc(Returns pairs of primitives that are close.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+reach : float
+    Largest gap [m]; at most the largest range of contact.
+
+Returns
+-------
+list of dict
+    kind ('edge_edge', 'point_triangle', ...), first and second (their vertices), weights_first and weights_second (of the vertices in the closest points), distance,
+    gap (less the offset of the surfaces) [m], normal (from the second to the first) and objects.)doc")
+      .def("cuts", &Problem::cuts, py::arg("q"), py::arg("p"), py::arg("below") = 1.0, R"doc(Returns what by itself bounds the step from q to q + p.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+p : array_like
+    A direction (n,) [m].
+below : float
+    Bounds below this fraction of the step are returned.
+
+Returns
+-------
+list of dict
+    kind ('edge_edge', 'point_triangle', 'tet', ...), step (the fraction that it allows), vertices (of the first primitive, then of the second), blocks (of three unknowns)
+    and objects, in an order that does not depend on threads.)doc")
+      .def("block_bounds", &Problem::block_bounds, py::arg("q"), py::arg("p"), py::arg("kind") = "together", R"doc(Returns how far each block of three unknowns may move.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+p : array_like
+    A direction (n,) [m].
+kind : {'together', 'alone'}
+    `together`: whatever fraction of its bound each block moves; `alone`: while all others are at rest.
+
+Returns
+-------
+ndarray
+    A fraction of p per block.)doc")
+      .def("stopping_norm", &Problem::stopping_norm, py::arg("p"), py::arg("gradient"), R"doc(Returns the stopping norm of a Newton direction.
+
+Parameters
+----------
+p : array_like
+    A Newton direction (n,) [m].
+gradient : array_like
+    The gradient (n,) where the direction starts.
+
+Returns
+-------
+float
+    In tolerances: 1 is tolerated.)doc")
+      .def("converged", &Problem::converged, py::arg("q"), R"doc(Returns whether the minimisation may end at q, by the scene's own tolerances.
+
+Parameters
+----------
+q : array_like
+    Unknowns (n,) [m].
+
+Returns
+-------
+bool
+    True if it may.)doc");
 }
 
 }  // namespace tack::python

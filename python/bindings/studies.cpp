@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "framework/batch/batch_preparation.hpp"
 #include "framework/batch/resolved_case.hpp"
 #include "framework/calibrate/calibrate_run.hpp"
 #include "framework/compare/compare_run.hpp"
@@ -69,10 +70,46 @@ std::string calibrated(const std::string& path, const std::vector<std::string>& 
   return folder;
 }
 
+// program: an executable that runs a case. The thread that calls this starts the processes.
+std::string batched(const std::string& path, const std::vector<std::string>& set, const std::string& output, const std::string& program, int jobs, int threads,
+                    const std::vector<std::string>& only, bool failed, bool quiet) {
+  std::string folder;
+  {
+    const Interrupts interrupts;
+    const py::gil_scoped_release released;
+    const PlainNumbers plain;
+    const auto print = [&](const std::string& line) {
+      if (!quiet) print_line(line);
+    };
+    const BatchConfig config = load_batch(path, set);
+    BatchSettings settings;
+    settings.file = std::filesystem::absolute(path).lexically_normal().string();
+    settings.output = output;
+    settings.jobs = jobs;
+    settings.threads = threads;
+    settings.provenance = provenance_of("", threads > 0 ? threads : config.threads);
+    settings.only = only;
+    settings.rerun_failed = failed;
+    PreparationObserver observer{print, [](const char*, size_t, size_t) {
+                                   if (interrupt_requested) throw Interrupted{};
+                                 }};
+    const PreparedBatch batch = prepare_batch(config, settings, observer);
+    BatchObserver running;
+    running.ended = [&](const BatchCase& one, const CaseState& state) { print(one.name + ": " + std::string(to_string(state.status)) + (state.error.empty() ? "" : ": " + state.error)); };
+    run_cases(program, batch.folder, batch.description.limits, batch.open, running);
+    write_batch_table(batch.folder, batch.description);
+    folder = batch.folder.root.string();
+  }
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  return folder;
+}
+
 }  // namespace
 
 void bind_studies(py::module_& module) {
   module.def("compare", &compared, py::arg("path"), py::arg("set"), py::arg("output"), py::arg("threads"), py::arg("quiet"));
+  module.def("batch", &batched, py::arg("path"), py::arg("set"), py::arg("output"), py::arg("program"), py::arg("jobs"), py::arg("threads"), py::arg("only"),
+             py::arg("failed"), py::arg("quiet"));
   module.def("calibrate", &calibrated, py::arg("path"), py::arg("set"), py::arg("output"), py::arg("program"), py::arg("jobs"), py::arg("threads"), py::arg("failed"),
              py::arg("quiet"));
 }

@@ -22,6 +22,6 @@ from .law import law  # noqa: E402
 from .results import Batch, Run, Tables, export, read  # noqa: E402
 from .simulation import Simulation, Warned, run  # noqa: E402
 from .solve import solve  # noqa: E402
-from .studies import calibrate, compare  # noqa: E402
+from .studies import batch, calibrate, compare  # noqa: E402
 
-__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "calibrate", "compare", "export", "law", "read", "run", "solve"]
+__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "batch", "calibrate", "compare", "export", "law", "read", "run", "solve"]

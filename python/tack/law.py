@@ -12,14 +12,22 @@ import numpy as np
 def law(traction: Callable, reach: float, rows: int = 400, file: str | os.PathLike | None = None, cut: bool = False) -> dict:
     """Writes the table of a Python function and returns its adhesion law.
 
-    Args:
-        traction: A function of the gap [m] that returns the traction [Pa], positive for attraction. It is called with an array, or with numbers if it accepts no array.
-        reach: Range of the law [m]; the traction is zero at larger gaps.
-        rows: Number of rows of the table, at least 2; denser at small gaps.
-        file: Path of the table; default: law_CHECKSUM.csv in the working folder, one file per law.
-        cut: The traction may jump to zero at the end of the range.
+    Parameters
+    ----------
+    traction : Callable
+        A function of the gap [m] that returns the traction [Pa], positive for attraction. It is called with an array, or with numbers if it accepts no array.
+    reach : float
+        Range of the law [m]; the traction is zero at larger gaps.
+    rows : int, optional
+        Number of rows of the table, at least 2; denser at small gaps.
+    file : str or os.PathLike, optional
+        Path of the table; default: law_CHECKSUM.csv in the working folder, one file per law.
+    cut : bool, optional
+        The traction may jump to zero at the end of the range.
 
-    Returns:
+    Returns
+    -------
+    dict
         The law for a scene: `{"type": "table", "file": ..., "cut": ...}`.
     """
     if not 0 < reach < np.inf:

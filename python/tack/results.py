@@ -54,11 +54,16 @@ class _Folder:
     def report(self, output: str | os.PathLike = "", frames: int = 0) -> pathlib.Path:
         """Writes the report, one HTML file.
 
-        Args:
-            output: The path of the file; default: report.html in the folder.
-            frames: Limit of frames of the 3D view; 0: 200, or fewer if the page would get too large.
+        Parameters
+        ----------
+        output : str or os.PathLike, optional
+            The path of the file; default: report.html in the folder.
+        frames : int, optional
+            Limit of frames of the 3D view; 0: 200, or fewer if the page would get too large.
 
-        Returns:
+        Returns
+        -------
+        pathlib.Path
             The path of the file.
         """
         return pathlib.Path(_tack.report([str(self.path)], str(output), frames))
@@ -98,16 +103,24 @@ class Run(_Folder):
     def export(self, to: str, output: str | os.PathLike = "", **settings: object) -> pathlib.Path | None:
         """Writes the shapes of the run for other programs, as `tack export` does.
 
-        Args:
-            to: The format: 'pc2', 'usd', ... (`tack list format`).
-            output: The file or folder to write; default: below export in the results folder.
-            **settings: Keys of the format, such as fps=25, objects=["cube"].
+        Parameters
+        ----------
+        to : str
+            The format: 'pc2', 'usd', ... (`tack list format`).
+        output : str or os.PathLike, optional
+            The file or folder to write; default: below export in the results folder.
+        **settings : object
+            Keys of the format, such as fps=25, objects=["cube"].
 
-        Returns:
+        Returns
+        -------
+        pathlib.Path or None
             The path of the file or folder; None for 'vtu', which the run has written.
 
-        Raises:
-            InputError: The format, its keys or the frames cannot be used.
+        Raises
+        ------
+        InputError
+            The format, its keys or the frames cannot be used.
         """
         return export(self.path, to, output, **settings)
 
@@ -135,7 +148,18 @@ class Frames:
         return Frame(self._paths[i])
 
     def at(self, time: float) -> Frame:
-        """Returns the frame nearest to a time [s]."""
+        """Returns the frame nearest to a time.
+
+        Parameters
+        ----------
+        time : float
+            The time [s].
+
+        Returns
+        -------
+        Frame
+            The nearest one.
+        """
         return self[int(np.argmin(np.abs(np.array(self.times) - time)))]
 
 
@@ -180,7 +204,24 @@ class Tables(_Folder):
 
 
 def export(results: str | os.PathLike, to: str, output: str | os.PathLike = "", **settings: object) -> pathlib.Path | None:
-    """Writes the shapes of a run for other programs: Run.export for a folder of results, which may be that of a run under way."""
+    """Writes the shapes of a run for other programs, as Run.export does.
+
+    Parameters
+    ----------
+    results : str or os.PathLike
+        The folder of the results, which may be that of a run under way.
+    to : str
+        The format: 'pc2', 'usd', ... (`tack list format`).
+    output : str or os.PathLike, optional
+        The file or folder to write; default: below export in the results folder.
+    **settings : object
+        Keys of the format, such as fps=25, objects=["cube"].
+
+    Returns
+    -------
+    pathlib.Path or None
+        The path of the file or folder; None for 'vtu', which the run has written.
+    """
     paths = _tack.export(os.fspath(results), to, os.fspath(output), overrides_of(settings))
     return pathlib.Path(paths[0]) if paths else None
 
@@ -188,10 +229,22 @@ def export(results: str | os.PathLike, to: str, output: str | os.PathLike = "", 
 def read(folder: str | os.PathLike) -> Run | Batch | Tables:
     """Reads the results in a folder.
 
-    Returns:
+    Parameters
+    ----------
+    folder : str or os.PathLike
+        The folder of a run, a batch, a comparison, a calibration or a suite.
+
+    Returns
+    -------
+    Run or Batch or Tables
         A Run, a Batch, or Tables of a comparison, a calibration or a suite.
 
-    Raises:
-        InputError: The folder has no results.
+    Raises
+    ------
+    InputError
+        The folder has no results.
     """
-    return {"run": Run, "batch": Batch}.get(_tack.kind_of(str(folder)), Tables)(folder)
+    kind = _tack.kind_of(str(folder))
+    if kind == "run":
+        return Run(folder)
+    return Batch(folder) if kind == "batch" else Tables(folder)

@@ -10,7 +10,7 @@ from typing import Callable
 import numpy as np
 
 from . import _tack
-from .results import Run, read, shown
+from .results import Run, shown
 from .scene import opened, overrides_of
 
 
@@ -70,13 +70,19 @@ class Object:
 class Simulation:
     """A scene ready to be stepped. It writes no files.
 
-    Args:
-        scene: The path of a file, or a dictionary with the same keys.
-        set: Keys of the scene and their new values, `{"objects.plate.place.translate": [0, 0.1, 0], "time.step": "2 ms"}`.
-        threads: Number of threads of the simulation; 0: all cores.
+    Parameters
+    ----------
+    scene : str or os.PathLike or dict
+        The path of a file, or a dictionary with the same keys.
+    set : dict, optional
+        Keys of the scene and their new values, `{"objects.plate.place.translate": [0, 0.1, 0], "time.step": "2 ms"}`.
+    threads : int, optional
+        Number of threads of the simulation; 0: all cores.
 
-    Raises:
-        InputError: The scene cannot be simulated; the message has file, line and remedy.
+    Raises
+    ------
+    InputError
+        The scene cannot be simulated; the message has file, line and remedy.
     """
 
     def __init__(self, scene: str | os.PathLike | dict, set: dict | None = None, threads: int = 0):
@@ -85,7 +91,7 @@ class Simulation:
             self._running = _tack.Running.parse(text, path, overrides_of(set), threads)
         else:
             self._running = _tack.Running.open(path, overrides_of(set), threads)
-        self._changes = []
+        self._changes: list[dict] = []
         self._objects = {known.name: Object(self._running, known) for known in self._running.objects}
         self._warn()
 
@@ -158,18 +164,34 @@ class Simulation:
         return self._running.mass
 
     def __getitem__(self, name: str) -> Object:
-        """Returns an object by its name."""
+        """Returns an object of the scene.
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+
+        Returns
+        -------
+        Object
+            The object.
+        """
         return self._objects[name]
 
     def move(self, x: np.ndarray | None = None, v: np.ndarray | None = None):
         """Sets positions and velocities and continues from them, as a run that starts there. Equal values change nothing.
 
-        Args:
-            x: Positions (n, 3) [m]; None: unchanged.
-            v: Velocities (n, 3) [m/s]; None: unchanged.
+        Parameters
+        ----------
+        x : np.ndarray, optional
+            Positions (n, 3) [m]; None: unchanged.
+        v : np.ndarray, optional
+            Velocities (n, 3) [m/s]; None: unchanged.
 
-        Raises:
-            InputError: The positions intersect, invert elements, or deform an affine body other than affinely. Nothing has changed.
+        Raises
+        ------
+        InputError
+            The positions intersect, invert elements, or deform an affine body other than affinely. Nothing has changed.
         """
         self._running.move(x, v)
 
@@ -178,11 +200,15 @@ class Simulation:
 
         Vertices stay, and so does how many motions and stages there are. Motions go on from where their vertices are. The changes are kept in `changes`.
 
-        Args:
-            set: Keys of the scene and their new values, as of the constructor.
+        Parameters
+        ----------
+        set : dict
+            Keys of the scene and their new values, as of the constructor.
 
-        Raises:
-            InputError: The changed scene cannot go on from here. Nothing has changed.
+        Raises
+        ------
+        InputError
+            The changed scene cannot go on from here. Nothing has changed.
         """
         self._running.change(overrides_of(set))
         for known in self._running.objects:
@@ -203,14 +229,20 @@ class Simulation:
     def step(self, minimizer: Callable[[_tack.Problem], np.ndarray] | None = None) -> dict:
         """Takes one time step.
 
-        Args:
-            minimizer: A function of a Problem that returns the unknowns at the minimum; it replaces the minimiser of the scene from now on.
+        Parameters
+        ----------
+        minimizer : Callable[[_tack.Problem], np.ndarray], optional
+            A function of a Problem that returns the unknowns at the minimum; it replaces the minimiser of the scene from now on.
 
-        Returns:
+        Returns
+        -------
+        dict
             A dictionary about the step: iterations, status, contacts, smallest gap, ...
 
-        Raises:
-            SimulationError: No permitted step size succeeds.
+        Raises
+        ------
+        SimulationError
+            No permitted step size succeeds.
         """
         if minimizer is not None:
             self.minimize_by(minimizer)
@@ -222,19 +254,26 @@ class Simulation:
     def minimize_by(self, minimizer: Callable[[_tack.Problem], np.ndarray] | None):
         """Sets the minimiser of all further steps.
 
-        Args:
-            minimizer: A function as for step(), or None: the minimiser of the scene.
+        Parameters
+        ----------
+        minimizer : Callable[[_tack.Problem], np.ndarray] or None
+            A function as for step(), or None: the minimiser of the scene.
         """
         self._running.minimize_by(minimizer)
 
     def run(self, until: float | None = None, callback: Callable[[Simulation], object] | None = None) -> Simulation:
         """Steps to a time, or to the end of the scene.
 
-        Args:
-            until: The time [s]; None: the end of the scene.
-            callback: A function of the simulation that is called after each step; if it returns False, that step was the last.
+        Parameters
+        ----------
+        until : float, optional
+            The time [s]; None: the end of the scene.
+        callback : Callable[[Simulation], object], optional
+            A function of the simulation that is called after each step; if it returns False, that step was the last.
 
-        Returns:
+        Returns
+        -------
+        Simulation
             The simulation.
         """
         end = self.duration if until is None else min(until, self.duration)
@@ -257,7 +296,18 @@ class Simulation:
         return self._running.forces()
 
     def field(self, name: str) -> np.ndarray:
-        """Returns a field of frames by its name in `output.fields`: contact_pressure, gap, von_mises_stress, ... One row per vertex, or per element in the order of frames."""
+        """Returns a field of frames.
+
+        Parameters
+        ----------
+        name : str
+            Its name in `output.fields`: contact_pressure, gap, von_mises_stress, ...
+
+        Returns
+        -------
+        ndarray
+            One row per vertex, or per element in the order of frames.
+        """
         return self._running.field(name)
 
     @property
@@ -300,23 +350,36 @@ def run(scene: str | os.PathLike | dict, set: dict | None = None, output: str | 
         resume: bool = False, quiet: bool = True) -> Run:
     """Runs a scene as `tack run` does.
 
-    Args:
-        scene: The path of a file, or a dictionary with the same keys.
-        set: Keys of the scene and their new values.
-        output: The folder of the results; default: `results/` and the name of the scene.
-        threads: Number of threads of the run; 0: all cores.
-        steps: Limit of steps; 0: to the end.
-        resume: Continue from the newest checkpoint of the folder.
-        quiet: Nothing is printed.
+    Parameters
+    ----------
+    scene : str or os.PathLike or dict
+        The path of a file, or a dictionary with the same keys.
+    set : dict, optional
+        Keys of the scene and their new values.
+    output : str or os.PathLike, optional
+        The folder of the results; default: `results/` and the name of the scene.
+    threads : int, optional
+        Number of threads of the run; 0: all cores.
+    steps : int, optional
+        Limit of steps; 0: to the end.
+    resume : bool, optional
+        Continue from the newest checkpoint of the folder.
+    quiet : bool, optional
+        Nothing is printed.
 
-    Returns:
+    Returns
+    -------
+    Run
         The results, as of read().
 
-    Raises:
-        InputError: The scene cannot be simulated.
-        SimulationError: The run fails; its results until then stay.
+    Raises
+    ------
+    InputError
+        The scene cannot be simulated.
+    SimulationError
+        The run fails; its results until then stay.
     """
     path, text = opened(scene)
-    return read(_tack.record(path, text, overrides_of(set), str(output), threads, steps, resume, quiet))
+    return Run(_tack.record(path, text, overrides_of(set), str(output), threads, steps, resume, quiet))
 
 

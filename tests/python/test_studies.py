@@ -1,4 +1,4 @@
-"""Comparisons and calibrations, with the files of the commands."""
+"""Comparisons, batches and calibrations, with the files of the commands."""
 import pathlib
 import tempfile
 import unittest
@@ -31,6 +31,25 @@ class Studies(unittest.TestCase):
         self.assertTrue((self.folder / "out/compare.md").exists())
         with self.assertRaisesRegex(tack.InputError, "solvers"):
             tack.compare(file, set={"solvers": []}, output=self.folder / "none")
+        self.assertFalse((self.folder / "none").exists())
+
+    def test_a_batch_returns_its_table_and_cases_and_continues(self):
+        file = self.folder / "strengths.yaml"
+        file.write_text(f"name: strengths\nbase: {shipped / 'pull.yaml'}\nset: [time.step=50 ms, 'expect=[]', output.frames=false]\n"
+                        "vary:\n  - {type: grid, keys: {contact.pairs.0.adhesion.peak_traction: {values: [5 kPa, 10 kPa, 20 kPa], as: strength}}}\n"
+                        "statistics:\n  - {name: pull, probe: force, statistic: max}\n", encoding="utf-8")
+        first = tack.batch(file, output=self.folder / "out", jobs=2, threads=1, only=["strength=5kPa"])
+        self.assertEqual(list(first.table["status"]), ["done", "waiting", "waiting"])
+        batch = tack.batch(file, output=self.folder / "out", jobs=2, threads=1)
+        self.assertEqual(list(batch.table["status"]), ["done"] * 3)
+        self.assertEqual(list(batch.table["strength"]), [5e3, 1e4, 2e4])
+        self.assertTrue(np.all(np.diff(batch.table["pull"]) > 0))
+        self.assertEqual(len(batch.cases), 3)
+        self.assertEqual(batch.cases["strength=5kPa"].summary["status"], "done")
+        with self.assertRaisesRegex(tack.InputError, "no case has such a name"):
+            tack.batch(file, output=self.folder / "none", only=["strength=7kPa"])
+        with self.assertRaisesRegex(tack.InputError, "poisson"):
+            tack.batch(file, set={"set": ["objects.nothing.energies.0.poisson=0.7"]}, output=self.folder / "none")
         self.assertFalse((self.folder / "none").exists())
 
     def test_a_calibration_returns_parameters_and_curves_and_continues(self):
