@@ -7,13 +7,13 @@ include_guard()
 set(TACK_COLD_FOLDERS
     framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/body
     framework/motion framework/protocol framework/world framework/scene framework/setup framework/checks framework/remesh framework/output
-    framework/experiment framework/probes framework/profile framework/sensitivity framework/run framework/app
+    framework/experiment framework/probes framework/profile framework/sensitivity framework/run framework/catalogue framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
 
 # Studies: cold folders, and commands of framework/app, that start from runs or laws. The program tack_studies has them, so that a first run does not
 # wait for them.
 set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report framework/suite framework/view)
-set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot render report suite view)
+set(TACK_STUDY_COMMANDS batch calibrate compare describe law picture plot render report suite view)
 list(APPEND TACK_COLD_FOLDERS ${TACK_STUDY_FOLDERS})
 
 # Further: components that most first scenes do without. The program loads the library tack_further when a scene names one

@@ -58,6 +58,11 @@ function(tack_app)
   tack_program(tack_cli ${CMAKE_SOURCE_DIR}/framework/app/in_studies.cpp)
   set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack)
   tack_link_core(tack_cli)
+  # Templates, stored steps and documents, which an installation has in share/tack.
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share)
+  foreach(FOLDER experiments docs)
+    file(CREATE_LINK ${CMAKE_SOURCE_DIR}/${FOLDER} ${CMAKE_BINARY_DIR}/share/${FOLDER} SYMBOLIC)
+  endforeach()
 endfunction()
 
 # tack_studies(): the program tack_studies, with all commands.

@@ -18,6 +18,7 @@
 #include "framework/contact/contact_potential.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/retired_key_warnings.hpp"
+#include "framework/experiment/time_scales.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/output/used_stiffness.hpp"
 #include "framework/run/equilibrium_check.hpp"
@@ -37,16 +38,22 @@ void print_warnings(const std::vector<Warning>& warnings) {
 
 std::vector<std::string> first_of(const std::vector<std::string>& names) { return {names.begin(), names.begin() + static_cast<long>(std::min(names.size(), shown_names_max))}; }
 
-void print_contents(const World& world) {
+// Returns "; waves cross it in 2 ms (0.5 steps)"; "" if the body has no such time.
+std::string wave_text(const Experiment& experiment, const World& world, int body) {
+  const auto time = wave_time(experiment, world, body);
+  return time ? fmt::format("; waves cross it in {} ({:.2g} steps)", time_text(*time), *time / experiment.time.step) : "";
+}
+
+void print_contents(const Experiment& experiment, const World& world) {
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     fmt::print("object '{}': {}; {} vertices, {} tets{}, {} surface triangles{}{}\n", body.name, size_text(world, static_cast<int>(i)), body.vertex_count, body.tets.size(),
                body.elements == Elements::composite ? fmt::format(" ({} composite ones)", body.tets.size() / composite_parts) : "", body.triangles.size(),
                body.surface_triangles.empty() ? "" : fmt::format(" ({} in contact)", body.surface_triangles.size()),
-               body.movable ? "" : ", fixed");
+               body.movable ? wave_text(experiment, world, static_cast<int>(i)) : ", fixed");
     for (const std::string& line : body.notes) fmt::print("  {}\n", line);
   }
-  fmt::print("unknowns: {}\n", world.dofs.size());
+  fmt::print("unknowns: {}\ntime: {}\n", world.dofs.size(), steps_text(experiment));
   if (const auto groups = meeting_names(world); groups.size() > 1)
     for (const auto& names : groups) fmt::print("may come into contact in the run: '{}'{}\n", fmt::join(first_of(names), "', '"), names.size() > shown_names_max ? fmt::format(" and {} more", names.size() - shown_names_max) : "");
   for (const AdhesionSummary& r : world.adhesion)
@@ -120,6 +127,7 @@ int check_gradient_of(const CheckOptions& options) {
 }  // namespace
 
 int check_command(const CheckOptions& options) {
+  if (!options.picture.empty()) return picture_command(options);
   if (!options.gradient.empty()) return check_gradient_of(options);
   BuiltExperiment built(load_experiment(options.file, options.overrides));
   const Experiment& experiment = built.experiment();
@@ -127,7 +135,7 @@ int check_command(const CheckOptions& options) {
   if (built.experiment().protocols.empty()) probes_of(built);
   else ProtocolRun{built};
   print_warnings(retired_key_warnings(built.root(), experiment));
-  print_contents(world);
+  print_contents(experiment, world);
   for (const std::string& line : world.start_notes) fmt::print("{}\n", line);
   for (const std::string& line : BentSolids(experiment, world).notes()) fmt::print("{}\n", line);
   print_warnings(element_warnings(experiment, world));

@@ -14,6 +14,7 @@
 #include "framework/app/number_options.hpp"
 #include "framework/app/scene_file_options.hpp"
 #include "framework/app/version_text.hpp"
+#include "framework/catalogue/scene_templates.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/contact/adhesion_law.hpp"
 #include "framework/meshing/mesh_operation.hpp"
@@ -34,6 +35,7 @@ class CommandLine {
     app_.set_version_flag("--version", version_text());
     app_.require_subcommand(1);
     app_.footer("`./tack test` runs the tests.");
+    add_new();
     add_run();
     add_view();
     add_profile();
@@ -107,6 +109,13 @@ class CommandLine {
       if (!known) return fmt::format("unknown option '{}' of `tack{}`{}", name, command ? " " + command->get_name() : "", suggestion(name, names, "options"));
     }
     return "";
+  }
+
+  void add_new() {
+    CLI::App* scene = app_.add_subcommand("new", "Write a commented scene to begin with: probe tack, peel, lap shear, drape, stack");
+    scene->add_option("template", new_.name, "template; without one, all are listed");
+    scene->add_option("-o,--output", new_.output, "file to write (default: TEMPLATE.yaml)")->type_name("YAML");
+    scene->callback([this] { exit_code_ = new_command(new_); });
   }
 
   void add_run() {
@@ -296,6 +305,7 @@ class CommandLine {
                       "of whole runs");
     check->add_option("--gradient-step", check_.gradient_step, "relative increment of those differences (default: 1e-4)")->check(number_above_zero);
     check->add_option("--threads", check_.threads, "threads of those runs (default: all cores)")->check(whole_number_above_zero);
+    check->add_option("--picture", check_.picture, "draw the initial state of the scene to a file (.png)")->type_name("PICTURE");
     check->callback([this] {
       settle(check_);
       exit_code_ = check_command(check_);
@@ -303,8 +313,8 @@ class CommandLine {
   }
 
   void add_list() {
-    CLI::App* list = app_.add_subcommand("list", "List the kinds and components that a scene may name, with their parameters");
-    list->add_option("kind", list_.kind, "kind (energy, adhesion, minimizer, ...), or name of a component");
+    CLI::App* list = app_.add_subcommand("list", "List the kinds and components that a scene may name, with their parameters, or search them and the documents");
+    list->add_option("kind", list_.kind, "kind (energy, adhesion, minimizer, ...), name of a component, or any word to search for: 'cohesive zone'");
     list->add_option("name", list_.name, "component, to list its parameters");
     list->add_option("--reference", list_.reference, "write the reference (Markdown): a page per kind into a folder, or one page if the path ends in .md")->type_name("FOLDER");
     list->add_option("--schema", list_.schema, "write the JSON schema of scenes (for editors) to a file")->type_name("FILE");
@@ -377,6 +387,8 @@ class CommandLine {
     const auto is = [&](const char* of, const std::string& which) { return command == of && (o.names.empty() ? o.word : o.names.back()) == which; };
     std::vector<std::string> names;
     if (is("completion", "shell")) names = {"bash", "zsh", "fish"};
+    if (is("new", "template"))
+      for (const SceneTemplate& t : scene_templates(template_folder())) names.push_back(t.name);
     if (is("list", "kind"))
       for (const Kind* kind : registered_kinds()) names.push_back(kind->name());
     if (is("law", "--type")) names = Registry<AdhesionLaw>::kind().names();
@@ -418,6 +430,7 @@ class CommandLine {
   }
 
   CLI::App app_{"tack: adhesive contact of deformable solids by incremental potentials"};
+  NewOptions new_;
   RunOptions run_, profile_;
   ViewOptions view_;
   SolveOptions solve_;

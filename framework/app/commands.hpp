@@ -176,10 +176,13 @@ struct CheckOptions : SceneOptions {
   std::string gradient;
   double gradient_step = 1e-4;  // of the finite differences, relative to the parameter
   int threads = 0;              // 0: all cores
+  std::string picture;          // file (.png) of the initial state; empty: none
 };
 // Validates an experiment without running it: keys, meshes, pairs, the initial state, and the
 // derivatives of the incremental potential at the initial state.
 int check_command(const CheckOptions& options);
+// Calls check_command without the picture, then draws the picture.
+int picture_command(const CheckOptions& options);
 
 struct ListOptions {
   std::string kind, name;  // empty: all
@@ -193,11 +196,18 @@ struct ListOptions {
              batch_schema.empty() && calibrate_schema.empty() && plot_schema.empty());
   }
 };
-// Lists the components that a scene file can name; calls describe_command if files are to be
-// written.
+// Lists the components that a scene file can name, or what a search for a word finds; calls
+// describe_command if files are to be written.
 int list_command(const ListOptions& options);
 // Writes the reference page and the JSON schemas.
 int describe_command(const ListOptions& options);
+
+struct NewOptions {
+  std::string name;    // of a template; empty: list them
+  std::string output;  // file to write; empty: NAME.yaml in the working directory
+};
+// Writes a template of a scene, or lists the templates.
+int new_command(const NewOptions& options);
 
 struct LawOptions {
   // A scene or the file of an adhesion, and keys of it ("a.b=c").

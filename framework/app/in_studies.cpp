@@ -8,6 +8,7 @@ int calibrate_command(const CalibrateOptions&) { throw InStudies{}; }
 int compare_command(const CompareOptions&) { throw InStudies{}; }
 int describe_command(const ListOptions&) { throw InStudies{}; }
 int law_command(const LawOptions&) { throw InStudies{}; }
+int picture_command(const CheckOptions&) { throw InStudies{}; }
 int plot_command(const PlotOptions&) { throw InStudies{}; }
 int render_command(const RenderOptions&) { throw InStudies{}; }
 int report_command(const ReportOptions&) { throw InStudies{}; }

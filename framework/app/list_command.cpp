@@ -1,14 +1,40 @@
-// tack list: the components that a scene file can name.
+// tack list: the components that a scene file can name, and a search for words.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
 #include "framework/app/commands.hpp"
+#include "framework/catalogue/search.hpp"
 #include "framework/config/describe.hpp"
+#include "framework/experiment/experiment.hpp"
 #include "framework/plugin/plugins.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
+namespace {
+
+bool is_kind(const std::string& name) {
+  const std::vector<const Kind*> kinds = registered_kinds();
+  return std::any_of(kinds.begin(), kinds.end(), [&](const Kind* kind) { return kind->name() == name; });
+}
+
+std::string found(const std::string& query) {
+  const Fields scene = prototype<Experiment>();
+  return search_text(query, {&scene, scene_templates(template_folder()), page_headings(document_folder())});
+}
+
+// Returns the text for a name that is no kind: a component, or what a search finds.
+std::string named(const std::string& name) {
+  std::string text = list_named(name);
+  if (text.empty()) text = found(name);
+  if (text.empty())
+    throw InputError(fmt::format("nothing is found for '{}': it begins no word of a kind, a component, a key, a template, a page or the field's terms{}", name, nearest_findable(name)));
+  return text;
+}
+
+}  // namespace
 
 int list_command(const ListOptions& o) {
   for (const std::string& plugin : o.plugins) load_plugin(std::filesystem::absolute(plugin).string());
@@ -16,10 +42,10 @@ int list_command(const ListOptions& o) {
   if (o.kind.empty()) {
     fmt::print("{}", list_kinds());
   } else if (o.name.empty()) {
-    const std::string found = list_named(o.kind);
-    fmt::print("{}", found.empty() ? list_kind(o.kind) : found);
+    fmt::print("{}", is_kind(o.kind) ? list_kind(o.kind) : named(o.kind));
   } else {
-    fmt::print("{}", list_component(o.kind, o.name));
+    const std::string both = is_kind(o.kind) ? "" : found(o.kind + " " + o.name);
+    fmt::print("{}", both.empty() ? list_component(o.kind, o.name) : both);
   }
   return exit_done;
 }

@@ -2,11 +2,13 @@
 // mesh_convert.cpp for convert, mesh_sdf.cpp for sdf.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
 #include "framework/app/mesh_report.hpp"
 #include "framework/config/bind.hpp"
+#include "framework/config/nearest.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/meshing/mesh_operation.hpp"
 #include "geometry/errors.hpp"
@@ -71,12 +73,21 @@ std::unique_ptr<MeshOperation> operation_of(const std::string& name, const Words
   return bind_component<MeshOperation>(value);
 }
 
+// Throws InputError with the nearest name unless there is such an operation.
+void check_operation(const std::string& name) {
+  std::vector<std::string> names = Registry<MeshOperation>::kind().names();
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  names.insert(names.end(), {"convert", "info", "sdf"});
+  std::sort(names.begin(), names.end());
+  throw InputError(fmt::format("tack mesh: unknown operation '{}'{}", name, suggestion(name, names, "operations")));
+}
+
 }  // namespace
 
 int mesh_command(const MeshOptions& o) {
   const Words words(o.words);
   const bool sdf = o.operation == "sdf", info = o.operation == "info", convert = o.operation == "convert";
-  if (!info && !sdf && !convert) Registry<MeshOperation>::kind().entry(o.operation);
+  if (!info && !sdf && !convert) check_operation(o.operation);
   if (words.files.empty())
     throw InputError(fmt::format("tack mesh {}: which {}? Give a file", o.operation, sdf ? "level set" : "mesh"));
   if (info) {

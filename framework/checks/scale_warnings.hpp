@@ -23,6 +23,11 @@
 // is kept low, as a warning that is wrong costs more than one that is missing. Without warning at
 // 1000 are scenes with a contact distance of more than a thirtieth of the body, and without
 // gravity.
+//
+// A third scale, without contact and gravity: the extent of a body over that of the largest other
+// one. Of 203 shipped scenes with several bodies the largest ratio of a body that moves or is of a
+// file is 3; a body of 6 cm beside ones of 80 cm, read in metres, has 75. Warned of above 30, if
+// the body is at least a metre large.
 #pragma once
 
 #include <string>
@@ -35,7 +40,7 @@ namespace tack {
 struct SceneConfig;
 struct World;
 
-// Returns the extent, mass and initial speed of the body number `body`: "0.1 x 0.2 x 0.1 m, 2 kg,
+// Returns the extent, mass and initial speed of the body number `body`: "100 x 200 x 100 mm, 2 kg,
 // 1.5 m/s". A mass or speed of zero is left out.
 std::string size_text(const World& world, int body);
 
@@ -46,6 +51,9 @@ struct BodyScale {
   double distance = 0;  // the contact distance over it; 0 without contact
   double sag = 0;       // the pressure of its weight at its base over Young's modulus; or 0
 };
+
+// Returns the extent of a body over the largest of the others [m each]; 0 without others.
+double size_ratio(const std::vector<double>& extents, size_t body);
 
 std::vector<BodyScale> body_scales(const SceneConfig& scene, const World& world);
 

@@ -1,7 +1,6 @@
 #include "framework/report/render.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -12,6 +11,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/output/output_format.hpp"
 #include "framework/report/report.hpp"
+#include "framework/report/scratch_folder.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
 #include "geometry/own_library.hpp"
@@ -25,26 +25,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int frame_count_max = 5000;  // limit of the frames read of a run
 constexpr RenderQuality picture_quality{.lights = 48, .samples = 128}, film_quality{.lights = 8, .samples = 32};
-
-// A temporary folder, deleted with its owner.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "tack_render_XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: cannot make a folder there; set TMPDIR", name));
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code none;
-    fs::remove_all(path_, none);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // Returns the node modules of the build tree or the installation.
 fs::path modules() {

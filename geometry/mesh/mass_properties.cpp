@@ -26,6 +26,8 @@ struct Sums {
   }
 };
 
+constexpr const char* by_repair = "`tack mesh repair MESH -o NEW`, or `repair` among the steps of a shape `processed`";
+
 // Throws InputError unless every edge is used once in each direction.
 void check_closed(const std::vector<Triangle>& triangles) {
   std::map<Edge, int> uses;
@@ -34,12 +36,12 @@ void check_closed(const std::vector<Triangle>& triangles) {
       const int a = t[i], b = t[(i + 1) % 3];
       if (++uses[{a, b}] > 1)
         throw InputError(fmt::format("its triangles are not oriented alike at the edge ({}, {}), or more than two meet "
-                                     "there; orient the surface, or give tets", a, b));
+                                     "there; repair the surface ({}), or give tets", a, b, by_repair));
     }
   for (const auto& [edge, unused] : uses)
     if (!uses.count({edge[1], edge[0]}))
       throw InputError(fmt::format("its surface is not closed (edge ({}, {}) has one triangle), so it encloses no volume; "
-                                   "close it, weld vertices that nearly coincide (`weld` of the shape), or give tets", edge[0], edge[1]));
+                                   "close it ({}), weld vertices that nearly coincide (`weld` of the shape), or give tets", edge[0], edge[1], by_repair));
 }
 
 // Throws InputError if a component inside another one is not a cavity, or a component inside a cavity faces inwards: space would

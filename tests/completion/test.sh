@@ -48,6 +48,7 @@ offers_among projected_newton tack list minimizer p
 offers 'projected_newton' tack list --plugin libmine.so minimizer proj
 offers 'libmine.so' tack list --plugin lib
 offers 'probes.csv' tack plot results/pull --data p
+offers 'peel|probe-tack' tack new p
 offers_among fang tack law --type f
 offers 'bash|fish|zsh' tack completion ''
 offers '' tack nothing ''

@@ -34,6 +34,10 @@ grep -q -e "\"flags\": \".*-march=$architecture " "pull_$architecture/summary.js
 "$tack" mesh tetrahedralize ring.msh -o ring.vtu edge_length=2mm
 "$tack" law --type fang peak_traction=10kPa work_of_adhesion=15J/m^2 --young 1MPa >law.txt
 "$tack" completion bash | bash -n
+"$tack" new probe-tack -o probe_tack.yaml
+"$tack" check probe_tack.yaml >check.txt
+"$tack" list cohesive zone | grep -q docs/theory/bonds.md
+rm probe_tack.yaml
 END
 cd "$scratch/work"
 here=(x86-64)

@@ -111,6 +111,15 @@ const tests = {
     done("render", "out", "-o", "again.png", ...above, "background='#0000ff'");
     assert.ok(readFileSync(join(folder, "above.png")).equals(readFileSync(join(folder, "again.png"))));
   },
+  async "a scene is drawn before it is run, as its run at the start"() {
+    assert.match(done("check", "scene.yaml", "--picture", "setup.png"), /is OK\nsetup\.png\n$/);
+    done("render", "out", "-o", "first.png", "--set", "at=0 s");
+    const places = [[0.5, 0.5], [0.5, 0.4], [0.45, 0.45], [0.3, 0.6], [0.7, 0.6], [0.02, 0.02]];
+    const setup = await looked("setup.png", places), first = await looked("first.png", places);
+    assert.deepEqual([setup.width, setup.height], [first.width, first.height]);
+    setup.pixels.forEach((pixel, i) => pixel.forEach((value, k) => assert.ok(Math.abs(value - first.pixels[i][k]) < 4, `${places[i]}: ${pixel}, ${first.pixels[i]}`)));
+    assert.ok(Math.abs(grey(setup.pixels[0]) - grey(setup.pixels[5])) > 10, `an object in the middle: ${setup.pixels}`);
+  },
   async "several runs are drawn side by side"() {
     done("render", "out", "out", "-o", "both.png", "--set", "size=[600, 200]", "camera={from: [0, 8, 0.01], to: [0, 0, 0], angle: 40 deg}", "lights=4", "labels=[one, other]",
       "objects={cube: {colour: '#ff0000'}}");
@@ -210,6 +219,7 @@ const tests = {
   async "invalid settings are refused"() {
     refused(/samples: only Blender takes them; give --with blender/, "render", "out", "--set", "samples=4");
     refused(/objects\.cube: transmission, translucency and subdivide are drawn by Blender alone/, "render", "out", "--set", "objects.cube.transmission=1");
+    refused(/setup\.jpg: names of pictures end in \.png/, "check", "scene.yaml", "--picture", "setup.jpg");
     refused(/picture\.jpg: names of pictures end in \.png, names of films in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
     refused(/no run has an object 'cubo'; there are plate, cube/, "render", "out", "--set", "objects={cubo: {hide: true}}");
     refused(/has no 'stress'; its frames have displacement/, "render", "out", "--set", "field={name: stress}");

@@ -18,7 +18,7 @@ const std::vector<std::string> layers = {
     "framework/shapes", "framework/level_set", "framework/meshing",
     "framework/body", "framework/protocol", "framework/motion", "framework/world", "framework/scene", "framework/setup", "framework/checks", "framework/remesh",
     "framework/stepping", "framework/output", "framework/experiment", "framework/export", "framework/probes", "framework/profile",
-    "framework/sensitivity", "framework/run", "framework/plot", "framework/law", "framework/compare", "framework/batch", "framework/calibrate", "framework/report", "framework/suite", "framework/view", "framework/app", "energies", "solvers"};
+    "framework/sensitivity", "framework/run", "framework/catalogue", "framework/plot", "framework/law", "framework/compare", "framework/batch", "framework/calibrate", "framework/report", "framework/suite", "framework/view", "framework/app", "energies", "solvers"};
 
 // Of a path relative to the source tree; -1 if it is in none.
 int layer_of(const std::string& path) {

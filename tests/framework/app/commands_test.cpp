@@ -179,15 +179,53 @@ TEST_CASE("help, version and components are found by the words that other progra
   CHECK(contains(chambers, "load 'pressure'"));
   CHECK(contains(chambers, "filling 'pressure'"));
   CHECK(tack({"list", "energy"}).out != tack({"list", "probe", "energy"}).out);
-  CHECK(contains(tack({"list", "neo_hokean"}).err, "unknown kind 'neo_hokean'"));
+  CHECK(contains(tack({"list", "neo_hokean"}).err, "nothing is found for 'neo_hokean'"));
 }
 
-TEST_CASE("check says how large, heavy and fast objects are") {
+TEST_CASE("meshes of files have the unit that the scene gives them") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "corner.obj", "v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 0 20\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const auto check = [&](const std::string& more) {
+    write_file(folder.path() / "scene.yaml", "name: corner\nobjects:\n  - {name: corner, shape: {type: file, path: corner.obj" + more + "}, body: {type: affine, density: 1000}}\n");
+    return run_tack(folder.path(), {"check", "scene.yaml"});
+  };
+  CHECK(contains(check(", unit: mm").out, "object 'corner': 20 x 20 x 20 mm, 0.001333 kg"));
+  CHECK(contains(check(", unit: inch").out, "object 'corner': 508 x 508 x 508 mm"));
+  CHECK(contains(check("").out, "object 'corner': 20 x 20 x 20 m, 1.333e+06 kg"));
+  CHECK(contains(check(", unit: kg").err, "expects a unit of length, as m, mm, um or inch, got 'kg'"));
+  write_file(folder.path() / "corner.obj", "v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 0 20\nf 1 3 2\nf 1 2 4\nf 1 4 3\n");
+  CHECK(contains(check("").err, "its surface is not closed (edge") );
+  CHECK(contains(check("").err, "close it (`tack mesh repair MESH -o NEW`, or `repair` among the steps of a shape `processed`)"));
+}
+
+TEST_CASE("misspelt operations on meshes are told from all of their names") {
+  const TemporaryFolder folder;
+  CHECK(contains(run_tack(folder.path(), {"mesh", "infos", "a.obj"}).err, "tack mesh: unknown operation 'infos'; did you mean 'info'? (operations: convert, cut, "));
+  CHECK(contains(run_tack(folder.path(), {"mesh", "remsh", "a.obj"}).err, "did you mean 'remesh'?"));
+}
+
+TEST_CASE("a run makes no folders that stay empty") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", tiny_scene);
+  REQUIRE(run_tack(folder.path(), {"run", "scene.yaml", "-q", "-o", "bare", "--set", "output.frames=false"}).exit_code == 0);
+  CHECK_FALSE(fs::exists(folder.path() / "bare/frames"));
+  CHECK_FALSE(fs::exists(folder.path() / "bare/checkpoints"));
+  REQUIRE(run_tack(folder.path(), {"run", "scene.yaml", "-q", "-o", "full", "--set", "output.frames=true", "output.checkpoint_interval=10 ms"}).exit_code == 0);
+  CHECK(fs::exists(folder.path() / "full/frames/frame_000000.vtu"));
+  CHECK_FALSE(fs::is_empty(folder.path() / "full/checkpoints"));
+}
+
+TEST_CASE("check says how large, heavy and fast objects are, and how long the run is") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", tiny_scene);
   const std::string out = run_tack(folder.path(), {"check", "scene.yaml"}).out;
-  CHECK(contains(out, "object 'block': 0.2 x 0.2 x 0.2 m, 8 kg; 8 vertices"));
+  CHECK(contains(out, "object 'block': 200 x 200 x 200 mm, 8 kg; 8 vertices"));
+  CHECK(contains(out, "time: 5 steps of 10 ms, to 50 ms"));
+  CHECK(contains(out, "; waves cross it in 6.325 ms (0.63 steps)"));  // 0.2 m sqrt(1000 / 1e6) s
   CHECK_FALSE(contains(out, "warning: "));
+  CHECK(contains(run_tack(folder.path(), {"check", "scene.yaml", "--set", "time.adaptive={error: 1 mm, smallest: 1 us, largest: 20 ms}"}).out, "time: steps of 1 us to 20 ms, to 50 ms"));
+  CHECK_FALSE(contains(run_tack(folder.path(), {"check", "scene.yaml", "--set", "time.integrator=quasi_static", "gravity=[0, 0, 0]"}).out, "waves"));
+  CHECK(contains(run_tack(folder.path(), {"check", "scene.yaml", "--picture", "a.jpg"}).err, "a.jpg: names of pictures end in .png"));
   const std::string large = run_tack(folder.path(), {"check", "scene.yaml", "--set", "objects.block.shape.size=[200, 200, 200]", "objects.block.place.translate=[0, 100.1, 0]"}).out;
-  CHECK(contains(large, "warning: object 'block' is 200 m large, 2e+05 times the contact distance"));
+  CHECK(contains(large, "warning: object 'block' is 200 m large, and the largest other one 1 m: lengths without a unit are metres"));
 }

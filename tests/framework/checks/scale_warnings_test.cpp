@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "framework/body/extent.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "geometry/errors.hpp"
@@ -52,10 +53,25 @@ TEST_CASE("a body that its own weight would crush is doubted without contact as 
   CHECK(contains(only_text(lines, WarningKind::heavy_object), "its weight presses on its base with 9.81e+05 Pa, more than Young's modulus (2e+05 Pa)"));
 }
 
+TEST_CASE("a body that is far larger than all others is doubted, whatever the contact distance", "[checks]") {
+  const auto lines_of = [](double size, const char* motion) {
+    TestScene scene(fmt::format("contact: {{distance: 10 cm}}\nobjects:\n"
+                                "  - {{name: blob, shape: {{type: box, size: [{0}, {0}, {0}]}}, {1}}}\n"
+                                "  - {{name: pebble, shape: {{type: box, size: [80 cm, 10 cm, 10 cm]}}, place: {{translate: [0, 200, 0]}}, {2}}}\n", size, motion, rigid));
+    return scale_warnings(scene.config, *scene.world);
+  };
+  const std::string warned = only_text(lines_of(60, rigid.c_str()), WarningKind::large_object);
+  CHECK(contains(warned, "object 'blob' is 60 m large, and the largest other one 800 mm: lengths without a unit are metres"));
+  CHECK(lines_of(20, rigid.c_str()).empty());
+  CHECK(lines_of(60, "motion: [fixed]").empty());  // a floor
+  CHECK(size_ratio({60, 0.8, 0.1}, 0) == Approx(75));
+  CHECK(size_ratio({60}, 0) == 0);
+}
+
 TEST_CASE("sizes, masses and speeds of bodies", "[checks]") {
   TestScene scene(scaled(1, soft));
-  CHECK(size_text(*scene.world, 0).starts_with("0.3 x 0.1 x 0.3 m"));
-  CHECK(size_text(*scene.world, 1) == "0.1 x 0.1 x 0.1 m, 1 kg, 2 m/s");
+  CHECK(size_text(*scene.world, 0).starts_with("300 x 100 x 300 mm"));
+  CHECK(size_text(*scene.world, 1) == "100 x 100 x 100 mm, 1 kg, 2 m/s");
 }
 
 // The study of the header: the scales of each shipped scene as it is, and with all lengths of its
@@ -86,6 +102,11 @@ TEST_CASE("no shipped scene is doubted for its scale or its faces, and most are 
       sag = std::max(sag, s.sag);
       side = std::max(side, s.side);
     }
+    std::vector<double> extents;
+    for (const Body& body : world.bodies) extents.push_back(extent_of(body, world.start.x).sizes().maxCoeff());
+    double ratio = 0;  // of bodies that the check of sizes examines
+    for (size_t i = 0; i < extents.size(); ++i)
+      if (world.bodies[i].movable || world.bodies[i].from_file) ratio = std::max(ratio, size_ratio(extents, i));
     CHECK(scale_warnings(scene, world).empty());
     CHECK(flush_face_warnings(scene, world).empty());
     world.start.x *= 1000;
@@ -97,7 +118,7 @@ TEST_CASE("no shipped scene is doubted for its scale or its faces, and most are 
     };
     if (distance > 0) count(with_contact);
     if (sag > 0) count(standing);
-    if (print) fmt::print("{} {:.3g} {:.3g} {:.3g} {}\n", name, side, distance, sag, warned);
+    if (print) fmt::print("{} {:.3g} {:.3g} {:.3g} {:.3g} {}\n", name, side, distance, sag, ratio, warned);
   }
   CHECK(with_contact.scenes > 100);
   CHECK(with_contact.found > 0.8 * with_contact.scenes);
