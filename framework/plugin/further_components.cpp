@@ -22,7 +22,7 @@ Further further = Further::here;
 const std::map<std::string, std::vector<std::string>, std::less<>> further_names = {
     {"adhesion", {"after_dwell", "over_temperature", "over_time"}},
     {"contact_model", {"clipped", "gcp", "ipc", "ogc"}},
-    {"energy", {"elastic_rod", "expression", "expression_membrane", "gent", "gent_membrane", "hgo_fibres",
+    {"energy", {"bergstrom_boyce", "elastic_rod", "expression", "expression_membrane", "gent", "gent_membrane", "hgo_fibres",
                 "hinge_bending", "maxwell", "maxwell_bending", "maxwell_membrane", "maxwell_rod", "mooney_rivlin",
                 "mooney_rivlin_membrane", "neo_hookean_membrane", "ogden", "ogden_membrane", "particle", "strain_limit",
                 "string", "stvk_membrane", "von_mises", "von_mises_membrane", "yeoh", "yeoh_membrane"}},

@@ -82,7 +82,7 @@ void refuse_environment(const SceneConfig& scene, const Value& root) {
       if (energy->depends_on_temperature()) return;
   const Value* environment = root.find("environment");
   throw InputError((environment ? environment->mark.text() + ": " : "") +
-                   "no adhesion law or energy of the scene depends on the temperature, which acts on nothing else; take `environment` away, or choose one that does (`viscoelastic` with `shift`, or a `maxwell` energy with `shift`)");
+                   "no adhesion law or energy of the scene depends on the temperature, which acts on nothing else; take `environment` away, or choose one that does (`viscoelastic` with `shift`, or an energy that relaxes, as `maxwell`, with `shift`)");
 }
 
 // Throws InputError for a rolling object whose friction sticks: anchors follow no rotation of rods

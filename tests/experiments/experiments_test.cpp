@@ -176,6 +176,7 @@ TEST_CASE("experiment plasticity/upset") { check_experiment("plasticity/upset.ya
 TEST_CASE("experiment plasticity/flatten") { check_experiment("plasticity/flatten.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
 
+TEST_CASE("experiment viscoelastic/bergstrom_boyce") { check_experiment("viscoelastic/bergstrom_boyce.yaml"); }
 TEST_CASE("experiment viscoelastic/cantilevers") { check_experiment("viscoelastic/cantilevers.yaml"); }
 TEST_CASE("experiment viscoelastic/master_curve") { check_experiment("viscoelastic/master_curve.yaml"); }
 TEST_CASE("experiment viscoelastic/standard_solid") { check_experiment("viscoelastic/standard_solid.yaml"); }

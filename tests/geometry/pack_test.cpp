@@ -1,4 +1,4 @@
-#include "geometry/pack.hpp"
+#include "geometry/pack_exp.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
@@ -56,6 +56,22 @@ TEST_CASE("atan2 of lanes agrees with the standard library", "[geometry]") {
   CHECK(lane(-1, 0) == -M_PI / 2);
   CHECK(std::isnan(lane(nan, 1)));
   CHECK(std::isnan(lane(1, nan)));
+}
+
+TEST_CASE("exp of lanes agrees with the standard library", "[geometry]") {
+  for (int i = -70800; i <= 70900; i += pack_width) {
+    Pack x;
+    for (int l = 0; l < pack_width; ++l) x.set(l, std::min(0.01 * (i + l) + 1e-5 * l, 709.0));
+    const Pack found = exp(x);
+    for (int l = 0; l < pack_width; ++l) REQUIRE(std::abs(found[l] / std::exp(x[l]) - 1) <= 3 * std::numeric_limits<double>::epsilon());
+  }
+  const auto lane = [](double x) { return exp(Pack(x))[0]; };
+  const double infinite = std::numeric_limits<double>::infinity();
+  CHECK(lane(0) == 1);
+  for (const double tiny : {1e-300, 1e-17, -1e-17, 1e-9}) CHECK(lane(tiny) == std::exp(tiny));
+  CHECK(lane(-infinite) == Approx(std::exp(-708.0)));
+  CHECK(lane(infinite) == Approx(std::exp(709.0)));
+  CHECK(lane(std::numeric_limits<double>::quiet_NaN()) == lane(-708));
 }
 
 TEST_CASE("packs are stored lane by lane, for any number of lanes", "[geometry]") {
