@@ -2,8 +2,19 @@
 
 #include <algorithm>
 #include <queue>
+#include <utility>
+
+#include "geometry/parallel.hpp"
+#include "geometry/prefix_sums.hpp"
 
 namespace tack {
+namespace {
+
+constexpr int nodes_per_chunk = 64;
+// Chunks of the matrix's columns that count entries: each has a count for every column of the factor.
+constexpr int counting_chunks = 24, counting_columns_min = 256;
+
+}  // namespace
 
 SupernodeTree::SupernodeTree(const cholmod_factor& factor, const BlockMatrix& matrix)
     : size(matrix.size()) {
@@ -11,9 +22,10 @@ SupernodeTree::SupernodeTree(const cholmod_factor& factor, const BlockMatrix& ma
   connect();
   locate_blocks(matrix);
   cut();
-  sort_top();
   local = rows;
-  for (const Subtree& tree : subtrees) number_locally(tree);
+  for_each(static_cast<int>(subtrees.size()), [&](int i) { number_locally(subtrees[i]); }, 1);
+  factor_tasks = tasks_of_factorisation(*this);
+  solve_tasks = tasks_of_solve(*this);
 }
 
 // Reads the factor of blocks; each of its rows and columns stands for three scalars.
@@ -48,16 +60,17 @@ void SupernodeTree::connect() {
   parent.resize(count);
   position.assign(rows.size(), -1);
   child_start.assign(count + 1, 0);
-  for (int s = 0; s < count; ++s) {
+  for_each(count, [&](int s) {
     parent[s] = below(s) == 0 ? -1 : node_of[*rows_below(s)];
-    if (parent[s] < 0) continue;
-    ++child_start[parent[s] + 1];
+    if (parent[s] < 0) return;
     int at = row_start[parent[s]];
     for (int k = row_start[s] + columns(s); k < row_start[s + 1]; ++k) {
       while (rows[at] != rows[k]) ++at;
       position[k] = at - row_start[parent[s]];
     }
-  }
+  }, nodes_per_chunk);
+  for (int s = 0; s < count; ++s)
+    if (parent[s] >= 0) ++child_start[parent[s] + 1];
   for (int s = 0; s < count; ++s) child_start[s + 1] += child_start[s];
   children.resize(child_start.back());
   auto next = child_start;
@@ -65,38 +78,57 @@ void SupernodeTree::connect() {
     if (parent[s] >= 0) children[next[parent[s]]++] = s;
 }
 
+// A counting sort. Chunks of the matrix's columns count their entries, so that the order of the
+// entries of a column of the factor is that of the matrix.
 void SupernodeTree::locate_blocks(const BlockMatrix& matrix) {
-  std::vector<int> inverse(size), node_of(size), node(matrix.blocks());
-  for (int k = 0; k < size; ++k) inverse[permutation[k]] = k;
-  for (int s = 0; s < nodes(); ++s) std::fill(&node_of[first[s]], &node_of[first[s]] + columns(s), s);
-  entry_start.assign(nodes() + 1, 0);
-  entries.resize(matrix.blocks());
-  const auto for_each_block = [&](const auto& body) {
-    for (int c = 0; c < matrix.columns(); ++c)
-      for (int b = matrix.column_start[c]; b < matrix.column_start[c + 1]; ++b)
-        body(b, inverse[3 * matrix.row[b]], inverse[3 * c]);
+  const int n = matrix.columns(), chunk = std::max(counting_columns_min, chunk_count(n, counting_chunks));
+  std::vector<int> inverse(n), node_of(n);
+  for_each(n, [&](int k) { inverse[permutation[3 * k] / 3] = k; }, 4096);
+  for_each(nodes(), [&](int s) { std::fill_n(&node_of[first[s] / 3], columns(s) / 3, s); }, nodes_per_chunk);
+  const auto for_each_block = [&](int begin, int end, const auto& body) {
+    for (int c = begin; c < end; ++c)
+      for (int b = matrix.column_start[c]; b < matrix.column_start[c + 1]; ++b) {
+        const int row = inverse[matrix.row[b]], column = inverse[c];
+        body(b, row < column, std::max(row, column), std::min(row, column));
+      }
   };
-  for_each_block([&](int, int r, int c) { ++entry_start[node_of[std::min(r, c)] + 1]; });
-  for (int s = 0; s < nodes(); ++s) entry_start[s + 1] += entry_start[s];
-  auto next = entry_start;
-  for_each_block([&](int b, int r, int c) {
-    const int column = std::min(r, c), row = std::max(r, c), s = node_of[column];
-    const auto begin = rows.begin() + row_start[s];
-    const auto found = std::lower_bound(begin, rows.begin() + row_start[s + 1], row) - begin;
-    entries[next[s]++] = {b, r < c, panel[s] + found + std::ptrdiff_t(column - first[s]) * height(s)};
-  });
+  std::vector<std::vector<int>> next(chunk_count(n, chunk));  // counts, then the next entry of each column
+  for_each_chunk(n, [&](int k, int begin, int end) {
+    next[k].assign(n, 0);
+    for_each_block(begin, end, [&](int, bool, int, int column) { ++next[k][column]; });
+  }, chunk);
+  entry_start.assign(n + 1, 0);
+  for_each(n, [&](int c) {
+    for (std::vector<int>& counts : next) entry_start[c + 1] += counts[c];
+  }, 1024);
+  prefix_sums(entry_start);
+  for_each(n, [&](int c) {
+    int at = entry_start[c];
+    for (std::vector<int>& counts : next) at += std::exchange(counts[c], at);
+  }, 1024);
+  entries.resize(matrix.blocks());
+  for_each_chunk(n, [&](int k, int begin, int end) {
+    for_each_block(begin, end, [&](int b, bool transposed, int row, int column) {
+      const int s = node_of[column];
+      const auto rows_begin = rows.begin() + row_start[s];
+      const auto found = std::lower_bound(rows_begin, rows.begin() + row_start[s + 1], 3 * row) - rows_begin;
+      entries[next[k][column]++] = {b, transposed, panel[s] + found + std::ptrdiff_t(3 * column - first[s]) * height(s)};
+    });
+  }, chunk);
 }
 
-// Splits the heaviest subtree until none has more than a small fraction of the work.
+// Splits the heaviest subtree until none has more than a small fraction of the work, or more work
+// than is worth a task of its own.
 void SupernodeTree::cut() {
-  constexpr double largest_part = 1.0 / 12;
+  constexpr double largest_part = 1.0 / 96, smallest_part = 1e6;
+  constexpr double entry_work = 30;  // of an entry that is set to zero and added to, in products
   std::vector<double> work(nodes());
   std::vector<int> leftmost(nodes());
   double total = 0;
   for (int s = 0; s < nodes(); ++s) {
     leftmost[s] = s;
     const double h = height(s);
-    const double own = h * h * columns(s) + 200;
+    const double own = h * h * (columns(s) + entry_work / 2) + 200;
     total += own;
     work[s] += own;
     for (int k = child_start[s]; k < child_start[s + 1]; ++k) {
@@ -110,29 +142,20 @@ void SupernodeTree::cut() {
   while (!queue.empty()) {
     const auto [heavy, s] = queue.top();
     queue.pop();
-    if (heavy <= largest_part * total || child_start[s] == child_start[s + 1]) {
-      subtrees.push_back({leftmost[s], s});
+    if (heavy <= std::max(largest_part * total, smallest_part) || child_start[s] == child_start[s + 1]) {
+      subtrees.push_back({leftmost[s], s, heavy});
       continue;
     }
     top.push_back(s);
     for (int k = child_start[s]; k < child_start[s + 1]; ++k) queue.emplace(work[children[k]], children[k]);
   }
-}
-
-void SupernodeTree::sort_top() {
   std::sort(top.begin(), top.end());
-  std::vector<size_t> level(nodes(), 0);
-  for (const int s : top) {
-    if (level[s] == top_levels.size()) top_levels.emplace_back();
-    top_levels[level[s]].push_back(s);
-    if (parent[s] >= 0) level[parent[s]] = std::max(level[parent[s]], level[s] + 1);
-  }
 }
 
-void SupernodeTree::number_locally(const Subtree& tree) {
-  const int begin = first[tree.first], end = first[tree.root + 1];
-  const int* outside = rows_below(tree.root);
-  for (int s = tree.first; s <= tree.root; ++s) {
+void SupernodeTree::number_locally(const Subtree& subtree) {
+  const int begin = first[subtree.first], end = first[subtree.root + 1];
+  const int* outside = rows_below(subtree.root);
+  for (int s = subtree.first; s <= subtree.root; ++s) {
     int at = 0;
     for (int k = row_start[s]; k < row_start[s + 1]; ++k) {
       if (rows[k] < end) {

@@ -9,6 +9,7 @@
 
 #include "framework/core/block_matrix.hpp"
 #include "solvers/linear/cholmod_session.hpp"
+#include "solvers/linear/front_tasks.hpp"
 
 namespace tack {
 
@@ -32,7 +33,8 @@ struct SupernodeTree {
   // First entry of each node's columns (height x columns), and the end.
   std::vector<std::ptrdiff_t> panel;
 
-  // Targets of the matrix's blocks, sorted by node: entry (i, j) goes to at + i + j * height(node).
+  // Targets of the matrix's blocks, sorted by block column of the factor (entry_start): entry (i, j)
+  // goes to at + i + j * height(node).
   struct PanelEntry {
     int block;
     bool transposed;
@@ -45,19 +47,19 @@ struct SupernodeTree {
   // within it: its columns, then the rows below its root. For nodes of `top` it holds the rows.
   struct Subtree {
     int first, root;
+    double work;  // products and sums of its factorisation, about
   };
   std::vector<Subtree> subtrees;
-  std::vector<int> top;
-  std::vector<std::vector<int>> top_levels;  // the top by levels; nodes of a level are independent
+  std::vector<int> top;  // ascending: parents follow their children
   std::vector<int> local;
+  FrontTasks factor_tasks, solve_tasks;
 
  private:
   void read(const cholmod_factor& factor);
   void connect();
   void locate_blocks(const BlockMatrix& matrix);
   void cut();
-  void sort_top();
-  void number_locally(const Subtree& tree);
+  void number_locally(const Subtree& subtree);
 };
 
 }  // namespace tack
