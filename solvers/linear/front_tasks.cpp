@@ -9,9 +9,9 @@ namespace {
 using TaskKind = FrontTask::Kind;
 
 // Work of nodes that are not cut into tiles: products and sums of a factorisation (50 us), and
-// entries read by a solve (10 us).
+// entries read by a solve (3 us).
 constexpr double whole_work_max = 1e6;
-constexpr std::ptrdiff_t whole_entries_max = 1 << 15;
+constexpr std::ptrdiff_t whole_entries_max = 1 << 13;
 // Costs in products and sums (0.034 ns): of a task without work, of an entry that is set to zero and
 // added to, and of one that a solve reads.
 constexpr double task_cost = 5000, entry_cost = 30, read_cost = 10;

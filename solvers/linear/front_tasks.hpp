@@ -23,10 +23,7 @@ struct FrontTiles {
 
   // node_height: rows, the own ones first.
   FrontTiles(int node_columns, int node_height, int own_rows, int rows_below)
-      : columns(node_columns),
-        height(node_height),
-        own_width(own_rows),
-        below_width(rows_below),
+      : columns(node_columns), height(node_height), own_width(own_rows), below_width(rows_below),
         own((columns + own_width - 1) / own_width),
         count(own + (height - columns + below_width - 1) / below_width) {}
   int begin(int tile) const {
@@ -54,10 +51,10 @@ struct FrontTask {
     panel,    // tile (row, column) of the factor
     update,   // tile (row, column) of the Schur complement
     // Solve with a node in tiles: forwards, then backwards.
-    gather,    // contributions of the children
-    lower,     // tile (row, column) of the own columns; row = column: a triangle
-    subtract,  // rows below in tile `row`
-    scatter,   // solution in the rows below
+    gather,            // contributions of the children
+    lower,             // tile (row, column) of the own columns; row = column: a triangle
+    subtract,          // rows below in tile `row`
+    scatter,           // solution in the rows below
     transposed_below,  // rows below to the columns of tile `column`
     transposed,        // tile (row, column) of the own columns, transposed
     whole_back,

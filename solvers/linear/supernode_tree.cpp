@@ -120,7 +120,7 @@ void SupernodeTree::locate_blocks(const BlockMatrix& matrix) {
 // Splits the heaviest subtree until none has more than a small fraction of the work, or more work
 // than is worth a task of its own.
 void SupernodeTree::cut() {
-  constexpr double largest_part = 1.0 / 96, smallest_part = 1e6;
+  constexpr double largest_part = 1.0 / 96, smallest_part = 3e5;
   constexpr double entry_work = 30;  // of an entry that is set to zero and added to, in products
   std::vector<double> work(nodes());
   std::vector<int> leftmost(nodes());

@@ -33,8 +33,8 @@ struct SupernodeTree {
   // First entry of each node's columns (height x columns), and the end.
   std::vector<std::ptrdiff_t> panel;
 
-  // Targets of the matrix's blocks, sorted by block column of the factor (entry_start): entry (i, j)
-  // goes to at + i + j * height(node).
+  // Targets of the matrix's blocks, sorted by block column of the factor (entry_start): entry (i,
+  // j) goes to at + i + j * height(node).
   struct PanelEntry {
     int block;
     bool transposed;
