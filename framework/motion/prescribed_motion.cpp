@@ -16,12 +16,12 @@ bool at_the_same_time(const Motion& a, const Motion& b) {
 
 // Throws SimulationError for positions that are not finite or whose squared distances may overflow.
 void check_positions(const std::vector<int>& vertices, double t, const VecX& x) {
-  constexpr double farthest = 1e100;  // m
+  constexpr double coordinate_max = 1e100;  // m
   for (const int v : vertices) {
     const Vec3 p = vertex(x, v);
-    if (p.cwiseAbs().maxCoeff() <= farthest && p.allFinite()) continue;
+    if (p.cwiseAbs().maxCoeff() <= coordinate_max && p.allFinite()) continue;
     throw SimulationError(fmt::format("puts vertex {} at ({:g}, {:g}, {:g}) m at t = {} s; it must be finite and at most "
-                                      "{:g} m away", v, p.x(), p.y(), p.z(), t, farthest));
+                                      "{:g} m away", v, p.x(), p.y(), p.z(), t, coordinate_max));
   }
 }
 

@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-constexpr double determining = 1e-6;  // smallest weight at which a relation determines a vertex
+constexpr double determining_weight_min = 1e-6;  // smallest weight at which a relation determines a vertex
 constexpr double round_off = 1e-12;
 
 using Weights = std::map<int, double>;
@@ -31,7 +31,7 @@ Entry largest(const std::vector<Weights>& rows, const std::set<int>& among) {
 
 // Solves rows for vertices in `among` and substitutes them in the other rows.
 void eliminate(std::vector<Weights>& rows, const std::set<int>& among, Dependences& found) {
-  for (Entry pivot = largest(rows, among); std::abs(pivot.weight) >= determining; pivot = largest(rows, among)) {
+  for (Entry pivot = largest(rows, among); std::abs(pivot.weight) >= determining_weight_min; pivot = largest(rows, among)) {
     const Weights by = rows[pivot.row];
     rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(pivot.row));
     Dependence& d = found.emplace_back(Dependence{pivot.vertex, {}});
@@ -43,7 +43,7 @@ void eliminate(std::vector<Weights>& rows, const std::set<int>& among, Dependenc
       const double factor = entry->second;
       row.erase(entry);
       for (const auto& [v, weight] : d.on) row[v] += factor * weight;
-      std::erase_if(row, [](const auto& entry) { return std::abs(entry.second) < round_off; });
+      std::erase_if(row, [](const auto& weight) { return std::abs(weight.second) < round_off; });
     }
   }
 }
