@@ -11,7 +11,7 @@ import { lightBothSides } from "./two_sided_shadows.js";
 
 const usual = { roughness: 0.7, metalness: 0, opacity: 1, smooth: 40, lines: false, hide: false };
 const shadowPixels = 1024;
-// Of the ground, in sizes of the run: edge length, and distance below what stands on it; and how dark a full shadow on a ground without colour is.
+// Edge length of the ground and its distance below what stands on it, in sizes of the run; darkness of a full shadow on a ground without colour.
 const [groundExtent, groundGap, groundShadow] = [60, 1e-4, 0.8];
 const groundShadows = 2; // extent of shadows beside that of the objects, so that those on the ground are not cut off
 const up = new Vector3(0, 1, 0);

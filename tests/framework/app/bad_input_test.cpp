@@ -223,7 +223,7 @@ TEST_CASE("a wrong command line ends with 2 and names the expected arguments") {
   CHECK(contains(error_of({"run", "scene.yaml", "--steps", "0"}), "--steps: expects a whole number above zero, got '0'"));
   CHECK(error_of({"run", "scene.yaml", "--steps", "0"}).size() < 200);
   CHECK(contains(error_of({"run", "scene.yaml", "--threads", "99999999999"}), "got '99999999999'"));
-  CHECK(contains(error_of({"rn", "scene.yaml"}), "error: unknown command 'rn'; did you mean 'run'? (commands: run, "));
+  CHECK(contains(error_of({"rn", "scene.yaml"}), "error: unknown command 'rn'; did you mean 'run'? (commands: new, run, "));
   CHECK(contains(error_of({"run", "scene.yaml", "--thread", "2"}), "unknown option '--thread' of `tack run`; did you mean '--threads'?"));
   CHECK(contains(error_of({"--vresion"}), "unknown option '--vresion' of `tack`; did you mean '--version'?"));
   CHECK(contains(error_of({"run", "scene.yaml", "--set", "time.stepp=1"}),

@@ -121,7 +121,7 @@ TEST_CASE("no prescribed motion passes through an obstacle", "[iterates]") {
   const std::string through = "{type: translate, velocity: [-24, 0, 0]}";
   const std::string frames = "{type: keyframes, frames: [{time: 0}, {time: 0.01, translation: [-0.24, 0, 0], "
                              "rotation: [0, 3.14159, 0]}, {time: 0.02}]}";
-  const std::string formula = "{type: formula, x: '-200 * X * t', y: '-200 * Y * t'}";
+  const std::string formula = "{type: formula, x: '-24 * t * (1 + 5 * Y)', y: '2 * t * Z'}";
   struct Sweep {
     std::string paddle;
     int block_cells;
