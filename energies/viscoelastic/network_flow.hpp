@@ -26,7 +26,7 @@ struct NetworkFlow {
   double chain_exponent = 0;  // C: the rate is multiplied by (chain - 1 + offset)^C
   double chain_offset = 0.01;
 
-  /// What a step leaves of the trial norm, and what flows: fractions that add up to 1.
+  /// Fraction of the trial norm that a step leaves, and the fraction that flows; they sum to 1.
   template <class T>
   struct Fractions {
     T left, flowed;
