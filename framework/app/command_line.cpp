@@ -114,7 +114,7 @@ class CommandLine {
   void add_new() {
     CLI::App* scene = app_.add_subcommand("new", "Write a commented scene to begin with: probe tack, peel, lap shear, drape, stack");
     scene->add_option("template", new_.name, "template; without one, all are listed");
-    scene->add_option("-o,--output", new_.output, "file to write (default: TEMPLATE.yaml)")->type_name("YAML");
+    scene->add_option("-o,--output", new_.output, "file to write (default: probe_tack.yaml for probe-tack)")->type_name("YAML");
     scene->callback([this] { exit_code_ = new_command(new_); });
   }
 

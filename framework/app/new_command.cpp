@@ -31,7 +31,7 @@ void print_templates(const std::vector<SceneTemplate>& templates) {
   size_t width = 0;
   for (const SceneTemplate& t : templates) width = std::max(width, t.name.size());
   for (const SceneTemplate& t : templates) fmt::print("  {:<{}}  {}\n", t.name, width, t.about);
-  fmt::print("`tack new NAME` writes NAME.yaml\n");
+  fmt::print("`tack new NAME` writes one to a file, probe_tack.yaml for probe-tack\n");
 }
 
 }  // namespace
