@@ -12,7 +12,7 @@ namespace tack {
 struct RenderSettings {
   std::vector<std::filesystem::path> folders;  // of runs, side by side
   std::filesystem::path output;  // ends in .png, .mp4 or .gif; "%04d": numbered pictures
-  bool with_blender = false;  // by Cycles, the path tracer of Blender
+  bool with_blender = false;     // by Cycles, the path tracer of Blender
   bool quiet = false;
   std::string version, commit;  // of the program
 };
