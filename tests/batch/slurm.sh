@@ -47,7 +47,8 @@ SlurmctldHost=$host(127.0.0.1)
 SlurmUser=$user
 SlurmdUser=$user
 AuthType=auth/munge
-AuthInfo=socket=$work/munge.socket
+# A job that is queued again starts once its old credential has expired: after 5 s instead of 120.
+AuthInfo=socket=$work/munge.socket,cred_expire=5
 CredType=cred/munge
 SlurmctldPort=$(free_port)
 SlurmdPort=$(free_port)
@@ -142,7 +143,7 @@ signalled() {  # sends SIGUSR1 once the running task has written a checkpoint ne
   for ((i = 0; ; ++i)); do
     newest=$(find long/cases -name '*.checkpoint' | sort | tail -n 1)
     if [[ -n $newest && $newest != "$1" && $(squeue -h -o %T) == RUNNING ]]; then break; fi
-    ((i < 600)) || { echo "no checkpoint after '$1'"; exit 1; }
+    ((i < 1200)) || { echo "no checkpoint after '$1'"; exit 1; }
     sleep 0.1
   done
   scancel --batch --signal=USR1 "$(squeue -h -o %A)"
@@ -153,12 +154,6 @@ for ((i = 0; ; ++i)); do
   ((i < 300)) || { echo "the task is not queued again"; exit 1; }
   sleep 0.1
 done
-# A job that was queued again waits two minutes before it starts: an administrator starts it at once.
-for ((i = 0; i < 50; ++i)); do
-  [[ -n $(squeue -h -t PENDING) ]] && break
-  sleep 0.1
-done
-scontrol update jobid="$(squeue -h -o %A)" starttime=now
 signalled "$(find long/cases -name '*.checkpoint' | sort | tail -n 1)"
 for ((i = 0; ; ++i)); do
   if [[ -z $(squeue -h) ]]; then break; fi
