@@ -68,10 +68,8 @@ try {
     const at = view.at ?? run.last;
     writeFileSync(output, await draw(at));
   } else {
-    const gif = output.endsWith(".gif");
     const coder = spawn("ffmpeg", ["-y", "-loglevel", "error", "-f", "image2pipe", "-framerate", String(view.fps), "-c:v", "png", "-i", "-",
-      ...(gif ? ["-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0"]
-        : ["-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"]), resolve(output)],  // "a:b.mp4" alone would be a protocol
+      ...view.film_coding, resolve(output)],  // "a:b.mp4" alone would be a protocol
       { stdio: ["pipe", "inherit", "inherit"] });
     coder.on("error", () => fail("there is no ffmpeg to make films with; install it, or draw a picture (-o picture.png)"));
     await drawAll(async (png) => {

@@ -44,6 +44,12 @@ std::string last_lines(const fs::path& path) {
 // Returns true for a film as numbered pictures, "film_%04d.png".
 bool is_numbered(const fs::path& output) { return std::regex_search(output.filename().string(), std::regex("%0[0-9]+d")); }
 
+// Returns the arguments of ffmpeg that code a film, between its input and its output.
+std::vector<std::string> film_coding(const fs::path& output) {
+  if (output.extension() == ".gif") return {"-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0"};
+  return {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"};
+}
+
 // Throws InputError if a program that was run is missing or failed.
 void check_exit(int code, const char* program, const char* package, const fs::path& output) {
   if (code < 0 || code == 127) throw InputError(fmt::format("{} is missing; install it (Debian: {}), or run `./tack render`, which installs it", program, package));
@@ -86,10 +92,7 @@ void draw_in_blender(const RenderSettings& settings, const Json& view, const Scr
   check_exit(code, "blender", "blender", settings.output);
   if (!film) return;
   std::vector<std::string> words{"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:g}", view["fps"].get<double>()), "-i", pictures.string()};
-  const std::vector<std::string> gif{"-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0"};
-  const std::vector<std::string> mp4{"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"};
-  const auto& coding = settings.output.extension() == ".gif" ? gif : mp4;
-  words.insert(words.end(), coding.begin(), coding.end());
+  for (const std::string& word : film_coding(settings.output)) words.push_back(word);
   words.push_back(fs::absolute(settings.output).string());
   check_exit(run_program(words), "ffmpeg", "ffmpeg", settings.output);
 }
@@ -107,7 +110,8 @@ void render(const RenderSettings& settings, const RenderView& view) {
   settings.with_blender ? check_blender(view) : check_built_in(view);
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
   const ScratchFolder scratch;
-  const Json json = json_of(view, ending == ".png" && !is_numbered(settings.output) ? picture_quality : film_quality);
+  Json json = json_of(view, ending == ".png" && !is_numbered(settings.output) ? picture_quality : film_quality);
+  json["film_coding"] = film_coding(settings.output);
   settings.with_blender ? draw_in_blender(settings, json, scratch) : draw_in_browser(settings, json, scratch);
 }
 
