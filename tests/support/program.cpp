@@ -61,11 +61,11 @@ int Program::threads_open_to(int signal) const {
 
 void Program::kill() { ::kill(pid_, SIGKILL); }
 
-ProgramResult Program::wait() {
+ProgramResult Program::wait(std::chrono::minutes patience) {
   using namespace std::chrono_literals;
   int status = 0;
   pid_t ended = 0;
-  const auto deadline = std::chrono::steady_clock::now() + TACK_PATIENCE * 4min;
+  const auto deadline = std::chrono::steady_clock::now() + TACK_PATIENCE * patience;
   while ((ended = ::waitpid(pid_, &status, WNOHANG)) == 0) {
     if (std::chrono::steady_clock::now() > deadline) ::kill(pid_, SIGKILL);
     std::this_thread::sleep_for(1ms);
@@ -76,8 +76,9 @@ ProgramResult Program::wait() {
           file_text(printed_.path() / "err")};
 }
 
-ProgramResult run_tack(const fs::path& directory, const Arguments& arguments, const std::string& program) {
-  return Program(directory, arguments, program).wait();
+ProgramResult run_tack(const fs::path& directory, const Arguments& arguments, const std::string& program,
+                       std::chrono::minutes patience) {
+  return Program(directory, arguments, program).wait(patience);
 }
 
 std::string file_text(const fs::path& path) {

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -33,7 +34,8 @@ class Program {
   bool has_child() const;                 // whether it has forked a process that runs
   int threads_open_to(int signal) const;  // that do not block it
   void kill();                            // as `kill -9` does
-  ProgramResult wait();  // kills it after four minutes, with sanitizers after eighty
+  // Kills it after `patience`, with sanitizers after twenty times that.
+  ProgramResult wait(std::chrono::minutes patience = std::chrono::minutes(4));
 
  private:
   TemporaryFolder printed_;
@@ -41,7 +43,8 @@ class Program {
 };
 
 ProgramResult run_tack(const std::filesystem::path& directory, const Arguments& arguments,
-                       const std::string& program = TACK_PROGRAM);
+                       const std::string& program = TACK_PROGRAM,
+                       std::chrono::minutes patience = std::chrono::minutes(4));
 
 // Returns the text of a file; "" if there is no file.
 std::string file_text(const std::filesystem::path& path);

@@ -1,0 +1,60 @@
+// Experiments that show adhesion or friction fail without it: the expectations that name the effect can tell.
+#include <catch2/catch.hpp>
+
+#include "tests/support/json.hpp"
+#include "tests/support/program.hpp"
+
+namespace tack {
+namespace {
+
+// A change that takes away what a scene shows, and the expectations that must fail by it, of which others may fail too.
+struct Sabotage {
+  std::string scene, change;
+  Arguments set;
+  std::vector<std::string> fails;
+};
+
+const std::vector<Sabotage>& sabotages() {
+  static const std::vector<Sabotage> table = {
+      {"wall_cube/detaches", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=4 kPa"}, {"it turns"}},
+      {"wall_cube/detaches", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction holds it up", "it detaches"}},
+      {"wall_cube/stuck", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=50 kPa"}, {"it hardly sinks"}},
+      {"wall_cube/stuck_rough", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction takes its part"}},
+  };
+  return table;
+}
+
+void check_sabotage(const std::string& scene) {
+  bool any = false;
+  for (const Sabotage& s : sabotages()) {
+    if (s.scene != scene) continue;
+    any = true;
+    CAPTURE(s.change);
+    const TemporaryFolder folder;
+    Arguments arguments = {"run", TACK_SOURCE_DIR "/experiments/" + scene + ".yaml", "-o", "out", "-q", "--set", "output.frames=false"};
+    for (const std::string& change : s.set) arguments.insert(arguments.end(), {"--set", change});
+    const ProgramResult result = run_tack(folder.path(), arguments, TACK_PROGRAM, std::chrono::minutes(60));
+    INFO(result.out << result.err);
+    CHECK(result.exit_code == 1);
+    REQUIRE(std::filesystem::exists(folder.path() / "out/summary.json"));
+    const nlohmann::json summary = read_json(folder.path() / "out/summary.json");
+    for (const std::string& name : s.fails) {
+      CAPTURE(name);
+      bool found = false;
+      for (const auto& e : summary["expect"]) {
+        if (e["name"] != name) continue;
+        found = true;
+        CHECK_FALSE(e["pass"].get<bool>());
+      }
+      CHECK(found);
+    }
+  }
+  REQUIRE(any);
+}
+
+TEST_CASE("sabotage: wall_cube/detaches", "[nightly]") { check_sabotage("wall_cube/detaches"); }
+TEST_CASE("sabotage: wall_cube/stuck", "[nightly]") { check_sabotage("wall_cube/stuck"); }
+TEST_CASE("sabotage: wall_cube/stuck_rough", "[nightly]") { check_sabotage("wall_cube/stuck_rough"); }
+
+}  // namespace
+}  // namespace tack
