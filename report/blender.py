@@ -1,7 +1,8 @@
-"""Draws a run with Cycles: blender -b -P blender.py -- VIEW.json SHAPES OUTPUT
+"""Draws runs with Cycles: blender -b -P blender.py -- VIEW.json OUTPUT SHAPES...
 
-VIEW.json: the view of `tack render`. SHAPES: a folder of `tack export --to npy`. OUTPUT: a file
-that ends in .png, or the pattern of numbered pictures ("film_%04d.png"). Prints "frame 3 of 120".
+VIEW.json: the view of `tack render`. SHAPES: folders of `tack export --to npy`, drawn side by side.
+OUTPUT: a file that ends in .png, or the pattern of numbered pictures ("film_%04d.png"). Prints
+"frame 3 of 120".
 
 Scenes of tack have any axis upwards and any size; the picture is drawn with z upwards and with the
 run's longest extent as the unit of length, for which Blender's defaults are made.
@@ -11,6 +12,7 @@ import math
 import os
 import re
 import sys
+import tempfile
 
 import numpy as np
 
@@ -96,13 +98,23 @@ def turned(v, axis, angle):
     return v * math.cos(angle) + np.cross(axis, v) * math.sin(angle) + axis * (axis @ v) * (1 - math.cos(angle))
 
 
-class Drawing:
-    """The Blender scene of a run."""
+def is_closed(faces):
+    """Returns True for a surface without boundary: each edge has two faces."""
+    count = {}
+    for face in faces:
+        for a, b in zip(face, [*face[1:], face[0]]):
+            edge = (a, b) if a < b else (b, a)
+            count[edge] = count.get(edge, 0) + 1
+    return all(n == 2 for n in count.values())
 
-    def __init__(self, run, view):
+
+class Drawing:
+    """The Blender scene of one of the runs that are drawn side by side."""
+
+    def __init__(self, run, runs, view, label=""):
         import bpy
 
-        self.bpy, self.run, self.view = bpy, run, view
+        self.bpy, self.run, self.runs, self.view, self.label = bpy, run, runs, view, label
         bpy.ops.wm.read_factory_settings(use_empty=True)
         self.scene = bpy.context.scene
         low, high = run.box(range(len(run.times)))
@@ -115,6 +127,10 @@ class Drawing:
         self.light()
         self.camera = self.add("camera", bpy.data.cameras.new("camera"))
         self.scene.camera = self.camera
+
+    def size(self):
+        width, height = self.view["size"]
+        return width // len(self.runs), height
 
     def add(self, name, data):
         made = self.bpy.data.objects.new(name, data)
@@ -131,7 +147,7 @@ class Drawing:
         s.cycles.samples = view["samples"]
         s.cycles.seed = 0
         s.cycles.use_denoising = False  # Debian's Blender has no denoiser that takes the processor
-        s.render.resolution_x, s.render.resolution_y = view["size"]
+        s.render.resolution_x, s.render.resolution_y = self.size()
         s.view_settings.view_transform = "Filmic" if view["tone"] == "filmic" else "Standard"
         s.view_settings.exposure = math.log2(view["exposure"])
         s.render.film_transparent = True
@@ -176,11 +192,49 @@ class Drawing:
             if look.get("subdivide"):
                 s = made.modifiers.new("subdivide", "SUBSURF")
                 s.levels = s.render_levels = look["subdivide"]
+            if look.get("offset"):
+                self.offset(made, look["offset"] * self.unit, is_closed(faces))
         elif o["edges"] or o["points"]:
-            self.thicken(made, max(o["radius"] * self.unit, 8e-4), bool(o["edges"]))
+            self.thicken(made, max((o["radius"] + look.get("offset", 0)) * self.unit, 8e-4), bool(o["edges"]))
         if look.get("opacity", 1) <= 0.5:
             made.visible_shadow = False
         return o, made
+
+    def offset(self, made, distance, closed):
+        """Moves a closed surface outwards; gives a sheet a thickness of twice the distance."""
+        if closed:
+            m = made.modifiers.new("offset", "DISPLACE")
+            m.strength, m.mid_level = distance, 0
+        else:
+            m = made.modifiers.new("offset", "SOLIDIFY")
+            m.thickness, m.offset = 2 * distance, 0
+
+    def cut(self, made):
+        """Returns a copy of an object without what lies beyond the section, closed by faces in its plane."""
+        import bmesh
+        from mathutils import Vector
+
+        section, turn = self.view["section"], self.run.turn
+        name = made.name + " cut"
+        old = self.bpy.data.objects.get(name)
+        if old:
+            self.bpy.data.meshes.remove(old.data)
+        evaluated = made.evaluated_get(self.bpy.context.evaluated_depsgraph_get())
+        b = bmesh.new()
+        b.from_mesh(evaluated.to_mesh())
+        evaluated.to_mesh_clear()
+        point, normal = Vector(self.placed(turn @ np.array(section["through"]))), Vector(turn @ np.array(section["normal"]))
+        found = bmesh.ops.bisect_plane(b, geom=[*b.verts, *b.edges, *b.faces], dist=1e-7, plane_co=point, plane_no=normal, clear_outer=True)
+        edges = [e for e in found["geom_cut"] if isinstance(e, bmesh.types.BMEdge)]
+        if edges:
+            bmesh.ops.triangle_fill(b, use_beauty=True, edges=edges, normal=normal)
+        mesh = self.bpy.data.meshes.new(name)
+        b.to_mesh(mesh)
+        b.free()
+        for m in made.data.materials:
+            mesh.materials.append(m)
+        mesh.use_auto_smooth, mesh.auto_smooth_angle = made.data.use_auto_smooth, made.data.auto_smooth_angle
+        return self.add(name, mesh)
 
     def thicken(self, made, radius, rod):
         """Gives edges or points a radius, by geometry nodes."""
@@ -245,10 +299,20 @@ class Drawing:
             x = self.placed(self.run.positions(o, sample)).astype(np.float32).ravel()
             made.data.vertices.foreach_set("co", x)
             made.data.update()
+        if self.view["section"]:
+            for o, made in self.shapes:
+                if o["face_sizes"]:
+                    made.hide_render = False
+                    self.bpy.context.view_layer.update()
+                    self.cut(made).visible_shadow = made.visible_shadow
+                    made.hide_render = True
         view = self.view["camera"]
-        samples = {"run": range(len(self.run.times)), "first": [0], "last": [len(self.run.times) - 1]}.get(view["fit"], [sample])
-        low, high = self.run.box(samples)
-        width, height = self.view["size"]
+        boxes = []
+        for run in self.runs:
+            own = int(np.argmin(np.abs(run.times - self.run.times[sample])))
+            boxes.append(run.box({"run": range(len(run.times)), "first": [0], "last": [len(run.times) - 1]}.get(view["fit"], [own])))
+        low, high = np.min([b[0] for b in boxes], 0), np.max([b[1] for b in boxes], 0)
+        width, height = self.size()
         position, target = (self.placed(p) for p in camera_of(view, self.run, low, high, width / height))
         back = Vector(position - target)
         lens = self.camera.data
@@ -266,13 +330,14 @@ class Drawing:
         """Renders a sample, lays it over the background and writes the time on it."""
         bpy, s = self.bpy, self.scene
         self.set(sample)
-        s.render.use_stamp = self.view["time"]
+        time = f"t = {self.run.times[sample]:.4g} s" if self.view["time"] else ""
+        s.render.use_stamp = bool(time or self.label)
         for part in ("camera", "date", "filename", "frame", "hostname", "lens", "marker", "memory", "render_time", "scene", "sequencer_strip", "time", "frame_range"):
             if hasattr(s.render, "use_stamp_" + part):
                 setattr(s.render, "use_stamp_" + part, False)
         s.render.use_stamp_note = True
         s.render.use_stamp_labels = False
-        s.render.stamp_note_text = f"t = {self.run.times[sample]:.4g} s"
+        s.render.stamp_note_text = ", ".join(text for text in (self.label, time) if text)
         s.render.stamp_font_size = max(12, round(20 * self.view["size"][1] / 720))
         s.render.stamp_background = (0, 0, 0, 0)
         dark = self.view["background"] != "transparent" and linear(self.view["background"]) @ [0.3, 0.6, 0.1] < 0.3
@@ -307,32 +372,71 @@ def samples_of(view, times):
     return [int(np.argmin(np.abs(times - t))) for t in wanted]
 
 
+def set_looks(runs, looks):
+    """Gives each object its look, of all patterns that fit its name. Raises SystemExit for one that fits none."""
+    names = [o["name"] for run in runs for o in run.objects]
+    for pattern in looks:
+        if not any(matches(pattern, name) for name in names):
+            raise SystemExit(f"objects: no run has an object '{pattern}'; there are {', '.join(names[:12])}")
+    for run in runs:
+        for o in run.objects:
+            o["look"] = {}
+            for pattern, look in looks.items():
+                if matches(pattern, o["name"]):
+                    o["look"].update(look)
+        if all(o["look"].get("hide") for o in run.objects):
+            raise SystemExit("all objects are hidden")
+
+
+def join_side_by_side(parts, path):
+    """Writes pictures of the same height as one."""
+    import bpy
+
+    pixels = []
+    for part in parts:
+        image = bpy.data.images.load(part)
+        width, height = image.size
+        values = np.empty(width * height * 4, np.float32)
+        image.pixels.foreach_get(values)
+        pixels.append(values.reshape(height, width, 4))
+        bpy.data.images.remove(image)
+    joined = np.concatenate(pixels, 1)
+    image = bpy.data.images.new("joined", joined.shape[1], joined.shape[0], alpha=True)
+    image.pixels.foreach_set(joined.ravel())
+    image.file_format, image.filepath_raw = "PNG", path
+    image.save()
+    bpy.data.images.remove(image)
+
+
 def main():
-    view_file, shapes, output = sys.argv[sys.argv.index("--") + 1:]
+    view_file, output, *folders = sys.argv[sys.argv.index("--") + 1:]
     with open(view_file) as file:
         view = json.load(file)
-    run = Run(shapes)
-    for pattern in view["objects"]:
-        if not any(matches(pattern, o["name"]) for o in run.objects):
-            names = ", ".join(o["name"] for o in run.objects[:12])
-            raise SystemExit(f"objects: the run has no object '{pattern}'; there are {names}")
-    for o in run.objects:
-        o["look"] = {}
-        for pattern, look in view["objects"].items():
-            if matches(pattern, o["name"]):
-                o["look"].update(look)
-    if all(o["look"].get("hide") for o in run.objects):
-        raise SystemExit("all objects are hidden")
-    drawing = Drawing(run, view)
-    drawing.background()
-    if "%" in os.path.basename(output):
-        samples = samples_of(view, run.times)
-        for i, sample in enumerate(samples):
-            drawing.draw(sample, output % i)
-            print(f"frame {i + 1} of {len(samples)}", flush=True)
+    runs = [Run(folder) for folder in folders]
+    set_looks(runs, view["objects"])
+    labels = view["labels"] or [""] * len(runs)
+    numbered = "%" in os.path.basename(output)
+    if numbered:
+        times = [runs[0].times[sample] for sample in samples_of(view, runs[0].times)]
     else:
-        at = run.times[-1] if view["at"] is None else view["at"]
-        drawing.draw(int(np.argmin(np.abs(run.times - at))), output)
+        times = [runs[0].times[-1] if view["at"] is None else view["at"]]
+    with tempfile.TemporaryDirectory() as scratch:
+        def part(i, k):
+            if len(runs) == 1:
+                return output % i if numbered else output
+            return os.path.join(scratch, f"{i}_{k}.png")
+
+        for k, run in enumerate(runs):  # Blender has one scene at a time
+            drawing = Drawing(run, runs, view, labels[k])
+            drawing.background()
+            for i, time in enumerate(times):
+                last = not numbered and view["at"] is None
+                drawing.draw(len(run.times) - 1 if last else int(np.argmin(np.abs(run.times - time))), part(i, k))
+                if numbered:
+                    print(f"frame {i + 1} of {len(times)}", flush=True)
+        if len(runs) > 1:
+            for i in range(len(times)):
+                join_side_by_side([part(i, k) for k in range(len(runs))], output % i if numbered else output)
 
 
 try:

@@ -34,6 +34,7 @@ OutputConfig::OutputConfig() { formats.push_back(Registry<OutputFormat>::make("v
 void OutputConfig::fields(Fields& f) {
   f.flag("frames", frames, "write frames/*.vtu and run.pvd");
   f.number("frame_interval", frame_interval, units::time, "time between frames; 0: every step").nonnegative();
+  f.number("frames_from", frames_from, units::time, "time of the first frame after the initial one, for short intervals about what matters").nonnegative();
   f.optional_number("checkpoint_interval", checkpoint_interval, units::time,
                     "simulated time between checkpoints, from which `tack run --resume` continues; none unless given")
       .positive();

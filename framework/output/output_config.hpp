@@ -15,6 +15,7 @@ namespace tack {
 struct OutputConfig {
   OutputConfig();
   double frame_interval = 0;  // s; 0: every step
+  double frames_from = 0;     // s, the first frame after the initial one
   bool frames = true;
   std::optional<double> checkpoint_interval;  // s
   std::vector<std::string> frame_fields = {"velocity", "contact_force", "adhesion_force",

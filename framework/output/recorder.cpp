@@ -18,7 +18,7 @@ Recorder::Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet&
 }
 
 void Recorder::schedule_frame(double time) {
-  next_frame_ = next_due(output_.frame_interval, time, time_.step);
+  next_frame_ = next_due_from(output_.frames_from, output_.frame_interval, time, time_.step);
 }
 
 void Recorder::start(const State& state) {

@@ -89,6 +89,7 @@ class AttachedObjects : public Probe {
   void fields(Fields& f) override {
     Probe::fields(f);
     f.text("to", to_, "name of the object that they adhere to").required();
+    f.texts("of", of_, "objects that count; with `fill`, all of their copies; empty: all").line();
   }
   void prepare(const World& world) override {
     require_contact(world, name_);
@@ -96,6 +97,9 @@ class AttachedObjects : public Probe {
     const auto& adhesion = world.contact->pairs().laws(LawTerm::adhesion);
     adhesive_.clear();
     for (const PairLaw& law : adhesion) adhesive_.push_back(!law.laws().empty());
+    counted_.assign(world.bodies.size(), of_.empty() ? 1 : 0);
+    for (const std::string& name : of_)
+      for (const int i : copies_of(world, name, name_)) counted_[i] = 1;
   }
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State& state) override {
@@ -112,6 +116,7 @@ class AttachedObjects : public Probe {
       if (c.opposite == index_ && c.object != index_) attached[c.object] = 1;
     });
     if (world.bonds) add_bonded(*world.bonds, attached);
+    for (size_t i = 0; i < attached.size(); ++i) attached[i] &= counted_[i];
     return {static_cast<double>(std::count(attached.begin(), attached.end(), 1))};
   }
 
@@ -127,6 +132,8 @@ class AttachedObjects : public Probe {
   }
 
   std::string to_;
+  std::vector<std::string> of_;
+  std::vector<char> counted_;  // per object
   int index_ = -1;
   std::vector<char> adhesive_;  // per law
 };

@@ -99,12 +99,7 @@ class ObjectsWithin : public Probe {
     f.vector("max", max_, units::length, "highest corner").required();
     f.check("max", [this]() -> std::string { return (max_.array() > min_.array()).all() ? "" : "must be beyond min, in x, y and z"; });
   }
-  void prepare(const World& world) override {
-    objects_.clear();
-    for (size_t i = 0; i < world.bodies.size(); ++i)
-      if (world.bodies[i].name == of_ || copy(world.bodies[i].name)) objects_.push_back(static_cast<int>(i));
-    if (objects_.empty()) object_index(world, of_, name_);  // throws with the known names
-  }
+  void prepare(const World& world) override { objects_ = copies_of(world, of_, name_); }
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State& state) override {
     return {static_cast<double>(std::count_if(objects_.begin(), objects_.end(), [&](int i) {
@@ -114,12 +109,6 @@ class ObjectsWithin : public Probe {
   }
 
  private:
-  // Returns true for the name of a copy, NAME_12.
-  bool copy(const std::string& name) const {
-    const size_t digits = of_.size() + 1;
-    return name.size() > digits && name.starts_with(of_ + "_") && name.find_first_not_of("0123456789", digits) == std::string::npos;
-  }
-
   std::string of_;
   Vec3 min_ = Vec3::Zero(), max_ = Vec3::Zero();
   std::vector<int> objects_;

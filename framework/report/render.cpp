@@ -76,18 +76,22 @@ void draw_in_browser(const RenderSettings& settings, const Json& view, const Scr
 
 // Draws the pictures by Blender; a film is made of them by ffmpeg.
 void draw_in_blender(const RenderSettings& settings, const Json& view, const ScratchFolder& scratch) {
-  if (settings.folders.size() > 1) throw InputError("Blender draws one run; give one folder, or leave --with blender out");
   Value format = Value::map();
   format.set("type", Value::scalar("npy"));
-  const fs::path shapes = scratch.path() / "shapes", view_file = scratch.path() / "view.json", log = scratch.path() / "blender.txt";
-  for (const std::string& note : bind_component<OutputFormat>(format)->write(settings.folders.front(), shapes).notes)
-    if (!settings.quiet) fmt::print("note: {}\n", note);
+  const fs::path view_file = scratch.path() / "view.json", log = scratch.path() / "blender.txt";
+  std::vector<std::string> shapes;
+  for (const fs::path& folder : settings.folders) {
+    shapes.push_back(scratch.path() / fmt::format("shapes_{}", shapes.size()));
+    for (const std::string& note : bind_component<OutputFormat>(format)->write(folder, shapes.back()).notes)
+      if (!settings.quiet) fmt::print("note: {}\n", note);
+  }
   replace_file(view_file, view.dump());
   const bool film = settings.output.extension() != ".png";
   const fs::path pictures = film ? scratch.path() / "film_%06d.png" : fs::absolute(settings.output);
   std::fflush(nullptr);
-  const int code = run_program({"blender", "-b", "--factory-startup", "-P", shared_file("blender.py").string(), "--", view_file.string(), shapes.string(), pictures.string()},
-                               {{}, log, true});
+  std::vector<std::string> command{"blender", "-b", "--factory-startup", "-P", shared_file("blender.py").string(), "--", view_file.string(), pictures.string()};
+  command.insert(command.end(), shapes.begin(), shapes.end());
+  const int code = run_program(command, {{}, log, true});
   if (code > 0 && code != 127) fmt::print(stderr, "{}\n", last_lines(log));
   check_exit(code, "blender", "blender", settings.output);
   if (!film) return;
@@ -110,7 +114,10 @@ void render(const RenderSettings& settings, const RenderView& view) {
   settings.with_blender ? check_blender(view) : check_built_in(view);
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
   const ScratchFolder scratch;
+  if (!view.labels.empty() && view.labels.size() != settings.folders.size())
+    throw InputError(fmt::format("labels: {} for {} runs; give one for each", view.labels.size(), settings.folders.size()));
   Json json = json_of(view, ending == ".png" && !is_numbered(settings.output) ? picture_quality : film_quality);
+  if (settings.with_blender && view.labels.empty() && settings.folders.size() > 1) json["labels"] = labels_of(settings.folders);
   json["film_coding"] = film_coding(settings.output);
   settings.with_blender ? draw_in_blender(settings, json, scratch) : draw_in_browser(settings, json, scratch);
 }

@@ -41,11 +41,18 @@ void RenderLook::fields(Fields& f) {
   f.optional_number("transmission", transmission, units::none, "fraction of light that passes as through glass (Blender)").range(0, 1);
   f.optional_number("translucency", translucency, units::none, "fraction of light that is scattered below the surface, as in wax and gels (Blender)").range(0, 1);
   f.optional_integer("subdivide", subdivide, "levels of Catmull-Clark subdivision, which rounds coarse meshes (Blender)").at_least(0).at_most(4);
+  f.optional_number("offset", offset, units::length, "distance by which closed surfaces are drawn outside of where they are, which hides gaps between touching bodies; sheets are drawn twice as thick as it (Blender)").nonnegative();
 }
 
 void RenderGround::fields(Fields& f) {
   f.optional_number("at", at, units::length, "height of the ground; below everything that is shown unless given");
   f.text("colour", colour, "CSS colour; only the shadows on it are drawn unless given");
+}
+
+void RenderSection::fields(Fields& f) {
+  f.vector("through", through, units::length, "a point of the plane, in the scene").required();
+  f.vector("normal", normal, units::none, "its normal, towards what is not drawn").required();
+  f.check("normal", [this]() -> std::string { return normal.norm() > 0 ? "" : "must not be zero"; });
 }
 
 void RenderField::fields(Fields& f) {
@@ -87,6 +94,7 @@ void RenderView::fields(Fields& f) {
   f.number("exposure", exposure, units::none, "factor of the light").positive();
   f.choice("tone", tone, {{"none", "none", "colours as they are, bright ones cut off"}, {"filmic", "filmic", "bright colours are compressed, as film does"}}, "tone mapping");
   f.optional_object("ground", ground, "a plane below the objects that receives their shadows; `ground: {}` for the shadows alone");
+  f.optional_object("section", section, "a plane that objects are cut by; what lies beyond it is not drawn (Blender)");
   f.flag("time", time, "write the time into a corner");
   f.flag("scale_bar", scale_bar, "draw the colour scale of the field");
   f.texts("labels", labels, "titles above the runs; names of the folders unless given, if there are several");
@@ -109,6 +117,7 @@ Json json_of(const RenderView& v, const RenderQuality& quality) {
     give("transmission", look.transmission);
     give("translucency", look.translucency);
     give("subdivide", look.subdivide);
+    give("offset", look.offset);
     if (look.lines.given) one["lines"] = look.lines.value;
     if (look.hide.given) one["hide"] = look.hide.value;
     objects[name] = one;
@@ -118,9 +127,11 @@ Json json_of(const RenderView& v, const RenderQuality& quality) {
     field = {{"name", v.field->name}, {"range", v.field->limits.empty() ? Json(nullptr) : Json(v.field->limits)}, {"log", v.field->log}, {"map", v.field->map}};
   Json ground = nullptr;
   if (v.ground) ground = {{"at", or_null(v.ground->at)}, {"colour", v.ground->colour.empty() ? Json(nullptr) : Json(v.ground->colour)}};
+  Json section = nullptr;
+  if (v.section) section = {{"through", or_null(std::optional(v.section->through))}, {"normal", or_null(std::optional<Vec3>(v.section->normal.normalized()))}};
   const RenderCamera& c = v.camera;
   return {{"size", v.size}, {"fps", v.fps}, {"speed", or_null(v.speed)}, {"at", or_null(v.at)}, {"from", or_null(v.from)}, {"to", or_null(v.to)},
-          {"lights", v.lights.value_or(quality.lights)}, {"samples", v.samples.value_or(quality.samples)}, {"background", v.background}, {"exposure", v.exposure}, {"tone", v.tone}, {"ground", ground}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
+          {"lights", v.lights.value_or(quality.lights)}, {"samples", v.samples.value_or(quality.samples)}, {"background", v.background}, {"exposure", v.exposure}, {"tone", v.tone}, {"ground", ground}, {"section", section}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
           {"camera", {{"from", or_null(c.from)}, {"to", or_null(c.to)}, {"look", c.look}, {"turn", degrees(c.turn)}, {"lift", degrees(c.lift)}, {"zoom", c.zoom}, {"angle", degrees(c.angle)}, {"fit", c.fit}}}};
 }
 
@@ -128,15 +139,15 @@ void check_built_in(const RenderView& view) {
   constexpr const char* remedy = "give --with blender, or leave it out";
   if (view.samples) throw InputError(fmt::format("samples: only Blender takes them; {}", remedy));
   for (const auto& [name, look] : view.objects)
-    if (look.transmission || look.translucency || look.subdivide)
-      throw InputError(fmt::format("objects.{}: transmission, translucency and subdivide are drawn by Blender alone; {}", name, remedy));
+    if (look.transmission || look.translucency || look.subdivide || look.offset)
+      throw InputError(fmt::format("objects.{}: transmission, translucency, subdivide and offset are drawn by Blender alone; {}", name, remedy));
+  if (view.section) throw InputError(fmt::format("section: only Blender draws it; {}", remedy));
 }
 
 void check_blender(const RenderView& view) {
   const auto refuse = [](const std::string& key) { throw InputError(key + " is not drawn by Blender; leave it out, or leave --with blender out"); };
   if (view.field) refuse("field");
   if (view.lights) refuse("lights (of Blender: samples)");
-  if (!view.labels.empty()) refuse("labels");
   for (const auto& [name, look] : view.objects)
     if (look.lines.given && look.lines.value) refuse(fmt::format("objects.{}.lines", name));
 }

@@ -25,6 +25,7 @@ struct RenderLook {
   // Only drawn by Blender.
   std::optional<double> transmission, translucency;
   std::optional<int> subdivide;  // levels of Catmull-Clark subdivision
+  std::optional<double> offset;  // m, by which surfaces are drawn outside of where they are
   void fields(Fields& f);
 };
 
@@ -32,6 +33,13 @@ struct RenderLook {
 struct RenderGround {
   std::optional<double> at;  // m, height; below everything that is shown unless given
   std::string colour;        // CSS; empty: only shadows are drawn
+  void fields(Fields& f);
+};
+
+// A plane that objects are cut by.
+struct RenderSection {
+  Vec3 through = Vec3::Zero();  // m
+  Vec3 normal = Vec3::UnitX();  // towards what is not drawn
   void fields(Fields& f);
 };
 
@@ -61,6 +69,7 @@ struct RenderView {
   double exposure = 1;                 // factor of the light before `tone`
   std::string tone = "none";           // or "filmic"
   std::optional<RenderGround> ground;
+  std::optional<RenderSection> section;  // only drawn by Blender
   bool time = true, scale_bar = true;
   std::vector<std::string> labels;
   std::map<std::string, RenderLook> objects;  // by name; "chip*" matches names with that beginning

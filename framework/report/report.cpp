@@ -20,7 +20,19 @@ fs::path canonical_path(const fs::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-// Returns the shortest endings of the folders' paths that differ.
+fs::path case_folder(const Json& batch, const fs::path& folder, const std::string& name) {
+  for (const Json& one : batch["batch"]["cases"])
+    if (one.value("name", "") == name) return folder / one.value("folder", "");
+  throw InputError(fmt::format("{}: has no case '{}'; its cases are in results.csv", folder.string(), name));
+}
+
+fs::path output_of(const ReportSettings& s) {
+  if (!s.output.empty()) return s.output;
+  return s.folders.size() == 1 ? s.folders[0] / "report.html" : fs::path("report.html");
+}
+
+}  // namespace
+
 std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
   std::vector<std::string> labels(folders.size());
   std::vector<fs::path> rest;
@@ -39,19 +51,6 @@ std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
   }
   return labels;
 }
-
-fs::path case_folder(const Json& batch, const fs::path& folder, const std::string& name) {
-  for (const Json& one : batch["batch"]["cases"])
-    if (one.value("name", "") == name) return folder / one.value("folder", "");
-  throw InputError(fmt::format("{}: has no case '{}'; its cases are in results.csv", folder.string(), name));
-}
-
-fs::path output_of(const ReportSettings& s) {
-  if (!s.output.empty()) return s.output;
-  return s.folders.size() == 1 ? s.folders[0] / "report.html" : fs::path("report.html");
-}
-
-}  // namespace
 
 FolderKind kind_of(const fs::path& folder) {
   if (!fs::exists(folder)) throw InputError(fmt::format("{}: there is no such folder", folder.string()));

@@ -15,6 +15,9 @@ enum class FolderKind { run, comparison, suite, batch, calibration };
 // kind.
 FolderKind kind_of(const std::filesystem::path& folder);
 
+// Returns the shortest endings of the folders' paths that differ.
+std::vector<std::string> labels_of(const std::vector<std::filesystem::path>& folders);
+
 struct ReportSettings {
   std::vector<std::filesystem::path> folders;  // runs; or one of another kind
   // empty: report.html in the folder; for several folders, in the working directory

@@ -29,7 +29,7 @@ void Simulation::start_from(State state) {
   stepper_.emplace(world(), experiment(), experiment().time, *solver_, clock(), warn_);
   const OutputConfig& output = experiment().output;
   if (output.frames && output.frame_interval > 0)
-    stepper_->stop_at([interval = output.frame_interval, step = experiment().time.step](double t) { return next_due(interval, t, step); });
+    stepper_->stop_at([from = output.frames_from, interval = output.frame_interval, step = experiment().time.step](double t) { return next_due_from(from, interval, t, step); });
   stepper_->observe(observers_);
   stepper_->observe_solved(solved_);
   if (protocols_) stepper_->follow(*protocols_);

@@ -212,13 +212,38 @@ const tests = {
       assert.ok(statSync(join(folder, "traced.mp4")).size > 500);
     }
     refused(/field is not drawn by Blender/, "render", "out", "--with", "blender", "--set", "field={name: displacement}");
-    refused(/Blender draws one run/, "render", "out", "out", "--with", "blender");
-    refused(/has no object 'cubo'/, "render", "out", "--with", "blender", "--set", "objects={cubo: {hide: true}}");
+    refused(/no run has an object 'cubo'/, "render", "out", "--with", "blender", "--set", "objects={cubo: {hide: true}}");
     refused(/Blender takes colours as #rrggbb/, "render", "out", "--with", "blender", "--set", "background=tomato");
   },
+  async "Blender draws runs side by side, cuts them and offsets their surfaces"() {
+    if (!blender) return console.log("skipped: there is no Blender: apt-get install blender");
+    const view = ["--set", "time=false", "samples=4", "background='#0000ff'", "objects={plate: {hide: true}, cube: {colour: '#ff0000'}}", "camera={from: [0, 8, 0.01], to: [0, 0, 0], angle: 40 deg}"];
+    // Seen from above the cube, of 1 m, is red; counts the red of pixels 200 wide.
+    const red = async (file, from, to) => {
+      const places = Array.from({ length: 4000 }, (_, i) => [from + ((to - from) * ((i % 80) + 0.5)) / 80, (Math.floor(i / 80) + 0.5) / 50]);
+      return (await looked(file, places)).pixels.filter(([r, , b]) => r > 1.5 * b).length;
+    };
+    const draw = (file, ...more) => done("render", "out", "-o", file, "--with", "blender", ...view, "size=[200, 150]", ...more);
+    draw("whole.png");
+    draw("half.png", "section={through: [0, 0, 0], normal: [1, 0, 0]}");
+    draw("closed.png", "section={through: [0, 1, 0], normal: [0, 1, 0]}");
+    draw("larger.png", "objects.cube.offset=0.2");
+    const [whole, half, closed, larger] = await Promise.all(["whole.png", "half.png", "closed.png", "larger.png"].map((file) => red(file, 0, 1)));
+    assert.ok(whole > 100, `${whole}`);
+    assert.ok(Math.abs(half / whole - 0.5) < 0.1, `half of it is left: ${half} of ${whole}`);
+    assert.equal(await red("half.png", 0.52, 1), 0);
+    assert.ok(closed > 0.7 * whole, `the section is closed: ${closed} of ${whole}`);
+    assert.ok(larger > 1.2 * whole && larger < 2 * whole, `${larger} against ${whole}`);
+    done("render", "out", "out", "-o", "pair.png", "--with", "blender", ...view, "size=[400, 150]", "labels=[a, b]");
+    const [left, right] = [await red("pair.png", 0, 0.5), await red("pair.png", 0.5, 1)];
+    assert.ok(Math.abs(left / whole - 1) < 0.15 && Math.abs(right / whole - 1) < 0.15, `each run has its half: ${left} and ${right} of ${whole}`);
+    refused(/labels: 1 for 2 runs; give one for each/, "render", "out", "out", "--with", "blender", "--set", "labels=[a]");
+  },
   async "invalid settings are refused"() {
+    refused(/section: only Blender draws it/, "render", "out", "--set", "section={through: [0, 0, 0], normal: [1, 0, 0]}");
+    refused(/normal must not be zero/, "render", "out", "--with", "blender", "--set", "section={through: [0, 0, 0], normal: [0, 0, 0]}");
     refused(/samples: only Blender takes them; give --with blender/, "render", "out", "--set", "samples=4");
-    refused(/objects\.cube: transmission, translucency and subdivide are drawn by Blender alone/, "render", "out", "--set", "objects.cube.transmission=1");
+    refused(/objects\.cube: transmission, translucency, subdivide and offset are drawn by Blender alone/, "render", "out", "--set", "objects.cube.transmission=1");
     refused(/setup\.jpg: names of pictures end in \.png/, "check", "scene.yaml", "--picture", "setup.jpg");
     refused(/picture\.jpg: names of pictures end in \.png, names of films in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
     refused(/no run has an object 'cubo'; there are plate, cube/, "render", "out", "--set", "objects={cubo: {hide: true}}");

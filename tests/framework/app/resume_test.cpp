@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "framework/output/csv.hpp"
+#include "framework/output/pvd.hpp"
 #include "geometry/shapes/solids.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
@@ -344,6 +345,23 @@ TEST_CASE("intervals of output far below the time step take no time") {
     for (const char* frame : {"frame_000000.vtu", "frame_000003.vtu"})
       CHECK(fs::exists(folder.path() / "results/tiny/frames" / frame));
     CHECK(fs::exists(folder.path() / "results/tiny/checkpoints/step_00000001.checkpoint"));
+  }
+}
+
+TEST_CASE("frames begin at output.frames_from") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  for (const char* interval : {"0", "0.02 s"}) {  // steps of 10 ms until 0.1 s
+    INFO(interval);
+    const ProgramResult result = run(folder.path(), {"-o", "out", "--set", "output.frames_from=0.05", std::string("output.frame_interval=") + interval});
+    INFO(result.out << result.err);
+    REQUIRE(result.exit_code == 0);
+    std::vector<double> times;
+    for (const auto& frame : PvdFile::continued(folder.path() / "out/run.pvd", 1).list()) times.push_back(frame.time);
+    const std::vector<double> every{0, 0.05, 0.06, 0.07, 0.08, 0.09, 0.1}, some{0, 0.05, 0.06, 0.08, 0.1};
+    const std::vector<double>& expected = interval == std::string("0") ? every : some;
+    REQUIRE(times.size() == expected.size());
+    for (size_t i = 0; i < times.size(); ++i) CHECK(times[i] == Approx(expected[i]));
   }
 }
 

@@ -76,6 +76,10 @@ TEST_CASE("attached_objects: objects within the range of adhesion", "[friction]"
   CHECK(Probed(2.5e-3).sample(attached) == std::vector<double>{0});
   CHECK(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: left}") == std::vector<double>{1});
   CHECK(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: right}") == std::vector<double>{0});
+  CHECK(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: floor, of: [left]}") == std::vector<double>{1});
+  CHECK(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: floor, of: [right]}") == std::vector<double>{0});
+  CHECK(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: floor, of: [right, left]}") == std::vector<double>{1});
+  CHECK_THROWS_AS(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: floor, of: [middle]}"), InputError);
 }
 
 TEST_CASE("friction_force: mu N against the sliding direction, equal and opposite on both bodies", "[friction]") {
