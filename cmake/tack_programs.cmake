@@ -65,11 +65,16 @@ function(tack_app)
   endforeach()
 endfunction()
 
-# tack_studies(): the program tack_studies, with all commands.
+# tack_studies(): the program tack_studies, with all commands. The target tack_study_commands has the sources of those that the program tack lacks.
 function(tack_studies)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/framework/app/*_command.cpp)
   list(JOIN TACK_STUDY_COMMANDS "|" COMMANDS)
   list(FILTER SOURCES INCLUDE REGEX "/(${COMMANDS})_command.cpp$")
-  tack_program(tack_studies ${SOURCES})
+  add_library(tack_study_commands OBJECT ${SOURCES})
+  tack_compile_cold(tack_study_commands)
+  tack_precompile_cold(tack_study_commands)
+  target_link_libraries(tack_study_commands PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt CLI11::CLI11)
+  tack_program(tack_studies ${CMAKE_BINARY_DIR}/precompiled.cpp)
+  target_sources(tack_studies PRIVATE $<TARGET_OBJECTS:tack_study_commands>)
   tack_link_all(tack_studies)
 endfunction()

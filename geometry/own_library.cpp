@@ -20,7 +20,14 @@ fs::path own_file() {
   return fs::read_symlink("/proc/self/exe", none);
 }
 
-fs::path own_root() { return own_file().parent_path().parent_path(); }
+// Packages keep libtack.so in a folder below lib/ (one for each instruction set, one of a Python package), so the root is the nearest folder with share/.
+fs::path own_root() {
+  std::error_code none;
+  const fs::path usual = own_file().parent_path().parent_path();
+  for (fs::path root = usual; root.has_relative_path(); root = root.parent_path())
+    if (fs::is_directory(root / "share", none)) return root;
+  return usual;
+}
 
 fs::path shared_file(const std::string& name) {
   std::error_code none;

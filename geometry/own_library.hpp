@@ -9,7 +9,8 @@ namespace tack {
 
 // Returns the file that contains this code: the program, or libtack.so in another program.
 std::filesystem::path own_file();
-// Returns the parent of the folder that holds the program (bin/) or library (lib/), beside share/.
+// Returns the nearest folder above that of the program (bin/) or library (lib/) that holds share/;
+// without one the parent of bin/ or lib/.
 std::filesystem::path own_root();
 
 // Returns the path of a file in share/, or in share/tack/ of an installation.

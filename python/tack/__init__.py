@@ -11,10 +11,11 @@
 """
 import ctypes as _ctypes
 import os as _os
-import pathlib as _pathlib
+
+from tack_program import file_of as _file_of
 
 # Makes libtack's symbols global, for plugins that a scene names.
-_ctypes.CDLL(str(_pathlib.Path(__file__).parent / "lib" / "libtack.so"), mode=_os.RTLD_GLOBAL | _os.RTLD_NOW)
+_ctypes.CDLL(str(_file_of("lib", "libtack.so")), mode=_os.RTLD_GLOBAL | _os.RTLD_NOW)
 
 from ._tack import InputError, Problem, SimulationError  # noqa: E402
 from ._tack import version as __version__  # noqa: E402

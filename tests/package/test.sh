@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the Debian package, unpacks it, and runs what is in it; as root, and where debootstrap is, also installs it in a clean Debian 12:
+# Makes the Debian packages, unpacks them, and runs what is in them; as root, and where debootstrap is, also installs them in a clean Debian 12:
 #   test.sh SOURCE SCRATCH
 # The builds stay in SOURCE/build/package. Exits with 77 where packages cannot be made.
 set -euo pipefail
@@ -16,9 +16,13 @@ rm -rf "$scratch" && mkdir -p "$scratch/work"
 package=$(ls "$source"/build/package/tack_*.deb)
 dpkg-deb -I "$package" | grep -q 'Depends:.*libc6' || fail "no dependencies"
 ! dpkg-deb -I "$package" | grep -E 'Depends:.*(-dev|g\+\+|cmake)' || fail "it asks for a compiler"
+python_package=$(ls "$source"/build/package/python3-tack_*.deb)
+dpkg-deb -I "$python_package" | grep -q 'Depends: tack (= .*python3-numpy.*libtbb12' || fail "dependencies of python3-tack"
 dpkg-deb -x "$package" "$scratch/root"
+! compgen -G "$scratch/root/usr/lib/python3*" >/dev/null || fail "the package tack has the Python package as well"
+dpkg-deb -x "$python_package" "$scratch/root"
 for file in bin/tack lib/tack/libtack_meshing.so lib/tack/libtack_msh.so share/man/man1/tack.1 share/bash-completion/completions/tack share/tack/experiments/debonding/pull.yaml \
-  share/doc/tack/copyright include/tack/geometry/types.hpp lib/cmake/tack/tackConfig.cmake libexec/tack/x86-64{,-v3,-v4}/bin/{tack,tack_studies,libtack_further.so}; do
+  share/doc/{tack,python3-tack}/copyright lib/python3/dist-packages/tack_program.py lib/python3/dist-packages/tack/{__init__.py,_tack.pyi,lib/x86-64{,-v3,-v4}/libtack.so} include/tack/geometry/types.hpp lib/cmake/tack/tackConfig.cmake libexec/tack/x86-64{,-v3,-v4}/bin/{tack,tack_studies,libtack_further.so}; do
   [[ -s $scratch/root/usr/$file ]] || fail "the package does not have $file"
 done
 
@@ -39,11 +43,31 @@ grep -q -e "\"flags\": \".*-march=$architecture " "pull_$architecture/summary.js
 "$tack" list cohesive zone | grep -q docs/theory/bonds.md
 rm probe_tack.yaml
 END
+# The Python package: it finds the libraries and the page of reports of the package tack, and has its bits.
+cat >"$scratch/use.py" <<'END'
+import pathlib
+import sys
+
+import numpy as np
+
+import tack
+
+share, recorded = pathlib.Path(sys.argv[1]), sys.argv[2]
+sim = tack.Simulation(share / "experiments/debonding/pull.yaml")
+sim.run(until=0.01)
+probes = tack.read(recorded).probes
+assert sim.probes()["adhesion"] == probes["adhesion"][np.argmin(np.abs(probes["time"] - sim.time))], "the program and Python have other bits"
+tack.Simulation(share / "experiments/meshing/turned.yaml")  # by libtack_meshing.so
+if (share / "report.html").exists():
+    assert "<iframe" in tack.read(recorded)._repr_html_()
+END
 cd "$scratch/work"
 here=(x86-64)
 for level in x86-64-v3 x86-64-v4; do TACK_ARCHITECTURE=$level "$scratch/root/usr/bin/tack" --version >/dev/null 2>&1 && here+=("$level"); done
 for architecture in "${here[@]}"; do
   bash "$scratch/use.sh" "$scratch/root/usr/bin/tack" "$scratch/root/usr/share/tack" "$architecture" >use.log 2>&1 || { tail -20 use.log; fail "of $architecture"; }
+  TACK_ARCHITECTURE=$architecture PYTHONPATH=$scratch/root/usr/lib/python3/dist-packages /usr/bin/python3 "$scratch/use.py" "$scratch/root/usr/share/tack" "pull_$architecture" >use.log 2>&1 ||
+    { tail -20 use.log; fail "of Python, $architecture"; }
 done
 "$scratch/root/usr/bin/tack" --version | grep -q -e "-march=${here[-1]} " || fail "the best for this processor is not what is started"
 echo "ran: ${here[*]}"
@@ -53,10 +77,12 @@ if ((EUID == 0)) && command -v debootstrap >/dev/null; then
   debootstrap --variant=minbase bookworm "$clean" "${DEBIAN_MIRROR:-http://deb.debian.org/debian}" >"$scratch/debootstrap.log" 2>&1 || { tail -3 "$scratch/debootstrap.log"; echo "no clean Debian: skipped"; exit 0; }
   mount -t proc proc "$clean/proc"
   trap 'umount "$clean/proc"' EXIT
-  cp "$package" "$scratch/use.sh" "$clean/tmp/"
+  cp "$package" "$python_package" "$scratch/use.sh" "$scratch/use.py" "$clean/tmp/"
   chroot "$clean" sh -euc "export DEBIAN_FRONTEND=noninteractive; apt-get update -qq; apt-get install -qq -y --no-install-recommends /tmp/$(basename "$package"); ! command -v c++ g++ gcc" >"$scratch/install.log" 2>&1 ||
     { tail -20 "$scratch/install.log"; fail "apt-get in a clean Debian"; }
   chroot "$clean" bash -euc "mkdir /tmp/use; cd /tmp/use; bash /tmp/use.sh tack /usr/share/tack ${here[-1]}" >"$scratch/use.log" 2>&1 || { tail -20 "$scratch/use.log"; fail "in a clean Debian"; }
+  chroot "$clean" sh -euc "export DEBIAN_FRONTEND=noninteractive; apt-get install -qq -y --no-install-recommends /tmp/$(basename "$python_package")" >"$scratch/install.log" 2>&1 || { tail -20 "$scratch/install.log"; fail "apt-get of python3-tack in a clean Debian"; }
+  chroot "$clean" bash -euc "cd /tmp/use; python3 /tmp/use.py /usr/share/tack pull_${here[-1]}; python3 -m tack --version" >"$scratch/use.log" 2>&1 || { tail -20 "$scratch/use.log"; fail "of Python in a clean Debian"; }
   umount "$clean/proc"
   trap - EXIT
   rm -rf --one-file-system "$clean"

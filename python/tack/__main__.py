@@ -1,0 +1,4 @@
+"""`python -m tack ...` is `tack ...`."""
+from tack_program import main
+
+main()
