@@ -16,9 +16,10 @@ struct Sabotage {
 
 const std::vector<Sabotage>& sabotages() {
   static const std::vector<Sabotage> table = {
-      {"wall_cube/detaches", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=4 kPa"}, {"it turns"}},
-      {"wall_cube/detaches", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction holds it up", "it detaches"}},
-      {"wall_cube/stuck", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=50 kPa"}, {"it hardly sinks"}},
+      {"wall_cube/detaches", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=4 kPa"}, {"friction holds it up", "so that it falls slowly at first"}},
+      {"wall_cube/detaches", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction holds it up", "it turns", "it detaches"}},
+      {"wall_cube/detaches", "no tangential adhesion", {"contact.pairs.0.tangential_adhesion.mu=0"}, {"so that it falls slowly at first"}},
+      {"wall_cube/stuck", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=50 kPa"}, {"it hardly sinks", "it stays attached"}},
       {"wall_cube/stuck_rough", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction takes its part"}},
   };
   return table;
