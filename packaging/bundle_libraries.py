@@ -2,7 +2,7 @@
 """Makes a wheel that was built on Debian independent of Debian's libraries, as auditwheel does: bundle_libraries.py WHEEL FOLDER
 
 The shared libraries that the wheel needs are copied into NAME.libs under names with a digest of their contents, so that no other library of the same name is taken for
-them, and NEEDED and RUNPATH of all files are rewritten. Only the libraries of `from_the_system` stay outside. The wheel's tag is the oldest manylinux (PEP 600) that has the
+them, and NEEDED and RPATH of all files are rewritten. Only the libraries of `from_the_system` stay outside. The wheel's tag is the oldest manylinux (PEP 600) that has the
 versions of symbols that are needed. The copyright files of all packages whose code is in it go along. Prints the file that it writes into FOLDER.
 
 Needs patchelf, binutils and python3-wheel.
@@ -142,17 +142,23 @@ def main() -> None:
             shutil.copy(file, folder / renamed[name])
             (folder / renamed[name]).chmod(0o755)
         copies = [folder / name for name in renamed.values()]
+        # Copies have no path of their own: the loader looks where the file that began the search does (RPATH, unlike RUNPATH). Each call of patchelf appends another copy of all names,
+        # but patchelf 0.14 writes wrong ones in a call for two kinds of changes.
         for path in [*own, *copies]:
-            # One call for each kind of change: patchelf 0.14 writes a wrong RUNPATH where it has several.
-            if options := [word for name in needed(path) if name in renamed for word in ("--replace-needed", name, renamed[name])]:
+            options = [word for name in needed(path) if name in renamed for word in ("--replace-needed", name, renamed[name])]
+            if options:
                 output_of("patchelf", *options, path)
             if path in copies:
+                output_of("patchelf", "--remove-rpath", path)
                 output_of("patchelf", "--set-soname", path.name, path)
-                output_of("patchelf", "--set-rpath", "$ORIGIN", path)
+                if output_of("patchelf", "--print-soname", path).strip() != path.name:
+                    sys.exit(f"bundle_libraries.py: patchelf did not rename {path}")
             else:
                 inside = [entry for entry in output_of("patchelf", "--print-rpath", path).strip().split(":") if entry.startswith("$ORIGIN")]
                 up = "/".join([".."] * (len(path.relative_to(root).parts) - 1))
-                output_of("patchelf", "--set-rpath", ":".join([*inside, f"$ORIGIN/{up}/{folder.name}"]), path)
+                output_of("patchelf", "--force-rpath", "--set-rpath", ":".join([*inside, f"$ORIGIN/{up}/{folder.name}"]), path)
+            if left := [name for name in needed(path) if name in renamed]:
+                sys.exit(f"bundle_libraries.py: {path} still needs {left}")
         for path in own:
             for name, file in found(path, {other.name for other in own}).items():
                 if not from_the_system.match(name) and not file.resolve().is_relative_to(root):

@@ -32,6 +32,7 @@ for a in "${architectures[@]}"; do
   cp "$root/$a/python/tack/lib/libtack.so" "$stage/tack/lib/$a/"
 done
 rm "$stage/tack/bin/tack" "$stage/tack/lib/libtack.so"
+cp -r /usr/share/xml/udunits "$stage/tack/share/tack/"  # the database of units, which libudunits2 reads
 version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' "$first/CMakeCache.txt")
 rm -rf "$root/wheel" "$root/plain_wheel"
 TACK_VERSION=$version "$python" -m pip wheel --quiet --no-deps --no-build-isolation --disable-pip-version-check --wheel-dir "$root/plain_wheel" "$stage"

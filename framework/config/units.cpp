@@ -8,12 +8,15 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 
 #include "framework/config/thermal_units.hpp"
 #include "framework/config/words.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/own_library.hpp"
 #include "geometry/plain_numbers.hpp"
 
 namespace tack {
@@ -72,10 +75,19 @@ class UnitsLock {
   PlainNumbers plain_;
 };
 
+// Returns the path of the unit database of this installation, or "" if the library finds another:
+// that of the environment variable, or of the system.
+std::string own_database() {
+  std::error_code none;
+  const std::string path = shared_file("udunits/udunits2.xml").string();
+  return !std::getenv("UDUNITS2_XML_PATH") && std::filesystem::exists(path, none) ? path : "";
+}
+
 ut_system* unit_system() {
   static const SystemPtr system = [] {
     ut_set_error_message_handler(ut_ignore);
-    SystemPtr s(ut_read_xml(nullptr));
+    const std::string database = own_database();
+    SystemPtr s(ut_read_xml(database.empty() ? nullptr : database.c_str()));
     if (!s) {
       throw InputError(
           "the unit database udunits2.xml cannot be read; install libudunits2-data, "
