@@ -77,6 +77,15 @@ paper() {
     figure_13_waist=paper_figure_13_waist.svg figure_18=paper_figure_18.svg
 }
 
+wall_cube() {
+  local runs=()
+  for name in free_fall slides detaches stuck stuck_rough; do
+    ./tack run "experiments/wall_cube/$name.yaml" -q -o "results/wall_cube/$name"
+    runs+=("results/wall_cube/$name")
+  done
+  ./tack render "${runs[@]}" -q --view docs/pictures/wall_cube.yaml -o "$images/paper_figure_14.png"
+}
+
 solvers() {
   for name in pull slope two_blocks hard_steps; do compare "$name"; done
   draw results/compare_pull -- work_precision=pull_work_precision.svg
@@ -93,7 +102,7 @@ report() {
   node docs/pictures/report.mjs build/release/report results/gallery/report.html "$images/report.png"
 }
 
-groups=(pipeline phases pull laws distances strengths measured calibration integrators paper solvers gallery report)
+groups=(pipeline phases pull laws distances strengths measured calibration integrators paper wall_cube solvers gallery report)
 for group in "$@"; do
   [[ " ${groups[*]} " == *" $group "* ]] || { echo "$group: no such group; there are ${groups[*]}" >&2; exit 2; }
 done
