@@ -15,5 +15,5 @@ def page(root):
     names = [*[name for name in order if name in names], *[name for name in names if name not in order]]
     # A module of the same name would be taken for the function.
     paths = [f"{name}.{name}" if (root / f"python/tack/{name}.py").exists() else name for name in names]
-    paths += ["simulation.Object", "results.Table", "results.Frames", "frames.Frame"]  # what these return
+    paths += ["scene_object.Object", "results.Table", "results.Frames", "frames.Frame"]  # what these return
     return HEAD + "".join(f"\n::: tack.{path}\n" for path in paths)
