@@ -4,6 +4,7 @@
 #include "framework/output/provenance.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
+#include "python/bindings/fit.hpp"
 #include "python/bindings/problem.hpp"
 #include "python/bindings/recorded.hpp"
 #include "python/bindings/running.hpp"
@@ -29,4 +30,5 @@ PYBIND11_MODULE(_tack, module) {
   python::bind_recorded(module);
   python::bind_stored(module);
   python::bind_studies(module);
+  python::bind_fit(module);
 }

@@ -3,14 +3,17 @@
 #include <pybind11/stl.h>
 #include <tbb/task_arena.h>
 
+#include <filesystem>
 #include <ostream>
 #include <streambuf>
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/output/frame_fields.hpp"
 #include "framework/output/output_format.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/report/report.hpp"
+#include "framework/report/scene_data.hpp"
 #include "framework/run/recorded_run.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/plain_numbers.hpp"
@@ -93,6 +96,18 @@ std::vector<std::string> exported(const std::string& folder, const std::string& 
   return paths;
 }
 
+// Returns the SI units of a run's probes, by column, and units and descriptions of all fields that
+// frames may have.
+py::dict units_in(const std::string& folder) {
+  const PlainNumbers plain;
+  py::dict probes, fields, answer;
+  for (const auto& [column, unit] : probe_units(std::filesystem::path(folder) / "scene.yaml")) probes[py::str(column)] = unit;
+  for (const FrameFieldInfo& field : frame_fields()) fields[py::str(field.name)] = py::make_tuple(field.unit, field.doc);
+  answer["probes"] = probes;
+  answer["fields"] = fields;
+  return answer;
+}
+
 std::string kind(const std::string& folder) {
   switch (kind_of(folder)) {
     case FolderKind::run: return "run";
@@ -109,6 +124,7 @@ std::string kind(const std::string& folder) {
 void bind_recorded(py::module_& module) {
   module.def("record", &recorded, py::arg("path"), py::arg("text"), py::arg("set"), py::arg("output"), py::arg("threads"), py::arg("steps"), py::arg("resume"), py::arg("quiet"));
   module.def("kind_of", &kind, py::arg("folder"));
+  module.def("units", &units_in, py::arg("folder"));
   module.def("export", &exported, py::arg("folder"), py::arg("to"), py::arg("output"), py::arg("settings"));
   module.def("report", &reported, py::arg("folders"), py::arg("output"), py::arg("frames"));
 }

@@ -1,5 +1,6 @@
 #include "python/bindings/studies.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <tbb/task_arena.h>
 
@@ -7,8 +8,11 @@
 
 #include "framework/batch/batch_preparation.hpp"
 #include "framework/batch/resolved_case.hpp"
+#include "framework/batch/varied_keys.hpp"
 #include "framework/calibrate/calibrate_run.hpp"
 #include "framework/compare/compare_run.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/config/units.hpp"
 #include "geometry/interrupt.hpp"
 #include "geometry/plain_numbers.hpp"
 #include "python/bindings/interrupts.hpp"
@@ -104,12 +108,44 @@ std::string batched(const std::string& path, const std::vector<std::string>& set
   return folder;
 }
 
+double in_si(double number, const std::string& unit) { return to_si(fmt::format("{} {}", number, unit.empty() ? "1" : unit), units::any); }
+
+// Returns a dictionary for each key that a batch varies by values or within a range.
+py::list varied(const std::string& path, const std::vector<std::string>& set) {
+  const PlainNumbers plain;
+  load_batch(path, set);  // refuses what is no batch
+  Value root = parse_file(path);
+  for (const std::string& assignment : set) apply_override(root, assignment);
+  py::list all;
+  const Value* vary = root.find("vary");
+  for (const Value& entry : vary ? vary->items : std::vector<Value>()) {
+    const Value *type = entry.find("type"), *keys = entry.find("keys");
+    const bool samples = type->text == "latin_hypercube" || type->text == "sobol";
+    if (!keys || !(samples || type->text == "grid" || type->text == "zip")) continue;
+    for (const VariedKey& key : samples ? keys_with_ranges(*keys) : keys_with_values(*keys)) {
+      py::list values;
+      for (const Value& value : key.values) values.append(shown_text(value));
+      py::dict d;
+      d["name"] = key.column;
+      d["key"] = key.key;
+      d["values"] = values;
+      d["low"] = key.range ? py::object(py::float_(in_si(key.range->from, key.range->unit))) : py::none();
+      d["high"] = key.range ? py::object(py::float_(in_si(key.range->to, key.range->unit))) : py::none();
+      d["log"] = key.range && key.range->log;
+      d["whole"] = key.range && key.range->whole;
+      all.append(d);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 void bind_studies(py::module_& module) {
   module.def("compare", &compared, py::arg("path"), py::arg("set"), py::arg("output"), py::arg("threads"), py::arg("quiet"));
   module.def("batch", &batched, py::arg("path"), py::arg("set"), py::arg("output"), py::arg("program"), py::arg("jobs"), py::arg("threads"), py::arg("only"),
              py::arg("failed"), py::arg("quiet"));
+  module.def("varied", &varied, py::arg("path"), py::arg("set"));
   module.def("calibrate", &calibrated, py::arg("path"), py::arg("set"), py::arg("output"), py::arg("program"), py::arg("jobs"), py::arg("threads"), py::arg("failed"),
              py::arg("quiet"));
 }

@@ -19,10 +19,13 @@ _ctypes.CDLL(str(_file_of("lib", "libtack.so")), mode=_os.RTLD_GLOBAL | _os.RTLD
 
 from ._tack import InputError, Problem, SimulationError  # noqa: E402
 from ._tack import version as __version__  # noqa: E402
+from .calibration import Calibration, Parameter  # noqa: E402
 from .law import law  # noqa: E402
 from .results import Batch, Run, Tables, export, read  # noqa: E402
 from .simulation import Simulation, Warned, run  # noqa: E402
 from .solve import solve  # noqa: E402
 from .studies import batch, calibrate, compare  # noqa: E402
+from .study import Study  # noqa: E402
 
-__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "batch", "calibrate", "compare", "export", "law", "read", "run", "solve"]
+__all__ = ["Batch", "Calibration", "InputError", "Parameter", "Problem", "Run", "Simulation", "SimulationError", "Study", "Tables", "Warned", "batch", "calibrate", "compare", "export",
+           "law", "read", "run", "solve"]

@@ -1,15 +1,11 @@
 """Comparisons of solvers, parameter studies and calibrations of scenes, as `tack compare`, `tack batch` and `tack calibrate` make them."""
 from __future__ import annotations
 
-import contextlib
 import os
-import pathlib
-import shlex
-import sys
-import tempfile
-from typing import Iterator, Sequence
+from typing import Sequence
 
 from . import _tack
+from .case_program import CaseProgram
 from .results import Batch, Tables
 from .scene import overrides_of
 
@@ -41,18 +37,6 @@ def compare(comparison: str | os.PathLike, set: dict | None = None, output: str 
         The file cannot be used; nothing was written.
     """
     return Tables(_tack.compare(os.fspath(comparison), overrides_of(set), os.fspath(output), threads, quiet))
-
-
-@contextlib.contextmanager
-def _case_program() -> Iterator[str]:
-    """Gives the path of a program that runs one case by this Python, as `tack run` does, while the context lasts."""
-    with tempfile.TemporaryDirectory() as folder:
-        program = pathlib.Path(folder) / "tack"
-        package = pathlib.Path(__file__).resolve().parents[1]
-        program.write_text(f'#!/bin/sh\nPYTHONPATH={shlex.quote(str(package))}${{PYTHONPATH:+:$PYTHONPATH}} exec {shlex.quote(sys.executable)} -m tack.case "$@"\n',
-                           encoding="utf-8")
-        program.chmod(0o755)
-        yield str(program)
 
 
 def batch(batch: str | os.PathLike, set: dict | None = None, output: str | os.PathLike = "", jobs: int = 0, threads: int = 0, only: Sequence[str] = (),
@@ -90,7 +74,7 @@ def batch(batch: str | os.PathLike, set: dict | None = None, output: str | os.Pa
     InputError
         The file or a case cannot be used; nothing was written.
     """
-    with _case_program() as program:
+    with CaseProgram() as program:
         return Batch(_tack.batch(os.fspath(batch), overrides_of(set), os.fspath(output), program, jobs, threads, list(only), failed, quiet))
 
 
@@ -130,5 +114,5 @@ def calibrate(calibration: str | os.PathLike, set: dict | None = None, output: s
     SimulationError
         No run succeeded.
     """
-    with _case_program() as program:
+    with CaseProgram() as program:
         return Tables(_tack.calibrate(os.fspath(calibration), overrides_of(set), os.fspath(output), program, jobs, threads, failed, quiet))

@@ -6,7 +6,7 @@ package=$1/python python=${2:-python3}
 "$python" -c 'import numpy, scipy, mypy.stubtest' 2>/dev/null || { echo "$python lacks NumPy, SciPy or mypy (Debian: mypy)"; exit 77; }
 cd "$(mktemp -d)"
 # Metaclass and constructor of the classes are those of pybind11.
-printf '%s\n' 'tack\._tack\.(Object|Problem|Running)(\.__init__)?' >allowed
+printf '%s\n' 'tack\._tack\.(Object|Problem|Running|Fit)(\.__init__)?' >allowed
 printf '[mypy]\nignore_missing_imports = True\n' >mypy.ini
 PYTHONPATH=$package MYPYPATH=$package "$python" -m mypy.stubtest tack._tack --allowlist allowed --ignore-unused-allowlist --mypy-config-file mypy.ini
 MYPYPATH=$package "$python" -m mypy --config-file mypy.ini "$package/tack"
