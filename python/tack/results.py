@@ -10,10 +10,12 @@ import os
 import pathlib
 import tempfile
 import xml.etree.ElementTree as ElementTree
+from typing import Any, Sequence
 
 import numpy as np
 
 from . import _tack
+from . import labelled
 from .frames import Frame
 from .scene import overrides_of
 
@@ -124,6 +126,51 @@ class Run(_Folder):
         """
         return export(self.path, to, output, **settings)
 
+    def to_pandas(self, table: str = "probes") -> Any:
+        """Returns a table of the run as a DataFrame of pandas, by time; `attrs["units"]` has the units of its columns.
+
+        Parameters
+        ----------
+        table : {'probes', 'steps', 'gradients', 'stages'}, optional
+            The table, a CSV file of the run.
+
+        Returns
+        -------
+        pandas.DataFrame
+            The table.
+
+        Raises
+        ------
+        ImportError
+            pandas is not installed.
+        """
+        columns = Table(self.path / f"{table}.csv") if table not in ("probes", "steps") else getattr(self, table)
+        return labelled.pandas_run(self.path, table, columns)
+
+    def to_xarray(self, fields: Sequence[str] | None = None, every: int = 1) -> Any:
+        """Returns the frames as a Dataset of xarray: position and fields over time, vertex or element, and axis, with units and long_name.
+
+        Parameters
+        ----------
+        fields : sequence of str, optional
+            Names of fields; None: all that the frames have.
+        every : int, optional
+            Takes every so many frames.
+
+        Returns
+        -------
+        xarray.Dataset
+            All of it in memory: 24 bytes per frame and vertex for a vector.
+
+        Raises
+        ------
+        ImportError
+            xarray is not installed.
+        ValueError
+            There are no frames, no such field, or the number of vertices changes.
+        """
+        return labelled.xarray_frames(self.path, self.frames, fields, every)
+
     def __repr__(self):
         return f"<run '{self.summary['name']}': {self.summary['status']}, {self.summary['steps']} steps>"
 
@@ -176,6 +223,36 @@ class Batch(_Folder):
         """{name: Run} of the cases with a summary."""
         return {folder.name: Run(folder) for folder in sorted((self.path / "cases").iterdir()) if (folder / "summary.json").exists()}
 
+    def to_pandas(self) -> Any:
+        """Returns the table as a DataFrame of pandas, by case; `attrs["units"]` has the units of its columns.
+
+        Returns
+        -------
+        pandas.DataFrame
+            The table.
+
+        Raises
+        ------
+        ImportError
+            pandas is not installed.
+        """
+        return labelled.pandas_table(self.table, labelled.units_of_batch(self.path, self.table), "case")
+
+    def to_xarray(self) -> Any:
+        """Returns the table as a Dataset of xarray with units: over the varied keys if the cases fill a grid, else over the cases, with the varied keys as coordinates.
+
+        Returns
+        -------
+        xarray.Dataset
+            A variable for each column.
+
+        Raises
+        ------
+        ImportError
+            xarray is not installed.
+        """
+        return labelled.xarray_batch(self.path, self.table)
+
     def __repr__(self):
         return f"<batch of {self.table.rows} cases: {self.path}>"
 
@@ -198,6 +275,26 @@ class Tables(_Folder):
     def fits(self) -> dict:
         """{name: columns by name} of a calibration: measured and simulated curves of every experiment; NAME_run has all samples of its best run."""
         return {path.stem: Table(path) for path in sorted((self.path / "fits").glob("*.csv"))}
+
+    def to_pandas(self, table: str) -> Any:
+        """Returns a table as a DataFrame of pandas.
+
+        Parameters
+        ----------
+        table : str
+            Its name in `tables`, or in `fits` of a calibration.
+
+        Returns
+        -------
+        pandas.DataFrame
+            The table.
+
+        Raises
+        ------
+        ImportError
+            pandas is not installed.
+        """
+        return labelled.package("pandas").DataFrame(dict(self.tables[table] if table in self.tables else self.fits[table]))
 
     def __repr__(self):
         return f"<{_tack.kind_of(str(self.path))}: {', '.join(self.tables)}>"
