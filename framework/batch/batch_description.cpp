@@ -60,7 +60,7 @@ BatchStatistic statistic_of(const Json& json) {
 }
 
 Json json_of(const BatchPlot& p) {
-  Json json{{"name", p.name}, {"title", p.title}, {"x_label", p.x_label}, {"y_label", p.y_label}, {"curves", Json::array()}, {"bars", p.bars},
+  Json json{{"name", p.name}, {"title", p.title}, {"x_label", p.x_label}, {"y_label", p.y_label}, {"x_range", p.x_range}, {"curves", Json::array()}, {"bars", p.bars},
             {"per", p.per}, {"bases", p.bases}, {"published", Json::array()}, {"source", p.source}};
   for (const auto& c : p.curves) json["curves"].push_back({{"base", c.base}, {"x", c.x}, {"y", c.y}, {"title", c.title}});
   for (const auto& n : p.published) json["published"].push_back({{"base", n.base}, {"value", n.value}});
@@ -73,6 +73,7 @@ BatchPlot plot_of(const Json& json) {
   p.title = json.at("title");
   p.x_label = json.at("x_label");
   p.y_label = json.at("y_label");
+  p.x_range = json.value("x_range", std::vector<double>());  // batches of 1.0.0 have none
   p.bars = json.at("bars");
   p.per = json.at("per");
   p.source = json.at("source");

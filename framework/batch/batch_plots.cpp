@@ -29,6 +29,7 @@ void BatchPlot::fields(Fields& f) {
   f.text("title", title, "title above the picture").line();
   f.text("x_label", x_label, "label of the x axis of curves; the first one's `x` unless given").line();
   f.text("y_label", y_label, "label of the y axis; the first one's `y`, or `bars`, unless given").line();
+  f.numbers("x_range", x_range, units::none, "smallest and largest x of curves, in SI; all unless given").line();
   f.list("curves", curves, "curves of runs in one picture");
   f.text("bars", bars, "instead of curves: a bar per case, of this column of results.csv");
   f.text("per", per, "divides the bars by this column: `newton_iterations` per `steps`");
@@ -38,6 +39,7 @@ void BatchPlot::fields(Fields& f) {
   f.check("name", [this]() -> std::string {
     if (curves.empty() == bars.empty()) return "give either curves or bars";
     if (!curves.empty() && !(per.empty() && bases.empty() && published.empty())) return "per, bases and published are for bars";
+    if (!x_range.empty() && (curves.empty() || x_range.size() != 2 || !(x_range[0] < x_range[1]))) return "x_range is for curves, and needs two numbers, the second above the first";
     if (!published.empty() && source.empty()) return "name the source of what was published";
     return "";
   });
@@ -124,6 +126,7 @@ Plot curves_of(const BatchPlot& what, const BatchPlan& plan, const std::map<std:
   if (plot.y_label.empty()) plot.y_label = what.curves.front().y;
   if (plot.curves.empty()) throw InputError(fmt::format("plot '{}': none of its cases has run", what.name));
   if (!missing.empty()) plot.notes.push_back(fmt::format("not run: {}", fmt::join(missing, "; ")));
+  if (!what.x_range.empty()) return within(std::move(plot), what.x_range[0], what.x_range[1]);
   return plot;
 }
 

@@ -28,6 +28,7 @@ struct BatchPlot {
   };
 
   std::string name, title, x_label, y_label;
+  std::vector<double> x_range;  // of curves, SI; empty: all
   std::vector<CurveOf> curves;
   std::string bars, per;           // columns of results.csv: a bar of `bars`, or of bars / per
   std::vector<std::string> bases;  // of the cases with a bar; empty: all with a number

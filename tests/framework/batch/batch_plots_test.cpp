@@ -73,7 +73,7 @@ TEST_CASE("plots of a batch have bars of its table beside published values", "[b
 
 TEST_CASE("plots of a batch are kept in its folder, and refused before anything runs if they cannot be", "[batch][plot]") {
   const TemporaryFolder folder;
-  const BatchPlan plan = plan_with(folder, "  - {name: figure, title: T, x_label: X, curves: [{base: one, x: gap, y: pull, title: first}]}\n"
+  const BatchPlan plan = plan_with(folder, "  - {name: figure, title: T, x_label: X, x_range: [0, 1.5e-3], curves: [{base: one, x: gap, y: pull, title: first}]}\n"
                                            "  - {name: bars, bars: steps, per: dofs, bases: [two], published: [{base: two, value: 2}], source: Them}\n");
   BatchFolder results;
   results.root = folder.path();
@@ -83,11 +83,13 @@ TEST_CASE("plots of a batch are kept in its folder, and refused before anything 
   CHECK(read.plots[0].title == "T");
   CHECK(read.plots[0].x_label == "X");
   CHECK(read.plots[0].curves.at(0).title == "first");
+  CHECK(curves_of(read.plots[0], plan, {{plan.cases[0].name, run_named("a")}}).curves.at(0).points == std::vector<std::pair<double, double>>{{1e-3, 5}});
   CHECK(read.plots[1].per == "dofs");
   CHECK(read.plots[1].published.at(0).value == 2);
   CHECK(read.plots[1].source == "Them");
 
   CHECK_THROWS_WITH(plan_with(folder, "  - {name: a, curves: [{base: on, y: gap}]}\n"), Catch::Contains("there is no base 'on'") && Catch::Contains("one"));
+  CHECK_THROWS_WITH(plan_with(folder, "  - {name: a, x_range: [2, 1], curves: [{base: one, y: gap}]}\n"), Catch::Contains("the second above the first"));
   CHECK_THROWS_WITH(plan_with(folder, "  - {name: a}\n"), Catch::Contains("either curves or bars"));
   CHECK_THROWS_WITH(plan_with(folder, "  - {name: a, bars: steps, published: [{base: one, value: 1}]}\n"), Catch::Contains("source"));
   CHECK_THROWS_WITH(plan_with(folder, "  - {name: a, bars: steps}\n  - {name: a, bars: dofs}\n"), Catch::Contains("two plots are named 'a'"));
