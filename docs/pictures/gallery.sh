@@ -1,21 +1,27 @@
 #!/usr/bin/env bash
 # Makes the pictures of docs/gallery.md anew: docs/pictures/gallery.sh [NAME...]
 # Runs the scenes of experiments/batches/gallery.yaml, or those named, into results/gallery (what is done there and has not changed is not run again). Blender draws each as
-# docs/pictures/NAME.yaml says (camera, looks, ground) into docs/images/gallery/NAME.png, with the size and the samples that all share. Ends with 1 if a scene did not show what it
+# docs/pictures/NAME.yaml says (camera, looks, ground) into docs/images/gallery/NAME.png, with the size (unless it has its own) and the samples that all share. Bases NAME_000, NAME_010, ...
+# of the batch are one picture, side by side. Ends with 1 if a scene did not show what it
 # must: the batch says which, and its picture is not to be kept. `SAMPLES=16 docs/pictures/gallery.sh NAME` draws a trial.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 batch=experiments/batches/gallery.yaml runs=results/gallery
-shared=("size=[960, 720]" "samples=${SAMPLES:-512}" time=false)
+shared=("samples=${SAMPLES:-512}" time=false)
 
-mapfile -t names < <((($#)) && printf '%s\n' "$@" || sed -n 's/^  - {name: \([a-z_]*\),.*/\1/p' "$batch")
+mapfile -t bases < <(sed -n 's/^  - {name: \([a-z_0-9]*\),.*/\1/p' "$batch")
+mapfile -t names < <((($#)) && printf '%s\n' "$@" || printf '%s\n' "${bases[@]}" | sed 's/_[0-9]*$//' | uniq)
+bases_of() { printf '%s\n' "${bases[@]}" | grep -xE "$1(_[0-9]+)?" || { echo "$batch has no base $1" >&2; exit 2; }; }
 only=()
-for name in "${names[@]}"; do only+=(--only "base=$name"); done
+for name in "${names[@]}"; do for base in $(bases_of "$name"); do only+=(--only "base=$base"); done; done
 
 status=0
 ./tack batch "$batch" -o "$runs" "${only[@]}" || status=$?
 ((status <= 1)) || exit "$status"
 for name in "${names[@]}"; do
-  ./tack render "$runs/cases/base=$name" -q --with blender --view "docs/pictures/$name.yaml" --set "${shared[@]}" -o "docs/images/gallery/$name.png"
+  view=docs/pictures/$name.yaml folders=() size=()
+  for base in $(bases_of "$name"); do folders+=("$runs/cases/base=$base"); done
+  grep -q '^size:' "$view" || size=("size=[960, 720]")
+  ./tack render "${folders[@]}" -q --with blender --view "$view" --set "${shared[@]}" "${size[@]}" -o "docs/images/gallery/$name.png"
 done
 exit "$status"
