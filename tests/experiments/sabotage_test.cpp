@@ -20,6 +20,10 @@ const std::vector<Sabotage>& sabotages() {
       {"wall_cube/detaches", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction holds it up", "it turns", "it detaches"}},
       {"wall_cube/detaches", "no tangential adhesion", {"contact.pairs.0.tangential_adhesion.mu=0"}, {"so that it falls slowly at first"}},
       {"wall_cube/stuck", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=50 kPa"}, {"it hardly sinks", "it stays attached"}},
+      {"debonding/pull", "half the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.05"}, {"peak adhesive force", "adhesive force at dhat_p", "work of separation"}},
+      {"debonding/peel", "half the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.05"}, {"lower peak than pull.yaml"}},
+      {"cleaning_gel/strain_030", "a third of the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.1", "contact.pairs.1.adhesion.critical_strain=0.1"}, {"it takes what is loose, and of what sticks a little"}},
+      {"cleaning_gel/strain_050", "three fifths of the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.3", "contact.pairs.1.adhesion.critical_strain=0.3"}, {"it takes of all kinds of dust"}},
       {"wall_cube/stuck_rough", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction takes its part"}},
   };
   return table;
@@ -54,6 +58,10 @@ void check_sabotage(const std::string& scene) {
 }
 
 TEST_CASE("sabotage: wall_cube/detaches", "[nightly]") { check_sabotage("wall_cube/detaches"); }
+TEST_CASE("sabotage: debonding/pull", "[nightly]") { check_sabotage("debonding/pull"); }
+TEST_CASE("sabotage: debonding/peel", "[nightly]") { check_sabotage("debonding/peel"); }
+TEST_CASE("sabotage: cleaning_gel/strain_030", "[nightly]") { check_sabotage("cleaning_gel/strain_030"); }
+TEST_CASE("sabotage: cleaning_gel/strain_050", "[nightly]") { check_sabotage("cleaning_gel/strain_050"); }
 TEST_CASE("sabotage: wall_cube/stuck", "[nightly]") { check_sabotage("wall_cube/stuck"); }
 TEST_CASE("sabotage: wall_cube/stuck_rough", "[nightly]") { check_sabotage("wall_cube/stuck_rough"); }
 
