@@ -50,7 +50,7 @@ distances() {
 
 strengths() {
   batch strengths
-  draw results/strengths -- step_seconds=strengths_step_seconds.svg probe_taken=strengths_taken.svg
+  draw results/strengths -- step_seconds=strengths_step_seconds.svg probe_taken=strengths_taken.svg figure_8_taken=paper_figure_8.svg figure_19_iterations=paper_figure_19.svg
 }
 
 measured() {
@@ -74,7 +74,7 @@ paper() {
   batch paper_figures
   draw results/paper_figures -- figure_5=paper_figure_5.svg figure_9_right=paper_figure_9_right.svg figure_10_stuck=paper_figure_10_stuck.svg \
     figure_10_iterations=paper_figure_10_iterations.svg figure_12_taken=paper_figure_12_taken.svg figure_13_crossings=paper_figure_13_crossings.svg \
-    figure_13_waist=paper_figure_13_waist.svg figure_18=paper_figure_18.svg
+    figure_13_waist=paper_figure_13_waist.svg figure_15=paper_figure_15.svg figure_15_traction=paper_figure_15_traction.svg figure_18=paper_figure_18.svg
 }
 
 wall_cube() {
