@@ -50,7 +50,7 @@ distances() {
 
 strengths() {
   batch strengths
-  draw results/strengths -- step_seconds=strengths_step_seconds.svg probe_taken=strengths_taken.svg figure_8_taken=paper_figure_8.svg figure_19_iterations=paper_figure_19.svg
+  draw results/strengths -- iterations=strengths_iterations.svg
 }
 
 measured() {
