@@ -25,6 +25,7 @@ const std::vector<Sabotage>& sabotages() {
       {"cleaning_gel/strain_030", "a third of the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.1", "contact.pairs.1.adhesion.critical_strain=0.1"}, {"it takes what is loose, and of what sticks a little"}},
       {"cleaning_gel/strain_050", "three fifths of the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.3", "contact.pairs.1.adhesion.critical_strain=0.3"}, {"it takes of all kinds of dust"}},
       {"wall_cube/stuck_rough", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction takes its part"}},
+      {"wax_seal/seal", "no adhesion", {"contact.pairs=[]"}, {"the wax lies on the letter", "with all of its foot"}},
   };
   return table;
 }
@@ -64,6 +65,7 @@ TEST_CASE("sabotage: cleaning_gel/strain_030", "[nightly]") { check_sabotage("cl
 TEST_CASE("sabotage: cleaning_gel/strain_050", "[nightly]") { check_sabotage("cleaning_gel/strain_050"); }
 TEST_CASE("sabotage: wall_cube/stuck", "[nightly]") { check_sabotage("wall_cube/stuck"); }
 TEST_CASE("sabotage: wall_cube/stuck_rough", "[nightly]") { check_sabotage("wall_cube/stuck_rough"); }
+TEST_CASE("sabotage: wax_seal/seal", "[nightly]") { check_sabotage("wax_seal/seal"); }
 
 }  // namespace
 }  // namespace tack
