@@ -20,6 +20,7 @@ const std::vector<Sabotage>& sabotages() {
       {"wall_cube/detaches", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction holds it up", "it turns", "it detaches"}},
       {"wall_cube/detaches", "no tangential adhesion", {"contact.pairs.0.tangential_adhesion.mu=0"}, {"so that it falls slowly at first"}},
       {"wall_cube/stuck", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=50 kPa"}, {"it hardly sinks", "it stays attached"}},
+      {"wall_cube/stuck", "a twentieth of the tangential adhesion", {"contact.pairs.0.tangential_adhesion.mu=0.05"}, {"tangential adhesion carries it", "it hardly sinks"}},
       {"debonding/pull", "half the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.05"}, {"peak adhesive force", "adhesive force at dhat_p", "work of separation"}},
       {"debonding/peel", "half the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.05"}, {"lower peak than pull.yaml"}},
       {"cleaning_gel/strain_030", "a third of the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.1", "contact.pairs.1.adhesion.critical_strain=0.1"}, {"it takes what is loose, and of what sticks a little"}},
