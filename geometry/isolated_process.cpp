@@ -7,6 +7,7 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <mutex>
 #include <new>
+#include <optional>
 
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
@@ -48,7 +50,6 @@ void set_limits(const ProcessLimits& limits) {
   ::signal(SIGTERM, SIG_DFL);
   if (::signal(SIGHUP, SIG_DFL) == SIG_IGN) ::signal(SIGHUP, SIG_IGN);  // nohup
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.processor_time * time_factor)));
   if (sanitized) return;
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -82,23 +83,40 @@ ProcessResult outcome(const std::function<std::string()>& work) {
   ::_exit(0);
 }
 
-// Returns all that the child sends until it ends. Kills it at the time limit or if the program is interrupted (the signal may arrive in
-// any thread). The limit is in wall time, because a child that waits forever uses no processor time.
-std::string receive(int pipe, pid_t child, double seconds) {
-  using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds * time_factor);
+// Returns the processor time [s] that a child has used; 0 if it has ended.
+double processor_time_of(pid_t child) {
+  clockid_t clock;
+  timespec used = {};
+  if (::clock_getcpuclockid(child, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return 0;
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+struct Received {
   std::string text;
+  std::optional<End> limit;  // the time limit at which the child was killed
+};
+
+// Returns all that the child sends until it ends. Kills it at a time limit or if the program is interrupted (the signal may arrive in any
+// thread). Checks ten times a second.
+Received receive(int pipe, pid_t child, const ProcessLimits& limits) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  Received received;
   std::array<char, 1 << 16> buffer;
   for (;;) {
-    const double milliseconds_left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
+    const double wall_left = limits.wall_time * time_factor - std::chrono::duration<double>(Clock::now() - start).count();
     pollfd ready = {pipe, POLLIN, 0};
-    const int event_count = ::poll(&ready, 1, static_cast<int>(std::clamp(std::ceil(milliseconds_left), 0.0, 100.0)));
-    if (interrupt_requested || milliseconds_left <= 0) ::kill(child, SIGKILL);
+    const int event_count = ::poll(&ready, 1, static_cast<int>(std::clamp(std::ceil(1000 * wall_left), 0.0, 100.0)));
+    if (event_count <= 0 && !received.limit) {
+      if (wall_left <= 0) received.limit = End::no_wall_time;
+      if (processor_time_of(child) > limits.processor_time * time_factor) received.limit = End::no_processor_time;
+    }
+    if (interrupt_requested || received.limit) ::kill(child, SIGKILL);
     else if (event_count <= 0) continue;
     const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (count <= 0) return received;
+    received.text.append(buffer.data(), static_cast<std::size_t>(count));
   }
 }
 
@@ -108,7 +126,7 @@ ProcessResult end_of(pid_t child) {
     if (errno != EINTR) return {End::died, "ended for an unknown reason"};
   if (!WIFSIGNALED(status)) return {End::died, fmt::format("ended with code {}", WEXITSTATUS(status))};
   const int signal = WTERMSIG(status);
-  if (signal == SIGXCPU || signal == SIGKILL) return {End::no_time, ""};
+  if (signal == SIGKILL) return {End::died, "was killed from outside (the system may be out of memory)"};
   return {End::died, fmt::format("crashed ({})", ::strsignal(signal))};
 }
 
@@ -126,9 +144,10 @@ ProcessResult run_isolated(const ProcessLimits& limits, const std::function<std:
     ::close(ends[0]);
     throw std::runtime_error(fmt::format("no process ({})", std::strerror(errno)));
   }
-  const std::string text = receive(ends[0], child, limits.wall_time);
+  const auto [text, time_limit] = receive(ends[0], child, limits);
   ::close(ends[0]);
   ProcessResult end = end_of(child);
+  if (time_limit) end = {*time_limit, ""};
   if (interrupt_requested) throw Interrupted();
   if (text.size() < 2 || text.front() != text.back()) return end;
   for (const End sent : {End::answer, End::input_error, End::exception, End::no_memory})

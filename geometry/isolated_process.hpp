@@ -16,18 +16,20 @@ namespace tack {
 struct ProcessLimits {
   // Bytes in addition to those of the program; no limit with the address sanitizer.
   std::uint64_t memory = 0;
-  double processor_time = 0;  // s; times 20 with the address sanitizer
-  double wall_time = 0;       // s; times 20 with the address sanitizer
+  // s; times 20 with the address sanitizer. Processor time is that of the child alone, whatever
+  // else the machine does; wall time ends a child that waits forever.
+  double processor_time = 0, wall_time = 0;
 };
 
 struct ProcessResult {
   enum class End {
-    answer,       // text: result of the work
-    input_error,  // the work threw InputError; text: its message
-    exception,    // the work threw another exception; text: its message
-    no_memory,    // the memory limit was reached
-    no_time,      // killed at a time limit
-    died          // text: reason, such as "crashed (Segmentation fault)", "ended with code 3"
+    answer,             // text: result of the work
+    input_error,        // the work threw InputError; text: its message
+    exception,          // the work threw another exception; text: its message
+    no_memory,          // the memory limit was reached
+    no_processor_time,  // killed at the limit of processor time
+    no_wall_time,       // killed at the limit of wall time
+    died                // text: reason, such as "crashed (Segmentation fault)", "ended with code 3"
   };
   End end = End::died;
   std::string text;

@@ -16,11 +16,14 @@ namespace {
 using End = ProcessResult::End;
 
 constexpr std::uint64_t memory = std::uint64_t(8) << 30;  // bytes, for about ten million tets
+// Wall time, as a multiple of the processor time that an operation may use, after which it is given
+// up: a machine with ten times as many runs as cores still leaves it its processor time.
+constexpr double wall_per_processor_time = 10;
 
 ProcessResult run(const MeshOperation& operation, const Mesh& mesh, const std::string& name) {
   const double seconds = operation.time_limit();
   // Writes the result of the child process: notes, a line each, an empty line, the mesh.
-  return run_isolated({memory, 2 * seconds, seconds}, [&] {
+  return run_isolated({memory, seconds, wall_per_processor_time * seconds}, [&] {
     Notes notes;
     const Mesh result = operation.apply(mesh, name, notes);
     std::string text;
@@ -45,7 +48,7 @@ bool take_notes(std::string_view& text, Notes& notes) {
 
 void MeshOperation::fields(Fields& f) {
   parameters(f);
-  f.number("time_limit", time_limit_, units::time, "wall time after which the operation fails").positive();
+  f.number("time_limit", time_limit_, units::time, "processor time after which the operation fails; so it does after ten times as much wall time").positive();
 }
 
 Mesh run_operation(MeshOperation& operation, const Mesh& mesh, const std::string& name, Notes& notes) {
@@ -55,8 +58,12 @@ Mesh run_operation(MeshOperation& operation, const Mesh& mesh, const std::string
   const std::string what = fmt::format("{}, {}", name, operation.type());
   const ProcessResult result = run(operation, mesh, what);
   if (result.end == End::input_error) throw InputError(result.text);
-  if (result.end == End::no_time)
-    throw InputError(fmt::format("{}: not done after {:.3g} s; ask for longer edges, simplify the mesh first, or raise time_limit", what,
+  if (result.end == End::no_processor_time)
+    throw InputError(fmt::format("{}: not done after {:.3g} s of processor time; ask for longer edges, simplify the mesh first, or raise time_limit", what,
+                                 operation.time_limit()));
+  if (result.end == End::no_wall_time)
+    throw InputError(fmt::format("{}: not done after {:.3g} s, in which it was given less than {:.3g} s of processor time (time_limit): the machine has other "
+                                 "work; run it again when that is done, or raise time_limit", what, wall_per_processor_time * operation.time_limit(),
                                  operation.time_limit()));
   if (result.end == End::no_memory)
     throw InputError(what + ": more memory is needed than there should be; ask for longer edges, or simplify the mesh first");

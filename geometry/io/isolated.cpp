@@ -38,7 +38,8 @@ Mesh read_isolated(const fs::path& path, MeshReader read) {
     throw InputError(path.string() + ": needs far more memory to be read than its size explains: it is damaged, export it again");
   if (result.end == End::exception)
     throw InputError(fmt::format("{}: cannot be read ({}): export it again", path.string(), result.text));
-  const std::string how = result.end == End::no_time ? "did not come to an end" : result.end == End::died ? result.text : "failed";
+  const bool late = result.end == End::no_processor_time || result.end == End::no_wall_time;
+  const std::string how = late ? "did not come to an end" : result.end == End::died ? result.text : "failed";
   throw InputError(fmt::format("{}: the library that reads such files {} on this one: it is damaged, export it again", path.string(), how));
 }
 
