@@ -20,7 +20,7 @@ void BatchPlot::CurveOf::fields(Fields& f) {
 }
 
 void BatchPlot::Published::fields(Fields& f) {
-  f.text("base", base, "base beside whose bar it is drawn").required();
+  f.text("base", base, "base across whose bar it is drawn").required();
   f.number("value", value, units::none, "published value");
 }
 
@@ -34,7 +34,7 @@ void BatchPlot::fields(Fields& f) {
   f.text("bars", bars, "instead of curves: a bar per case, of this column of results.csv");
   f.text("per", per, "divides the bars by this column: `newton_iterations` per `steps`");
   f.texts("bases", bases, "bases whose cases have a bar; all unless given");
-  f.list("published", published, "published numbers, drawn beside the bars");
+  f.list("published", published, "published numbers, each a line across a bar");
   f.text("source", source, "source of the published numbers").line();
   f.check("name", [this]() -> std::string {
     if (curves.empty() == bars.empty()) return "give either curves or bars";
@@ -134,20 +134,16 @@ StackedBars bars_of(const BatchPlot& what, const BatchPlan& plan, const CsvTexts
   StackedBars bars{.title = what.title.empty() ? what.name : what.title, .y_label = what.y_label, .names = {}, .segments = {}, .heights = {}, .top = {}};
   if (bars.y_label.empty()) bars.y_label = what.per.empty() ? what.bars : what.bars + " / " + what.per;
   bars.segments = {"here"};
-  if (!what.published.empty()) bars.segments.push_back(what.source);
-  const auto add = [&](std::string name, size_t part, double height) {
-    bars.names.push_back(std::move(name));
-    bars.heights.emplace_back(bars.segments.size(), 0.0)[part] = height;
-  };
   for (const BatchCase& one : plan.cases) {
     if (!what.bases.empty() && std::find(what.bases.begin(), what.bases.end(), one.base) == what.bases.end()) continue;
     const auto row = std::find_if(table.rows.begin(), table.rows.end(), [&](const auto& r) { return r.front() == one.name; });
     if (row == table.rows.end()) continue;
     const double number = cell(table, *row, what.bars) / (what.per.empty() ? 1 : cell(table, *row, what.per));
     if (!std::isfinite(number)) continue;
-    add(bar_name(plan, one), 0, number);
+    bars.names.push_back(bar_name(plan, one));
+    bars.heights.push_back({number});
     for (const auto& published : what.published)
-      if (published.base == one.base) add(bar_name(plan, one) + ", published", 1, published.value);
+      if (published.base == one.base) bars.marks.push_back({bars.names.size() - 1, published.value, fmt::format("{:g}, {}", published.value, what.source)});
   }
   if (bars.names.empty()) throw InputError(fmt::format("plot '{}': no case has a number '{}'", what.name, what.bars));
   const auto unit = plan.units.find(what.bars);

@@ -1,5 +1,5 @@
 // Figures that a batch file defines (`plots`), drawn by `tack plot DIR`: curves of several runs in
-// one picture, or a bar for each case, with published values beside them.
+// one picture, or a bar for each case, with published values across them.
 #pragma once
 
 #include <map>
@@ -33,7 +33,7 @@ struct BatchPlot {
   std::string bars, per;           // columns of results.csv: a bar of `bars`, or of bars / per
   std::vector<std::string> bases;  // of the cases with a bar; empty: all with a number
   std::vector<Published> published;
-  std::string source;  // source of the published values: names their bars
+  std::string source;  // source of the published values: stands beside them
   void fields(Fields& f);
 };
 

@@ -27,6 +27,7 @@ constexpr double label_end_min = 0.85;
 constexpr size_t label_length_max = 34;  // characters
 // Largest ratio of the range of a logarithmic axis, margins included, without decades as ticks.
 constexpr double ratio_without_decades_max = 80;
+constexpr double bar_width = 0.75, bar_mark_width = 0.9;  // of the distance of bars
 constexpr size_t legend_beside_max = 16;  // names of a legend
 // Characters: beside the picture, and in rows below it.
 constexpr size_t beside_length_max = 34, two_column_length_max = 46, three_column_length_max = 16;
@@ -311,6 +312,7 @@ std::string script_of(const StackedBars& given, const std::string& name, const F
   std::string out = "set encoding utf8\n$bars << END\n";
   double highest = 0;
   for (const std::vector<double>& segments : bars.heights) highest = std::max(highest, std::accumulate(segments.begin(), segments.end(), 0.0));
+  for (const BarMark& mark : bars.marks) highest = std::max(highest, mark.height);
   const AxisUnit up = bars.y_unit.empty() ? AxisUnit{} : axis_unit(highest, bars.y_unit);
   size_t longest = 0;
   for (size_t i = 0; i < bars.names.size(); ++i) {
@@ -322,10 +324,18 @@ std::string script_of(const StackedBars& given, const std::string& name, const F
     out += "\n";
   }
   out += fmt::format("END\nset title {} noenhanced\nset ylabel {} noenhanced\nset style data histograms\nset style histogram rowstacked\n"
-                     "set style fill solid 1 border lc rgb 'white'\nset boxwidth 0.75\nset border 3 lc rgb '#606060'\n"
+                     "set style fill solid 1 border lc rgb 'white'\nset boxwidth {}\nset border 3 lc rgb '#606060'\n"
                      "set tics nomirror out\nset xtics rotate by 35 right noenhanced\nset grid y lc rgb '#e0e0e0' lw 1\n"
-                     "set key outside right invert noenhanced samplen 1.5 maxcols 1\nset yrange [0:{}]\nset lmargin {}\nset bmargin {}\n",
-                     in_quotes(bars.title), in_quotes(axis_label(bars.y_label, up.text)), bars.top ? fmt::format("{}", *bars.top) : "*", std::max<size_t>(11, longest * 7 / 10), 3 + longest * 4 / 10);
+                     "{}\nset yrange [0:{}]\nset lmargin {}\nset bmargin {}\n",
+                     in_quotes(bars.title), in_quotes(axis_label(bars.y_label, up.text)), bar_width,
+                     bars.segments.size() > 1 ? "set key outside right invert noenhanced samplen 1.5 maxcols 1" : "unset key",
+                     bars.top ? fmt::format("{}", *bars.top) : bars.marks.empty() ? "*" : fmt::format("{}", 1.1 * highest * up.factor), std::max<size_t>(11, longest * 7 / 10), 3 + longest / 5);
+  for (const BarMark& mark : bars.marks) {
+    const double middle = static_cast<double>(mark.bar), height = mark.height * up.factor;
+    out += fmt::format("set arrow from {0},{1} to {2},{1} nohead lc rgb '#000000' lw 2 front\n"
+                       "set label {3} at {4},{1} center offset 0,0.6 noenhanced front\n",
+                       middle - bar_mark_width / 2, height, middle + bar_mark_width / 2, in_quotes(mark.title), middle);
+  }
   std::vector<std::string> commands;
   for (size_t k = 0; k < bars.segments.size(); ++k) {
     const std::string fill = k < colours.size() ? "fill solid 1" : fmt::format("fill pattern {}", 1 + k % 6);

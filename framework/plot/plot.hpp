@@ -44,6 +44,13 @@ struct Plot {
   std::vector<std::string> notes;  // below the plot: omitted data and the reason
 };
 
+// A line across a bar, at a height that something else has.
+struct BarMark {
+  size_t bar;
+  double height;
+  std::string title;
+};
+
 // One bar for each of `names`, stacked from `segments`.
 struct StackedBars {
   std::string title, y_label;
@@ -53,6 +60,7 @@ struct StackedBars {
   std::optional<double> top;                 // end of the axis, if prescribed
   // SI unit of the heights; drawn with a suitable prefix.
   std::string y_unit = {};
+  std::vector<BarMark> marks = {};
 };
 
 // Replaces the characters of a text that a file name must not have.

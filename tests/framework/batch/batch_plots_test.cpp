@@ -55,7 +55,7 @@ TEST_CASE("a batch's own plots are curves of its runs, by probes or steps", "[ba
   CHECK(curves_of(plan.plots[0], plan, runs).curves.at(1).title == "two, pull");
 }
 
-TEST_CASE("plots of a batch have bars of its table beside published values", "[batch][plot]") {
+TEST_CASE("plots of a batch have bars of its table, with published values across them", "[batch][plot]") {
   const TemporaryFolder folder;
   const BatchPlan plan = plan_with(folder,
                                    "  - {name: bars, bars: newton_iterations, per: steps, published: [{base: two, value: 8.5}], source: Them}\n"
@@ -63,9 +63,12 @@ TEST_CASE("plots of a batch have bars of its table beside published values", "[b
                                    "  - {name: wrong, bars: step}\n");
   const CsvTexts table{{"case", "steps", "newton_iterations"}, {{plan.cases[0].name, "10", "40"}, {plan.cases[1].name, "20", "60"}}};
   const StackedBars bars = bars_of(plan.plots[0], plan, table);
-  CHECK(bars.names == std::vector<std::string>{"one", "two", "two, published"});
-  CHECK(bars.segments == std::vector<std::string>{"here", "Them"});
-  CHECK(bars.heights == std::vector<std::vector<double>>{{4, 0}, {3, 0}, {0, 8.5}});
+  CHECK(bars.names == std::vector<std::string>{"one", "two"});
+  CHECK(bars.heights == std::vector<std::vector<double>>{{4}, {3}});
+  REQUIRE(bars.marks.size() == 1);
+  CHECK(bars.marks[0].bar == 1);
+  CHECK(bars.marks[0].height == 8.5);
+  CHECK(bars.marks[0].title == "8.5, Them");
   CHECK(bars.y_label == "newton_iterations / steps");
   CHECK(bars_of(plan.plots[1], plan, table).heights == std::vector<std::vector<double>>{{10}});
   CHECK_THROWS_WITH(bars_of(plan.plots[2], plan, table), Catch::Contains("no column 'step'") && Catch::Contains("steps"));

@@ -105,6 +105,20 @@ TEST_CASE("a style sets the size of pictures for paper", "[plot]") {
   CHECK(contains(file_text(folder.path() / "bars.svg"), "width=\"336\" height=\"224\""));
 }
 
+TEST_CASE("a mark across a bar is drawn in the unit of the axis, and fits below its end", "[plot]") {
+  const TemporaryFolder folder;
+  StackedBars bars{"t", "force", {"one", "two"}, {"here"}, {{1000}, {2000}}, {}, "N"};
+  bars.marks = {{1, 5000, "5 kN, Them"}};
+  draw(bars, folder.path(), "bars");
+  const std::string script = file_text(folder.path() / "bars.gp");
+  CHECK(contains(script, "set arrow from 0.55,5 to 1.45,5"));
+  CHECK(contains(script, "set label '5 kN, Them' at 1,5"));
+  CHECK(contains(script, "unset key"));
+  double top = 0;
+  REQUIRE(std::sscanf(script.c_str() + script.find("set yrange [0:"), "set yrange [0:%lf]", &top) == 1);
+  CHECK(top > 5);
+}
+
 TEST_CASE("titles of bands stand above the curves", "[plot]") {
   const TemporaryFolder folder;
   const auto upper_end = [&](bool log, const std::vector<Band>& bands) {
