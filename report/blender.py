@@ -17,10 +17,6 @@ import tempfile
 import numpy as np
 
 COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#999999"]
-# Radiance of a white surface that faces the sun: SUN_STRENGTH / pi + SKY_STRENGTH = 1.04, just white.
-SUN_STRENGTH = 2.0  # W/m^2, as Blender counts it
-SKY_STRENGTH = 0.4
-SUN_ANGLE = math.radians(8)  # of the sun's disc: shadows are soft
 
 
 def linear(css):
@@ -277,18 +273,31 @@ class Drawing:
         made = self.add("ground", mesh)
         if given["colour"] is None:
             made.is_shadow_catcher = True
+            # It shows shadows, but is no floor: as in the browser's picture, objects are lit by the sky below them.
+            made.visible_diffuse = made.visible_glossy = made.visible_transmission = False
         else:
             mesh.materials.append(self.material("ground", {"roughness": 0.8}, linear(given["colour"])))
 
     def light(self):
-        bpy = self.bpy
+        """Lights the scene as report/src/sky.js and studio.js do."""
+        bpy, light = self.bpy, self.view["light"]
         world = bpy.data.worlds.new("sky")
         self.scene.world = world
         world.use_nodes = True
-        world.node_tree.nodes["Background"].inputs["Strength"].default_value = SKY_STRENGTH
-        world.node_tree.nodes["Background"].inputs["Color"].default_value = (1, 1, 1, 1)
+        nodes, link = world.node_tree.nodes, world.node_tree.links.new
+        # The radiance grows with the z of the direction, from the horizon's.
+        direction, parts, above, radiance = nodes.new("ShaderNodeTexCoord"), nodes.new("ShaderNodeSeparateXYZ"), nodes.new("ShaderNodeMath"), nodes.new("ShaderNodeMath")
+        above.operation, radiance.operation = "MAXIMUM", "MULTIPLY_ADD"
+        above.inputs[1].default_value = 0
+        radiance.inputs[1].default_value = light["zenith"] - light["horizon"]
+        radiance.inputs[2].default_value = light["horizon"]
+        link(direction.outputs["Generated"], parts.inputs[0])
+        link(parts.outputs["Z"], above.inputs[0])
+        link(above.outputs[0], radiance.inputs[0])
+        link(radiance.outputs[0], nodes["Background"].inputs["Strength"])
+        nodes["Background"].inputs["Color"].default_value = (1, 1, 1, 1)
         sun = bpy.data.lights.new("sun", "SUN")
-        sun.energy, sun.angle = SUN_STRENGTH, SUN_ANGLE
+        sun.energy, sun.angle = light["sun"], math.radians(light["sun_angle"])
         self.sun = self.add("sun", sun)
 
     def set(self, sample):

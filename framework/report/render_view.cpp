@@ -11,6 +11,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Light of both renderers, for which a white surface that faces the sun is just white (docs/log/pictures.md).
+constexpr double sun_irradiance = 1.7;
+constexpr double zenith_radiance = 0.6, horizon_radiance = 0.25;  // of the sky; the former straight above
+constexpr double sun_disc = 12;                                      // degrees, for soft shadows
+
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 template <class T>
@@ -55,6 +60,11 @@ void RenderSection::fields(Fields& f) {
   f.check("normal", [this]() -> std::string { return normal.norm() > 0 ? "" : "must not be zero"; });
 }
 
+void RenderLight::fields(Fields& f) {
+  f.number("sun", sun, units::none, "factor of the light that comes from behind the camera, and casts the shadow that one sees").at_least(0);
+  f.number("sky", sky, units::none, "factor of the light from all around, brightest from above; also what glossy and metallic surfaces mirror").at_least(0);
+}
+
 void RenderField::fields(Fields& f) {
   f.text("name", name, "field of frames that colours the surfaces (`output.fields`)").required();
   f.numbers("range", limits, units::none, "smallest and largest value of the colour scale, in SI; those of the runs unless given");
@@ -93,6 +103,7 @@ void RenderView::fields(Fields& f) {
   f.text("background", background, "CSS colour of the background, or `transparent` (pictures)");
   f.number("exposure", exposure, units::none, "factor of the light").positive();
   f.choice("tone", tone, {{"none", "none", "colours as they are, bright ones cut off"}, {"filmic", "filmic", "bright colours are compressed, as film does"}}, "tone mapping");
+  f.object("light", light, "factors of sun and sky: `light: {sun: 0}` for shadows without a direction, `light: {sky: 0.5}` for darker ones");
   f.optional_object("ground", ground, "a plane below the objects that receives their shadows; `ground: {}` for the shadows alone");
   f.optional_object("section", section, "a plane that objects are cut by; what lies beyond it is not drawn (Blender)");
   f.flag("time", time, "write the time into a corner");
@@ -129,9 +140,10 @@ Json json_of(const RenderView& v, const RenderQuality& quality) {
   if (v.ground) ground = {{"at", or_null(v.ground->at)}, {"colour", v.ground->colour.empty() ? Json(nullptr) : Json(v.ground->colour)}};
   Json section = nullptr;
   if (v.section) section = {{"through", or_null(std::optional(v.section->through))}, {"normal", or_null(std::optional<Vec3>(v.section->normal.normalized()))}};
+  const Json light = {{"sun", v.light.sun * sun_irradiance}, {"zenith", v.light.sky * zenith_radiance}, {"horizon", v.light.sky * horizon_radiance}, {"sun_angle", sun_disc}};
   const RenderCamera& c = v.camera;
   return {{"size", v.size}, {"fps", v.fps}, {"speed", or_null(v.speed)}, {"at", or_null(v.at)}, {"from", or_null(v.from)}, {"to", or_null(v.to)},
-          {"lights", v.lights.value_or(quality.lights)}, {"samples", v.samples.value_or(quality.samples)}, {"background", v.background}, {"exposure", v.exposure}, {"tone", v.tone}, {"ground", ground}, {"section", section}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
+          {"lights", v.lights.value_or(quality.lights)}, {"samples", v.samples.value_or(quality.samples)}, {"background", v.background}, {"exposure", v.exposure}, {"tone", v.tone}, {"light", light}, {"ground", ground}, {"section", section}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
           {"camera", {{"from", or_null(c.from)}, {"to", or_null(c.to)}, {"look", c.look}, {"turn", degrees(c.turn)}, {"lift", degrees(c.lift)}, {"zoom", c.zoom}, {"angle", degrees(c.angle)}, {"fit", c.fit}}}};
 }
 

@@ -43,6 +43,12 @@ struct RenderSection {
   void fields(Fields& f);
 };
 
+// Factors of the two lights of a picture.
+struct RenderLight {
+  double sun = 1, sky = 1;
+  void fields(Fields& f);
+};
+
 struct RenderField {
   std::string name;
   std::vector<double> limits;  // none or two
@@ -67,7 +73,8 @@ struct RenderView {
   std::optional<int> samples;          // paths per pixel, of Blender
   std::string background = "#ffffff";  // CSS, or "transparent"
   double exposure = 1;                 // factor of the light before `tone`
-  std::string tone = "none";           // or "filmic"
+  RenderLight light;
+  std::string tone = "none";  // or "filmic"
   std::optional<RenderGround> ground;
   std::optional<RenderSection> section;  // only drawn by Blender
   bool time = true, scale_bar = true;

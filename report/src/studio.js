@@ -1,18 +1,21 @@
-// Pictures of one frame under a uniform sky and a sun: the mean of many drawings, each with one light that casts shadows. This gives ambient occlusion and soft
+// Pictures of one frame under a sky (sky.js) and a sun: the mean of many drawings, each with one light that casts shadows. This gives ambient occlusion and soft
 // shadows; each drawing is shifted by a fraction of a pixel, which smooths edges.
 import {
   AddEquation, AmbientLight, BufferAttribute, BufferGeometry, Color, CustomBlending, CylinderGeometry, DirectionalLight, DoubleSide, DynamicDrawUsage, FloatType,
-  HalfFloatType, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial, NearestFilter, NoBlending, OneFactor,
+  HalfFloatType, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, NearestFilter, NoBlending, OneFactor,
   OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, ShaderMaterial, ShadowMaterial, SRGBColorSpace, Vector3, Vector4, WebGLRenderer, WebGLRenderTarget,
 } from "three";
 import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 import { CornerNormals } from "./corner_normals.js";
+import { litMaterial, mapOfSky } from "./sky.js";
 import { lightBothSides } from "./two_sided_shadows.js";
 
 const usual = { roughness: 0.7, metalness: 0, opacity: 1, smooth: 40, lines: false, hide: false };
 const shadowPixels = 1024;
-// Edge length of the ground and its distance below what stands on it, in sizes of the run; darkness of a full shadow on a ground without colour.
-const [groundExtent, groundGap, groundShadow] = [60, 1e-4, 0.8];
+// Edge length of the ground and its distance below what stands on it, in sizes of the run.
+const [groundExtent, groundGap] = [60, 1e-4];
+// Fraction of the drawings that the sun lights, about its fraction of the light on the ground.
+const sunShare = 0.4;
 const groundShadows = 2; // extent of shadows beside that of the objects, so that those on the ground are not cut off
 const up = new Vector3(0, 1, 0);
 
@@ -50,7 +53,8 @@ function ball(detail) {
 
 export class Studio {
   // Throws if the browser has no WebGL. lights: number of drawings that are averaged; background: a CSS colour, or "transparent"; tone: "none" or "filmic".
-  constructor(width, height, { lights, background, exposure, tone }) {
+  // light: {sun, zenith, horizon, sun_angle}, the irradiance of the sun, radiances of the sky, and the angle of the sun's disc [degrees].
+  constructor(width, height, { lights, background, exposure, tone, light }) {
     lightBothSides();
     this.renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true, alpha: true });
     this.renderer.setPixelRatio(1);
@@ -61,6 +65,8 @@ export class Studio {
     this.width = width;
     this.height = height;
     this.lights = lights;
+    this.light = light;
+    this.sky = mapOfSky(this.renderer, light);
     const shownBackground = background === "transparent" ? new Vector4(0, 0, 0, 0) : new Vector4(...new Color().setStyle(background, SRGBColorSpace).toArray(), 1);
     this.one = new WebGLRenderTarget(width, height, { type: HalfFloatType, minFilter: NearestFilter, magFilter: NearestFilter });
     this.sum = new WebGLRenderTarget(width, height, { type: FloatType, minFilter: NearestFilter, magFilter: NearestFilter, depthBuffer: false });
@@ -82,7 +88,7 @@ export class Studio {
 
   // Returns the objects of one run to be drawn. looks: appearance per object, over the defaults; ground: {at, colour} or null.
   set(frames, vertical, looks, colours, ground) {
-    return new Actors(frames, vertical, looks, colours, ground);
+    return new Actors(frames, vertical, looks, colours, ground, this.light, this.sky);
   }
 
   // sets: [{set, camera, box: [x, y, width, height] in pixels from below}]; drawn side by side.
@@ -118,14 +124,18 @@ export class Studio {
 }
 
 class Actors {
-  constructor(frames, vertical, looks, colours, ground) {
-    Object.assign(this, { frames, vertical, looks, colours });
+  constructor(frames, vertical, looks, colours, ground, lighting, sky) {
+    Object.assign(this, { frames, vertical, looks, colours, lighting });
+    this.turn = new Quaternion().setFromUnitVectors(up, new Vector3(...vertical));
     this.scene = new Scene();
+    this.scene.environment = sky;
+    this.scene.environmentRotation.setFromQuaternion(this.turn);
+    this.mirrored = { value: 1 };
     this.light = new DirectionalLight(0xffffff, 1);
     this.light.castShadow = true;
     this.light.shadow.mapSize.set(shadowPixels, shadowPixels);
     this.light.shadow.bias = -0.0004;
-    this.ambient = new AmbientLight(0xffffff, 0.5);
+    this.ambient = new AmbientLight(0xffffff, 0);
     this.scene.add(this.light, this.light.target, this.ambient);
     const { low, high } = frames.box();
     this.low = low;
@@ -135,7 +145,6 @@ class Actors {
     this.placed = new Float32Array(3 * frames.vertices);
     this.place(0);
     this.parts = frames.objects.map((object, i) => this.part(object, i));
-    this.turn = new Quaternion().setFromUnitVectors(up, new Vector3(...vertical));
     if (ground) this.layGround(ground);
   }
 
@@ -157,8 +166,8 @@ class Actors {
     const { frames, vertical, size } = this;
     const along = (p) => p.reduce((sum, x, c) => sum + x * vertical[c], 0);
     const height = at ?? Math.min(...(({ low, high }) => [along(low), along(high)])(frames.box(undefined, this.shownVertices)));
-    const material = colour === null ? new ShadowMaterial({ opacity: groundShadow })
-      : new MeshStandardMaterial({ color: new Color().setStyle(colour, SRGBColorSpace), roughness: usual.roughness, side: DoubleSide });
+    const material = colour === null ? new ShadowMaterial()
+      : litMaterial({ color: new Color().setStyle(colour, SRGBColorSpace), roughness: usual.roughness, side: DoubleSide }, this.mirrored);
     // Slightly lower, so that faces that lie on the ground are in front of it.
     const plane = new Mesh(new PlaneGeometry(groundExtent, groundExtent), material);
     plane.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...vertical));
@@ -183,9 +192,9 @@ class Actors {
     const look = this.look(object.name);
     const part = { look, colour: new Color().setStyle(look.colour ?? this.colours[i % this.colours.length], SRGBColorSpace) };
     if (look.hide) return part;
-    const material = (more) => new MeshStandardMaterial({
+    const material = (more) => litMaterial({
       side: DoubleSide, shadowSide: DoubleSide, roughness: look.roughness, metalness: look.metalness, opacity: look.opacity, transparent: look.opacity < 1, depthWrite: look.opacity >= 1, ...more,
-    });
+    }, this.mirrored);
     const add = (mesh) => {
       mesh.castShadow = look.opacity > 0.5;
       mesh.receiveShadow = true;
@@ -290,28 +299,38 @@ class Actors {
     }
   }
 
-  // Sets the light of drawing i. A third of the drawings are lit by a wide sun from behind the camera on the left, the others by the sky.
+  // Sets the light of drawing i: a wide sun from behind the camera on the left, or a part of the sky.
   lightUp(i, count, camera) {
-    const suns = Math.max(1, Math.round(count / 3));
-    const sun = i < suns;
-    const [k, n] = sun ? [i, suns] : [i - suns, Math.max(1, count - suns)];
+    const { lighting } = this;
+    const vertical = new Vector3(...this.vertical);
+    const suns = Math.max(1, Math.round(sunShare * count));
+    const skies = count - suns;
+    const back = camera.position.clone().sub(this.target).normalize();
+    const side = new Vector3().crossVectors(vertical, back).normalize();
+    const sunward = vertical.clone().multiplyScalar(1.1).addScaledVector(back, 0.8).addScaledVector(side, -0.55).normalize();
     const away = new Vector3();
-    if (sun) {
-      const back = camera.position.clone().sub(this.target).normalize();
-      const vertical = new Vector3(...this.vertical);
-      const side = new Vector3().crossVectors(vertical, back).normalize();
-      away.copy(vertical).multiplyScalar(1.1).addScaledVector(back, 0.8).addScaledVector(side, -0.55).normalize();
-      const [across, along] = [new Vector3().crossVectors(away, side).normalize(), new Vector3()];
-      along.crossVectors(away, across);
-      const [r, angle] = [0.12 * Math.sqrt((k + 0.5) / n), 2.39996 * k];
-      away.addScaledVector(across, r * Math.cos(angle)).addScaledVector(along, r * Math.sin(angle)).normalize();
+    if (i < suns) {
+      const [across, along] = [new Vector3().crossVectors(sunward, side).normalize(), new Vector3()];
+      along.crossVectors(sunward, across);
+      const [r, angle] = [((lighting.sun_angle * Math.PI) / 360) * Math.sqrt((i + 0.5) / suns), 2.39996 * i];
+      away.copy(sunward).addScaledVector(across, r * Math.cos(angle)).addScaledVector(along, r * Math.sin(angle)).normalize();
     } else {
-      // Directions are distributed by the cosine of their zenith angle, down to almost horizontal ones.
-      const [height, angle] = [Math.sqrt(1 - 0.97 * ((k + 0.5) / n)), 2.39996 * k];
+      // Directions are distributed as the radiance above that of the horizon: by the sine of the elevation, down to almost horizontal ones.
+      const k = i - suns;
+      const [height, angle] = [Math.sqrt(1 - 0.97 * ((k + 0.5) / skies)), 2.39996 * k];
       const flat = Math.sqrt(1 - height * height);
       away.set(flat * Math.cos(angle), height, flat * Math.sin(angle)).applyQuaternion(this.turn);
     }
-    this.light.intensity = sun ? 5.2 : 2.3;
+    // Irradiances on a surface that faces up: of the sun, of the sky above the horizon's radiance (2/3 of its sum over all directions), and of the latter. This comes from everywhere, also
+    // into corners; but the ground is shaded from it as from the sky.
+    const sky = Math.PI * (lighting.zenith - lighting.horizon), even = Math.PI * lighting.horizon;
+    const onGround = lighting.sun * Math.max(0, sunward.dot(vertical)) + (2 / 3) * sky + even;
+    const times = i < suns ? count / suns : count / skies; // each drawing stands for so many
+    this.light.intensity = times * (i < suns ? lighting.sun : sky);
+    this.ambient.intensity = skies > 0 ? even : even + (2 / 3) * sky;
+    this.mirrored.value = i < suns ? 1 : 0;
+    if (this.ground?.material.isShadowMaterial)
+      this.ground.material.opacity = (this.light.intensity * Math.max(0, away.dot(vertical)) + (i < suns ? 0 : times * even)) / onGround; // above 1 in some drawings, not in their mean
     const { radius } = this;
     this.light.target.position.copy(this.middle);
     this.light.position.copy(this.middle).addScaledVector(away, 2 * radius);

@@ -50,6 +50,22 @@ objects:
 `);
 done("run", "sheets.yaml", "-q", "-o", "sheets");
 
+// Two balls on the ground, z upwards.
+writeFileSync(join(folder, "balls.yaml"), `
+name: balls
+time: {step: 20 ms, duration: 20 ms}
+gravity: [0, 0, -10]
+objects:
+  - {name: left, shape: {type: sphere, radius: 1, cells: 16, surface: true}, place: {translate: [-1.2, 0, 1]}, motion: [fixed]}
+  - {name: right, shape: {type: sphere, radius: 1, cells: 16, surface: true}, place: {translate: [1.2, 0, 1]}, motion: [fixed]}
+`);
+done("run", "balls.yaml", "-q", "-o", "balls");
+const ballView = ["--set", "size=[400, 300]", "camera={from: [0, -9, 3], to: [0, 0, 1], angle: 40 deg}", "time=false"];
+const matt = "objects={left: {colour: '#767676', roughness: 1, smooth: 60}, right: {colour: '#ffffff', roughness: 1, smooth: 60}}"; // 18% and 100%
+const metal = "objects={'*': {colour: '#ffffff', metalness: 1, roughness: 0.1, smooth: 60}}";
+const ballPlaces = [-1, 1].flatMap((side) => [[-16, -33], [28, 0], [0, 28], [0, -25]].map(([x, y]) => [0.5 + (55 * side + x) / 400, 0.5 + (y - 2) / 300])); // each: facing the sun, right, low, high
+const shadowPlace = [0.5 + 108 / 400, 0.5 + 33 / 300]; // on the ground, right of the right ball
+
 const browser = await start();
 const tab = await browser.newPage();
 
@@ -91,6 +107,19 @@ const tests = {
       "objects={'*': {colour: '#808080'}}");
     const { pixels: [one, other] } = await looked("sheets.png", [[0.25, 0.5], [0.75, 0.5]]);
     assert.ok(grey(one) > 90 && grey(other) > 90 && Math.abs(grey(one) - grey(other)) < 12, `${one}, ${other}`);
+  },
+  async "what faces the sun is exposed fully, and glossy metal mirrors the sky"() {
+    done("render", "balls", "-o", "matt.png", ...ballView, matt);
+    done("render", "balls", "-o", "dim.png", ...ballView, matt, "light={sun: 0}");
+    done("render", "balls", "-o", "one.png", ...ballView, matt, "lights=1");
+    done("render", "balls", "-o", "metal.png", ...ballView, metal);
+    const [lit, dim, one, mirror] = (await Promise.all(["matt.png", "dim.png", "one.png", "metal.png"].map((file) => looked(file, ballPlaces)))).map(({ pixels }) => pixels.map(grey));
+    assert.ok(lit[4] > 225 && lit[4] < 254, `white, and not overexposed: ${lit}`);
+    assert.ok(lit[0] > 105 && lit[0] < 130, `18% grey is half as bright to the eye: ${lit}`); // 118 of 255
+    assert.ok(lit[5] < lit[4] - 40, `away from the sun it is darker: ${lit}`);
+    assert.ok(dim[4] < lit[4] - 40 && dim[6] > 60, `without a sun there is the sky: ${dim}; ${lit}`);
+    assert.ok(Math.abs(one[4] - lit[4]) < 12, `a single drawing is as bright: ${one}; ${lit}`);
+    assert.ok(mirror[7] > mirror[6] + 25, `the sky is brighter above, where z points: ${mirror}`);
   },
   async "a field is coloured by its range"() {
     done("render", "out", "-o", "field.png", ...above, "field={name: displacement, range: [0, 0.1]}", "scale_bar=false");
@@ -214,6 +243,19 @@ const tests = {
     refused(/field is not drawn by Blender/, "render", "out", "--with", "blender", "--set", "field={name: displacement}");
     refused(/no run has an object 'cubo'/, "render", "out", "--with", "blender", "--set", "objects={cubo: {hide: true}}");
     refused(/Blender takes colours as #rrggbb/, "render", "out", "--with", "blender", "--set", "background=tomato");
+  },
+  async "Blender draws as brightly as the browser"() {
+    if (!blender) return console.log("skipped: there is no Blender: apt-get install blender");
+    for (const [name, looks, tolerance, shadowTolerance] of [["matt", matt, 15, 30], ["metal", metal, 15, 30]]) {
+      const common = [...ballView, looks, "ground={}"];
+      done("render", "balls", "-o", `browser_${name}.png`, ...common);
+      done("render", "balls", "-o", `blender_${name}.png`, "--with", "blender", ...common, "samples=64");
+      const [one, other] = (await Promise.all(["browser", "blender"].map((by) => looked(`${by}_${name}.png`, [...ballPlaces, shadowPlace])))).map(({ pixels }) => pixels.map(grey));
+      const shadows = [one.pop(), other.pop()];
+      one.forEach((value, i) => assert.ok(Math.abs(value - other[i]) < tolerance, `${name}: ${one}; Blender ${other}`));
+      assert.ok(Math.max(...shadows) < 235 && Math.abs(shadows[0] - shadows[1]) < shadowTolerance, `shadows: ${shadows}`);
+      console.log(name, one.map(Math.round).join(" "), "|", other.map(Math.round).join(" "), "| shadows", shadows.map(Math.round).join(" "));
+    }
   },
   async "Blender draws runs side by side, cuts them and offsets their surfaces"() {
     if (!blender) return console.log("skipped: there is no Blender: apt-get install blender");

@@ -1,6 +1,7 @@
 // Checks the README and docs/: their scenes are files that run, and the files they name exist.
 #include <catch2/catch.hpp>
 #include <cctype>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -197,6 +198,29 @@ TEST_CASE("every picture of the gallery is drawn by a view of a run of the scene
   std::set<std::string> drawn;
   for (const std::string& base : all_matches(batch, std::regex("  - \\{name: (\\w+),"))) drawn.insert(std::regex_replace(base, std::regex("_[0-9]+$"), ""));
   CHECK(drawn == names);
+}
+
+TEST_CASE("every picture of the documents has one maker and a document that shows it") {
+  const fs::path pictures = source / "docs/pictures", images = source / "docs/images";
+  const std::string script = file_text(pictures / "make.sh");
+  std::map<std::string, int> makers;
+  for (const std::string& made : all_matches(script, std::regex(R"((?:[= ]|\$images/)(\w+\.(?:svg|png)))"))) ++makers[made];
+  for (const auto& view : fs::directory_iterator(pictures))
+    for (const std::string& drawn : all_matches(file_text(view.path()), std::regex("^# How docs/images/(gallery/\\S+) is drawn"))) ++makers[drawn];
+  std::set<std::string> shown;
+  for (const fs::path& page : documents())
+    for (const std::string& image : all_matches(file_text(page), std::regex(R"(images/([\w/]+\.(?:svg|png))\b)"))) shown.insert(image);
+  for (const auto& image : fs::recursive_directory_iterator(images)) {
+    if (image.is_directory()) continue;
+    const std::string name = fs::relative(image.path(), images).generic_string();
+    INFO(name);
+    CHECK(makers[name] == 1);
+    CHECK(shown.count(name) == 1);
+  }
+  for (const auto& [name, count] : makers) {
+    INFO(name);
+    CHECK(fs::exists(images / name));
+  }
 }
 
 TEST_CASE("the batch in docs/batches.md runs as it stands there") {
