@@ -97,9 +97,9 @@ solvers() {
 gallery() { docs/pictures/gallery.sh; }
 
 report() {
-  docs/pictures/gallery.sh tape_creature
-  ./tack report results/gallery/cases/base=tape_creature -o results/gallery/report.html >/dev/null
-  node docs/pictures/report.mjs build/release/report results/gallery/report.html "$images/report.png"
+  ./tack run experiments/debonding/pull.yaml -q -o results/pull
+  ./tack report results/pull >/dev/null
+  node docs/pictures/report.mjs build/release/report results/pull/report.html "$images/report.png"
 }
 
 groups=(pipeline phases pull laws distances strengths measured calibration integrators paper wall_cube solvers gallery report)
