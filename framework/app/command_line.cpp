@@ -106,7 +106,15 @@ class CommandLine {
       const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& n) {
         return n == name || (n.size() == 2 && !name.starts_with("--") && name.starts_with(n));  // -oDIR
       });
-      if (!known) return fmt::format("unknown option '{}' of `tack{}`{}", name, command ? " " + command->get_name() : "", suggestion(name, names, "options"));
+      if (!known && name == "--plugin")
+        return fmt::format(
+            "`tack{}` takes no --plugin: the file names the library under `plugins`, or --set "
+            "plugins=[LIBRARY] does",
+            command ? " " + command->get_name() : "");
+      if (!known)
+        return fmt::format("unknown option '{}' of `tack{}`{}", name,
+                           command ? " " + command->get_name() : "",
+                           suggestion(name, names, "options"));
     }
     return "";
   }

@@ -2,11 +2,15 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 #include <utility>
 
+#include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
 
 namespace tack {
@@ -34,8 +38,11 @@ class Runner {
       collect();
       if (!interrupt_requested) more(waiting_);
       while (!interrupt_requested && next_case_fits()) {
-        running_.push_back({waiting_.front(), CaseRun(program_, folder_, *waiting_.front(), limits_)});
+        const BatchCase* const one = waiting_.front();
         waiting_.pop_front();
+        unless_unwritable(*one, [&] {
+          running_.push_back({one, CaseRun(program_, folder_, *one, limits_)});
+        });
       }
       report_progress();
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -48,9 +55,39 @@ class Runner {
     CaseRun run;
   };
 
+  // Acts for a case. Returns false if its files cannot be written: the case has failed then, and no
+  // earlier state of it remains.
+  template <class Act>
+  bool unless_unwritable(const BatchCase& one, const Act& act) {
+    std::string why;
+    try {
+      act();
+      return true;
+    } catch (const InputError& error) {
+      why = error.what();
+    } catch (const std::filesystem::filesystem_error& error) {
+      why = error.what();
+    }
+    const CaseState state{CaseStatus::refused, one.digest,
+                          fmt::format("cannot be written: {}", why)};
+    try {
+      write_case_state(folder_.state(one.name), state);
+    } catch (const InputError&) {
+      std::error_code kept;
+      std::filesystem::remove(folder_.state(one.name), kept);
+    }
+    if (observer_.ended) observer_.ended(one, state);
+    return false;
+  }
+
   void collect() {
     for (auto r = running_.begin(); r != running_.end();) {
-      if (!r->run.ended()) {
+      bool ended = false;
+      if (!unless_unwritable(*r->one, [&] { ended = r->run.ended(); })) {
+        r = running_.erase(r);
+        continue;
+      }
+      if (!ended) {
         ++r;
         continue;
       }

@@ -42,6 +42,20 @@ std::set<std::string> problems_of(const std::vector<CompareRow>& rows) {
   return problems;
 }
 
+// Returns the problems that every solver solves at one tolerance at least, of solvers that solve
+// anything; the sums of a curve are over these, so that a method that fails on one problem keeps
+// its curve. All problems if there is no such problem.
+std::set<std::string> commonly_solved(const std::vector<CompareRow>& rows) {
+  std::map<std::string, std::set<std::string>> solved;  // by solver
+  for (const CompareRow& r : rows)
+    if (r.solved() && std::isfinite(r.error_rms)) solved[r.solver].insert(r.problem);
+  const std::set<std::string> all = problems_of(rows);
+  std::set<std::string> common = all;
+  for (const auto& [solver, problems] : solved)
+    std::erase_if(common, [&](const std::string& problem) { return !problems.count(problem); });
+  return common.empty() ? all : common;
+}
+
 // Returns lines at the distance of the two references, averaged over the problems as errors are;
 // one line per time step if `by_step`.
 std::vector<LevelLine> floors(const std::vector<CompareRow>& rows, bool by_step) {
@@ -70,7 +84,29 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   std::vector<CompareRow> rows;
   std::copy_if(all.begin(), all.end(), std::back_inserter(rows), [&](const CompareRow& r) { return !unsolved_problems.count(r.problem); });
   Plot plot;
-  add_notes(plot, "omitted, as no solver solves it:", {unsolved_problems.begin(), unsolved_problems.end()});
+  add_notes(plot, "omitted, as no solver solves it:",
+            {unsolved_problems.begin(), unsolved_problems.end()});
+  const std::set<std::string> common = commonly_solved(rows);
+  const size_t solvable = problems_of(rows).size();
+  std::map<std::string, std::set<std::string>> failed_on;  // solvers, by problem that does not count
+  for (const CompareRow& r : rows)
+    if (!common.count(r.problem)) failed_on[r.problem];
+  for (auto& [problem, solvers] : failed_on) {
+    for (const CompareRow& r : rows)
+      if (r.problem == problem) solvers.insert(r.solver);
+    for (const CompareRow& r : rows)
+      if (r.problem == problem && r.solved() && std::isfinite(r.error_rms)) solvers.erase(r.solver);
+  }
+  std::erase_if(rows, [&](const CompareRow& r) { return !common.count(r.problem); });
+  if (common.size() < solvable) {
+    plot.notes.push_back(
+        fmt::format("{} of {} problems count: those that all methods with a curve solve",
+                    common.size(), solvable));
+    std::vector<std::string> names;
+    for (const auto& [problem, solvers] : failed_on)
+      names.push_back(fmt::format("{} ({})", problem, fmt::join(solvers, ", ")));
+    add_notes(plot, "left out, with those that fail on it:", names);
+  }
   plot.title = "time against error";
   plot.x_label = "relative error (RMS over vertices, mean over problems)";
   plot.y_label = "wall time";
@@ -166,7 +202,9 @@ Plot profile_plot(const std::vector<CompareRow>& rows) {
 
 Plot convergence_plot(const Comparison& comparison) {
   Plot plot;
-  plot.title = "convergence: the step of " + comparison.history_of + " with most iterations";
+  // Friction and prescribed motion make several minimisations of a step: they follow one another.
+  plot.title = "convergence: all minimisations of the step of " + comparison.history_of +
+               " with most iterations";
   plot.x_label = "iteration";
   plot.y_label = "residual";
   plot.y_unit = "m/s";

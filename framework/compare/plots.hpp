@@ -10,8 +10,9 @@
 namespace tack {
 
 // Plots time against error. Several problems make one curve: the sum of their times against the
-// geometric mean of their errors, relative to the size of the moving objects. A tolerance at which
-// one problem fails has no point.
+// geometric mean of their errors, relative to the size of the moving objects. Only problems count
+// that every solver solves at some tolerance, but for solvers that solve none. A tolerance at which
+// one of these problems fails has no point.
 Plot work_precision(const std::vector<CompareRow>& rows);
 Plot profile_plot(const std::vector<CompareRow>& rows);
 Plot convergence_plot(const Comparison& comparison);

@@ -117,12 +117,13 @@ Trial::Trial(const CompareCase& compare_case, const TrialSettings& settings)
 }
 
 const TrialResult& Trial::run(const VecX* guess) {
-  if (recording_)
-    simulation_.observe({[this](int number, double residual, double value, double seconds) {
-      if (number == 1) present_.clear();
-      present_.push_back({number, residual, value, seconds});
+  if (recording_) {
+    const auto note = [this](int, double residual, double value, double seconds) {
+      present_.push_back({static_cast<int>(present_.size()) + 1, residual, value, seconds});
       if (present_.size() > longest_.size()) longest_ = present_;
-    }, {}, {}, true});
+    };
+    simulation_.observe({note, note, {}, true});
+  }
   simulation_.start_from(case_.problem ? case_.problem->state : simulation_.world().start);
   if (case_.single()) solve_step(guess);
   else solve_run();
@@ -132,9 +133,12 @@ const TrialResult& Trial::run(const VecX* guess) {
 
 void Trial::solve_step(const VecX* guess) {
   std::optional<SolveResult> solved;
-  {
+  try {
     const Stopwatch watch(result_);
     solved = simulation_.stepper().solve(h_, guess);
+  } catch (const SimulationError& error) {
+    result_.status = error.what();
+    return;
   }
   const MinimizerResult& solve = solved->minimizer;
   result_.iterations = solve.iterations;
@@ -156,6 +160,7 @@ void Trial::solve_run() {
     const Stopwatch watch(result_);
     int unconverged = 0;  // accepted steps that did not converge
     for (int i = 0; adapts ? !simulation_.finished() : i < steps; ++i) {
+      present_.clear();
       report = simulation_.step();
       if (simulation_.interrupted()) throw SimulationError("interrupted");
       result_.iterations += report.solve.iterations;

@@ -84,8 +84,12 @@ const Kind::Entry& Kind::entry(std::string_view name) const {
     found = entries_.find(name);
   }
   if (found != entries_.end()) return found->second;
-  throw InputError(
-      fmt::format("unknown {} '{}'{}", name_, name, suggestion(name, names(), plural(name_))));
+  const std::string similar = suggestion(name, names(), plural(name_));
+  const char* plugin = similar.starts_with("; did you mean")
+                           ? ""
+                           : "; a component of a plugin needs its library under `plugins` of the "
+                             "file (--set plugins=[LIBRARY])";
+  throw InputError(fmt::format("unknown {} '{}'{}{}", name_, name, similar, plugin));
 }
 
 void Kind::complete() const {

@@ -60,6 +60,14 @@ Plot table_plot(const CsvTexts& table, const TablePlot& what, const std::map<std
   plot.log_x = what.log_x;
   plot.log_y = what.log_y;
   const size_t x = column_of(table, what.x), y = column_of(table, what.y);
+  for (const size_t column : {x, y}) {
+    const auto text = [&](const auto& row) { return !std::isfinite(number_of(row[column])); };
+    if (!table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), text))
+      throw InputError(
+          fmt::format("column '{}' has no numbers, and an axis needs them ('{}' in its first row); "
+                      "values per name are drawn as `bars`, in `plots` of the batch file",
+                      table.columns[column], table.rows.front()[column]));
+  }
   std::vector<size_t> by;
   for (const std::string& name : what.by) by.push_back(column_of(table, name));
   std::vector<std::pair<std::string, std::map<double, std::vector<double>>>> groups;

@@ -109,6 +109,14 @@ const RunSummary& RecordedRun::execute() {
     summary_.status = RunStatus::simulation_failed;
     summary_.error = fmt::format("not enough memory after {} steps; use fewer cells, or let the run have more", summary_.steps);
     progress_.warning("error: " + summary_.error);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    summary_.status = RunStatus::simulation_failed;
+    summary_.error =
+        fmt::format("step {} at t = {:.6g} s: a component failed: {}", simulation_.state().step + 1,
+                    simulation_.state().time, error.what());
+    progress_.warning("error: " + summary_.error);
   }
   if (recorder) recorder->flush();
   finish(recorder ? &recorder->series() : nullptr);

@@ -11,6 +11,7 @@
 #include "framework/run/judged_minimizer.hpp"
 #include "framework/run/reference_solver.hpp"
 #include "framework/run/simulation.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -89,7 +90,12 @@ StoredSolve StoredStep::solve(const Value& solver, const StoredSolveSettings& se
   }
   Simulation simulation(load(keys));
   Judgement judgement;
-  if (settings.judge) simulation.solve_with([&] { return judged(instance_of(*simulation.experiment().solver), judgement); });
+  if (settings.make_solver)
+    simulation.solve_with(
+        [&] { return settings.make_solver(*simulation.experiment().solver, simulation.world()); });
+  else if (settings.judge)
+    simulation.solve_with(
+        [&] { return judged(instance_of(*simulation.experiment().solver), judgement); });
   simulation.observe(settings.observers);
   simulation.start_from(file_.state);
   StoredSolve result;
@@ -97,10 +103,13 @@ StoredSolve StoredStep::solve(const Value& solver, const StoredSolveSettings& se
   const auto wall = std::chrono::steady_clock::now();
   const double cpu = cpu_now();
   bool out_of_time = false;
-  {
+  try {
     const CpuLimit limit(settings.cpu_limit);
     solved = simulation.stepper().solve(file_.step_size);
     out_of_time = limit.passed();
+  } catch (const SimulationError& error) {
+    if (settings.make_solver) throw;
+    solved.failure = error.what();
   }
   result.cpu_seconds = cpu_now() - cpu - judgement.cpu_seconds;
   result.judged_residual = judgement.residual;

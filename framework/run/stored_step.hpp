@@ -3,6 +3,8 @@
 // of an earlier one helps it.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +44,10 @@ struct StoredSolveSettings {
   double tolerance_scale = 1;  // factor of `tolerance` and `force_tolerance`
   bool judge = false;          // finds StoredSolve::judged_residual
   StepObservers observers = {};
+  // Makes the minimiser of the step, in place of the registered one that the keys name; an
+  // exception of it leaves solve(). like: that one, with its tolerances.
+  std::function<std::unique_ptr<Minimizer>(const Minimizer& like, const World& world)> make_solver =
+      {};
 };
 
 /// Which minimum a result leads to.

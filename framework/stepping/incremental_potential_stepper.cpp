@@ -9,6 +9,7 @@
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/terms/friction_term.hpp"
+#include "framework/core/minimizer_failure.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/step_retraction.hpp"
 #include "framework/stepping/convergence.hpp"
@@ -43,11 +44,13 @@ class Minimization {
   Validation validate(const SolveResult& result);
 
  private:
+  void solve_open(const Step& step, const VecX* guess, SolveResult& result);
   VecX first_guess(const Step& step);
   bool start(const Step& step, const VecX* guess, SolveResult& result, VecX& q);
   void minimize_lagged(const MinimizerProblem& problem, const Step& step, VecX& q, SolveResult& result);
   void find_limit(const Step& step, const VecX& x);
   std::string failure(const SolveResult& result) const;
+  const char* remedy(const SolveResult& result) const;
   void check_tunnelling(const VecX& x, Validation& validation);
   void check_debonding(const VecX& x, Validation& validation);
 
@@ -62,11 +65,12 @@ class Minimization {
   PrescribedMotionSolver motion_;
   std::optional<TunnellingCheck> tunnelling_;
   std::optional<DebondingCheck> debonding_;
-  VecX x_start_;                // 3n [m]: start of the latest step
-  VecX drift_;                  // 3n [m]: displacement with the velocities of the start; empty: none
-  double h_ = 0;                // s: size of the latest step
-  bool has_free_body_ = false;  // the latest solve failed because a body is free
-  std::string limit_;           // limit that excludes the positions to which the latest solve leads
+  VecX x_start_;  // 3n [m]: start of the latest step
+  VecX drift_;    // 3n [m]: displacement with the velocities of the start; empty: none
+  double h_ = 0;  // s: size of the latest step
+  bool has_free_body_ = false;     // the latest solve failed because a body is free
+  bool minimizer_failed_ = false;  // in the latest solve, by an exception
+  std::string limit_;  // limit that excludes the positions to which the latest solve leads
 };
 
 Minimization::Minimization(const StepperContext& context, const StepObservers& observers, const MotionPenalty& penalty)
@@ -94,8 +98,18 @@ void Minimization::solve(const Step& step, const VecX* guess, SolveResult& resul
   x_start_ = step.state.x;
   h_ = step.h;
   if (debonding_ && step.prediction.inertia) drift_ = step.h * step.state.v;
-  has_free_body_ = false;
+  has_free_body_ = minimizer_failed_ = false;
   limit_.clear();
+  try {
+    solve_open(step, guess, result);
+  } catch (const MinimizerFailure& fault) {
+    result.minimizer = fault.work;
+    result.failure = fault.what();
+    minimizer_failed_ = true;
+  }
+}
+
+void Minimization::solve_open(const Step& step, const VecX* guess, SolveResult& result) {
   if (check_) check_->begin(step.state.step + 1, "the first guess");
   convergence_.begin_step(step.potential, step.h, step.prediction.inertia);
   VecX q;
@@ -212,6 +226,7 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, const Step& 
 // Returns the reason why the solve has no result to validate, or "".
 std::string Minimization::failure(const SolveResult& result) const {
   const std::string beyond = limit_.empty() ? "" : "; " + limit_;
+  if (minimizer_failed_) return result.failure;
   if (!result.failure.empty()) return result.failure + steps_.blocker() + beyond;
   if (result.minimizer.status == MinimizerStatus::converged) return "";
   const bool late = result.minimizer.status == MinimizerStatus::time_limit && !clock_.deadline().run_passed();
@@ -220,8 +235,15 @@ std::string Minimization::failure(const SolveResult& result) const {
                      result.minimizer.iterations, result.minimizer.residual, steps_.blocker(), beyond);
 }
 
+const char* Minimization::remedy(const SolveResult& result) const {
+  if (minimizer_failed_) return MinimizerFailure::remedy;
+  if (!limit_.empty()) return limit_remedy;
+  if (result.failure.empty()) return loosen;
+  return has_free_body_ ? FreeBody::remedy : blocked_motion_remedy;
+}
+
 Validation Minimization::validate(const SolveResult& result) {
-  Validation v{failure(result), !limit_.empty() ? limit_remedy : result.failure.empty() ? loosen : has_free_body_ ? FreeBody::remedy : blocked_motion_remedy};
+  Validation v{failure(result), remedy(result)};
   if (!v.fault.empty()) return v;
   const PhaseScope scope(clock_, Phase::check);
   if (const int tet = first_inverted_tet(world_.tets, result.x); tet >= 0) {

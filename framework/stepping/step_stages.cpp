@@ -1,6 +1,10 @@
 #include "framework/stepping/step_stages.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <exception>
+#include <new>
 
 #include "framework/config/bind.hpp"
 #include "framework/contact/contact_history.hpp"
@@ -10,6 +14,8 @@
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/friction_account.hpp"
 #include "framework/world/energy_records.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
 
 namespace tack {
 namespace {
@@ -21,6 +27,15 @@ std::vector<double> masses_of_bodies(const World& world) {
     for (const int v : world.vertices_of(static_cast<int>(i))) masses.back() += world.mass(v);
   }
   return masses;
+}
+
+// Throws SimulationError, with the exception that is being handled nested in it.
+[[noreturn]] void throw_failed(const State& state, const Minimizer& solver,
+                               const std::string& why) {
+  const std::string name =
+      solver.type().empty() ? "the minimizer" : fmt::format("minimizer '{}'", solver.type());
+  std::throw_with_nested(SimulationError(fmt::format("step {} at t = {:.6g} s: {} failed: {}",
+                                                     state.step + 1, state.time, name, why)));
 }
 
 }  // namespace
@@ -129,6 +144,18 @@ SolveResult StepStages::solve(double h, const VecX* guess) {
     stepper_->solve(step, guess, result);
   } catch (const OutOfTime&) {
     result.minimizer.status = MinimizerStatus::time_limit;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const InputError&) {
+    throw;
+  } catch (const SimulationError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw_failed(state_, solver_, error.what());
+  } catch (...) {
+    throw_failed(state_, solver_, "it threw what is no std::exception");
   }
   clock_.deadline().end_solve();
   return result;

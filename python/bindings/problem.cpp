@@ -1,12 +1,15 @@
 #include "python/bindings/problem.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <exception>
 #include <limits>
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/contact/contact_system.hpp"
+#include "framework/core/minimizer_failure.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
 #include "geometry/interrupt.hpp"
@@ -44,10 +47,14 @@ bool Problem::feasible() {
 }
 
 double Problem::value(const Numbers& q) {
+  ++work_.line_search_evaluations;
   const double value = at(q).value();
   return std::isfinite(value) && feasible() ? value : std::numeric_limits<double>::infinity();
 }
-py::array Problem::gradient(const Numbers& q) { return copy(at(q).gradient(), 0); }
+py::array Problem::gradient(const Numbers& q) {
+  ++work_.iterations;
+  return copy(at(q).gradient(), 0);
+}
 
 py::object Problem::hessian(const Numbers& q, const std::string& projection) {
   HessianRequest request;
@@ -151,6 +158,61 @@ bool Problem::converged(const Numbers& q) {
   return *judged_;
 }
 
+std::string Problem::fault_at(const Numbers& q) {
+  at(q);
+  if (feasible()) return "";
+  const VecX& x = dynamic_cast<const IncrementalPotential&>(there().objective).configuration();
+  if (const int tet = first_inverted_tet(world_.tets, x); tet >= 0)
+    return fmt::format(
+        "inverts tet {} of '{}'", tet,
+        world_.bodies[static_cast<size_t>(world_.body_of(world_.tets[static_cast<size_t>(tet)][0]))]
+            .name);
+  const CollisionMesh& mesh = world_.contact->surface().mesh;
+  const EdgeTriangleHit hit = find_intersections(mesh, x, world_.contact->colliding(), 1).front();
+  const auto name = [&](int v) {
+    return world_.bodies[static_cast<size_t>(mesh.vertex_object[static_cast<size_t>(v)])].name;
+  };
+  const auto n = [&](int v) { return world_.index_in_body(v); };
+  const Edge& e = mesh.edges[static_cast<size_t>(hit.edge)];
+  const Triangle& t = mesh.triangles[static_cast<size_t>(hit.triangle)];
+  return fmt::format("intersects: edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'",
+                     n(e[0]), n(e[1]), name(e[0]), n(t[0]), n(t[1]), n(t[2]), name(t[0]));
+}
+
+std::string Problem::unmet_criterion(const Numbers& q, Stopping stopping) {
+  const MinimizerProblem& problem = there();
+  Objective& objective = at(q);
+  MinimizerResult measured;
+  ConvergenceJudge judge;
+  judge.begin();
+  judge.converged(problem, measured);
+  const double forces = problem.force_residual ? problem.force_residual(objective.gradient()) : 0;
+  if (forces > 1 && forces >= measured.residual)
+    return fmt::format(
+        "forces are out of balance by {:.3g} times what solver.balance_tolerance and force_floor "
+        "allow",
+        forces);
+  const char* key =
+      stopping == Stopping::force || !problem.norm_of_direction ? "force_tolerance" : "tolerance";
+  return fmt::format("the stopping norm is {:.3g} times solver.{}", measured.residual,
+                     stopping == Stopping::acceleration ? "acceleration_tolerance" : key);
+}
+
+void rethrow_python(const SimulationError& error) {
+  try {
+    std::rethrow_if_nested(error);
+  } catch (py::error_already_set& python) {
+    if (py::hasattr(python.value(), "add_note"))
+      python.value().attr("add_note")(
+          std::string(error.what()).substr(0, std::string(error.what()).find(": ")) +
+          ": the minimiser raised this");
+    throw;
+  } catch (const py::builtin_exception&) {
+    throw;
+  } catch (...) {
+  }
+}
+
 namespace {
 
 class PythonMinimizer : public Minimizer {
@@ -179,10 +241,24 @@ class PythonMinimizer : public Minimizer {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     if (answer.is_none()) throw py::type_error("the minimiser returned nothing; it has to return the unknowns where it ended");
     const Numbers last = py::cast<Numbers>(answer);
+    VecX returned = vector_of(last, q.size(), "what the minimiser returned");
+    if (const std::string fault = seen->fault_at(last); !fault.empty())
+      throw std::runtime_error("the minimiser returned a point that " + fault);
     const bool converged = seen->converged(last);
-    q = vector_of(last, q.size(), "what the minimiser returned");
+    q = std::move(returned);
     MinimizerResult result = seen->work();
-    result.status = converged ? MinimizerStatus::converged : interrupt_requested ? MinimizerStatus::interrupted : MinimizerStatus::iteration_limit;
+    if (!converged && !interrupt_requested) {
+      result.status = MinimizerStatus::iteration_limit;
+      const bool single = py::isinstance<py::array_t<float>>(last);
+      throw MinimizerFailure(
+          fmt::format("the minimiser returned a point that has not converged: {}{}",
+                      seen->unmet_criterion(last, stopping()),
+                      single ? " (it is in single precision, float32)" : ""),
+          result);
+    }
+    result.status = converged             ? MinimizerStatus::converged
+                    : interrupt_requested ? MinimizerStatus::interrupted
+                                          : MinimizerStatus::iteration_limit;
     return result;
   }
 

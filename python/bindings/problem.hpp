@@ -6,6 +6,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "framework/world/world.hpp"
+#include "geometry/errors.hpp"
 #include "python/bindings/arrays.hpp"
 #include "solvers/minimizers/convergence_judge.hpp"
 
@@ -44,6 +45,11 @@ class Problem {
   bool converged(const Numbers& q);
 
   MinimizerResult& work() { return work_; }
+  // Names what intersects or is inverted at q; "" if nothing does.
+  std::string fault_at(const Numbers& q);
+  // Names the convergence criterion that q, which is not converged, fails; stopping: of the
+  // minimiser.
+  std::string unmet_criterion(const Numbers& q, Stopping stopping);
 
  private:
   MinimizerProblem& there();
@@ -63,6 +69,10 @@ class Problem {
 // feasible as the start is. Tolerances are those of `like`.
 std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like,
                                         const World& world);
+
+// Throws the exception of Python that is nested in `error`, with the text of `error` as its note,
+// if there is one.
+void rethrow_python(const SimulationError& error);
 
 void bind_problem(py::module_& module);
 

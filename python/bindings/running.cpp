@@ -101,7 +101,7 @@ py::dict Running::step() {
   const Claim claim(busy_);
   end_problem();
   std::optional<StepReport> report;
-  {
+  try {
     const Interrupts interrupts;
     const py::gil_scoped_release released;
     report = arena_.execute([this]() -> std::optional<StepReport> {
@@ -112,6 +112,9 @@ py::dict Running::step() {
       simulation_->check_stages();
       return r;
     });
+  } catch (const SimulationError& error) {
+    rethrow_python(error);
+    throw;
   }
   show();
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();

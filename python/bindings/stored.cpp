@@ -11,6 +11,7 @@
 #include "geometry/plain_numbers.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/interrupts.hpp"
+#include "python/bindings/problem.hpp"
 
 namespace tack::python {
 namespace {
@@ -20,25 +21,39 @@ struct Answers {
   bool has_minimum = false;
 };
 
-Answers answers_of(const std::string& path, const std::vector<std::string>& solvers, const std::vector<std::string>& set, const std::vector<std::string>& plugins,
-                   bool minimum) {
+Answers answers_of(const std::string& path, const std::vector<std::string>& solvers,
+                   const std::vector<std::string>& set, const std::vector<std::string>& plugins,
+                   bool minimum, const std::vector<py::object>& functions) {
   for (const std::string& plugin : plugins) load_plugin(std::filesystem::absolute(plugin).string());
   StoredStep step(path, set);
   if (minimum && !step.has_minimum()) step.find_minimum();
   Answers answers{{}, step.has_minimum()};
-  for (const std::string& solver : solvers) answers.solves.push_back(step.solve(solver.empty() ? Value() : parse_string(solver, "solvers")));
+  for (size_t i = 0; i < solvers.size(); ++i) {
+    StoredSolveSettings settings;
+    if (const py::object& function = functions[i]; !function.is_none())
+      settings.make_solver = [&function](const Minimizer& like, const World& world) {
+        const py::gil_scoped_acquire gil;
+        return minimizer_of(py::reinterpret_borrow<py::function>(function), like, world);
+      };
+    answers.solves.push_back(
+        step.solve(solvers[i].empty() ? Value() : parse_string(solvers[i], "solvers"), settings));
+  }
   return answers;
 }
 
-py::list solved(const std::string& path, const std::vector<std::string>& solvers, const std::vector<std::string>& set, const std::vector<std::string>& plugins, int threads,
-                bool minimum) {
+py::list solved(const std::string& path, const std::vector<std::string>& solvers,
+                const std::vector<std::string>& set, const std::vector<std::string>& plugins,
+                int threads, bool minimum, const std::vector<py::object>& functions) {
   Answers answers;
-  {
+  try {
     const Interrupts interrupts;
     const py::gil_scoped_release released;
     const PlainNumbers plain;
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-    arena.execute([&] { answers = answers_of(path, solvers, set, plugins, minimum); });
+    arena.execute([&] { answers = answers_of(path, solvers, set, plugins, minimum, functions); });
+  } catch (const SimulationError& error) {
+    rethrow_python(error);
+    throw;
   }
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   py::list all;
@@ -62,7 +77,8 @@ py::list solved(const std::string& path, const std::vector<std::string>& solvers
 }  // namespace
 
 void bind_stored(py::module_& module) {
-  module.def("solve", &solved, py::arg("path"), py::arg("solvers"), py::arg("set"), py::arg("plugins"), py::arg("threads"), py::arg("minimum"));
+  module.def("solve", &solved, py::arg("path"), py::arg("solvers"), py::arg("set"),
+             py::arg("plugins"), py::arg("threads"), py::arg("minimum"), py::arg("functions"));
 }
 
 }  // namespace tack::python

@@ -1,15 +1,30 @@
 #include "solvers/minimizers/descent_minimizer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "framework/config/field.hpp"
 #include "framework/core/deadline.hpp"
+#include "framework/core/minimizer_failure.hpp"
 #include "geometry/interrupt.hpp"
 #include "solvers/minimizers/iteration_notifier.hpp"
 
 namespace tack {
+namespace {
+
+// Throws std::length_error unless a direction has an entry per unknown.
+void check_size(const VecX& p, const VecX& q) {
+  if (p.size() != q.size())
+    throw std::length_error(fmt::format(
+        "its direction has {} entries, and the problem has {} unknowns", p.size(), q.size()));
+}
+
+}  // namespace
+
 void DescentMinimizer::fields(Fields& f) {
   Minimizer::fields(f);
   f.component("line_search", line_search_, "step length");
@@ -53,6 +68,9 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     const MinimizerStatus found = direction(problem, p, result);
     if (!objective.gradient().allFinite()) return end(MinimizerStatus::not_finite);
     if (found != MinimizerStatus::converged) return end(found);
+    check_size(p, q);
+    if (!p.allFinite())
+      throw FaultyDirection(type(), "not finite", end(MinimizerStatus::line_search_failed));
     ++result.iterations;
     if (newton_like()) result.residual = newton_norm(problem, p, result);
     const bool last = newton_like() && result.residual <= 1;
@@ -63,6 +81,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     for (const auto& policy : step_) policy->direct(context, q, p);
     if (last) context.length_max = 1 / problem.stopping_norm(p, objective.gradient());
     const VecX before = last ? q : VecX();
+    const bool descends = objective.gradient().dot(p) < 0;
     const MinimizerStatus moved = advance(context, p, q);
     notify(result);
     // Below the tolerance the point is accepted if forces balance, whether or not the last step
@@ -77,6 +96,8 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     }
     if (moved == MinimizerStatus::line_search_failed && nearly_newton() && at_equilibrium(problem, p, result)) return end(MinimizerStatus::converged);
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;
+    if (moved == MinimizerStatus::line_search_failed && !descends)
+      throw FaultyDirection(type(), "no descent direction", end(moved));
     if (moved != MinimizerStatus::converged) return end(moved);
   }
   return end(MinimizerStatus::iteration_limit);

@@ -130,8 +130,15 @@ class Minimising(unittest.TestCase):
             sim.step(minimizer=lambda problem: None)
         with self.assertRaisesRegex(KeyError, "mine"):
             sim.step(minimizer=lambda problem: {}["mine"])
-        with self.assertRaises(tack.SimulationError):
+        with self.assertRaisesRegex(tack.SimulationError, "step 13 .*the minimiser returned a point that has not converged: .* times "):
             sim.step(minimizer=lambda problem: problem.start)
+        with self.assertRaisesRegex(ValueError, "what the minimiser returned"):
+            sim.step(minimizer=lambda problem: np.nan * problem.start)
+
+        def through(problem):
+            return problem.start + np.concatenate([np.tile([0, 0.1, 0], problem.size // 6), np.zeros(problem.size // 2)])
+        with self.assertRaisesRegex(tack.SimulationError, r"step 13 .*the minimiser returned a point that intersects: edge \(.* of '\w+' meets triangle .* of '\w+'"):
+            sim.step(minimizer=through)
         sim.minimize_by(None)
         sim.step()
         self.assertEqual(sim.steps, 13)

@@ -235,6 +235,28 @@ vary:
   CHECK(fs::last_write_time(files.path / "b" / "state" / "variant=right.json") == right);
 }
 
+TEST_CASE("a case whose files cannot be written fails alone, and keeps no earlier result",
+          "[batch]") {
+  const Files files(
+      "name: some\nbase: tiny.yaml\nset: [output.frames=false]\njobs: 1\n"
+      "vary: [{type: cases, cases: [{name: bad}, {name: good}]}]\n");
+  REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
+  const fs::path b = files.path / "b", output = b / "output" / "variant=bad.txt";
+  for (const char* name : {"bad", "good"})
+    fs::remove_all(b / "cases" / (std::string("variant=") + name));  // so that both run again
+  fs::remove(output);
+  fs::create_directories(output / "in_the_way");
+  const ProgramResult result = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
+  INFO(result.out << result.err);
+  CHECK(result.exit_code != 0);
+  const auto rows = rows_of(b);
+  REQUIRE(rows.size() == 3);
+  CHECK(contains(rows[1], ",bad,refused,"));
+  CHECK(contains(rows[1], "cannot be written: "));
+  CHECK(contains(rows[1], "variant=bad.txt"));
+  CHECK(contains(rows[2], ",good,done,"));
+}
+
 TEST_CASE("cases that are named run alone, and the others stay as they are", "[batch]") {
   const Files files("name: some\nbase: tiny.yaml\nset: [output.frames=false]\n"
                     "vary: [{type: cases, cases: [{name: wrong, set: {expect: [{probe: height, statistic: final, at_least: 1 m}]}}, {name: right}, {name: rest}]}]\n");

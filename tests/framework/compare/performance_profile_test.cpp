@@ -135,8 +135,11 @@ TEST_CASE("profile plots show the fraction of tasks solved", "[compare]") {
   CHECK(profile_plot(failing).notes == std::vector<std::string>{"solved nothing: never"});
 }
 
-TEST_CASE("work-precision points sum times over problems, and exist only where all problems are solved", "[compare]") {
-  std::vector<CompareRow> some = {row("one", "a", 2), row("two", "a", 3), row("one", "b", 1), row("two", "b", 1, false)};
+TEST_CASE(
+    "work-precision points sum times over problems, and exist only where all of them are solved",
+    "[compare]") {
+  std::vector<CompareRow> some = {row("one", "a", 2), row("two", "a", 3), row("one", "b", 1),
+                                  row("two", "b", 1)};
   some[1].error_rms = some[1].error_max = 1e-4;
   some[1].relative_error = 1e-3;
   const Plot plot = work_precision(some);
@@ -144,8 +147,9 @@ TEST_CASE("work-precision points sum times over problems, and exist only where a
   REQUIRE(plot.curves[0].points.size() == 1);
   CHECK(plot.curves[0].points[0].first == Approx(1e-4));  // the mean of 1e-5 and 1e-3
   CHECK(plot.curves[0].points[0].second == 5);
-  CHECK(plot.curves[1].points.empty());
-  CHECK(plot.notes == std::vector<std::string>{"all problems solved at no tolerance: b (two)"});
+  REQUIRE(plot.curves[1].points.size() == 1);
+  CHECK(plot.curves[1].points[0].second == 2);
+  CHECK(plot.notes.empty());
   some.push_back(row("three", "a", 1, false));
   some.push_back(row("three", "b", 1, false));
   CHECK(work_precision(some).notes.front() == "omitted, as no solver solves it: three");
@@ -153,6 +157,26 @@ TEST_CASE("work-precision points sum times over problems, and exist only where a
   some.push_back(row("two", "a", 1, false));
   some.back().tolerance = 1e-4;
   CHECK(work_precision(some).notes.back() == "failed at some tolerances: a (two)");
+}
+
+TEST_CASE("a method that fails on a problem keeps its curve, over the problems that all solve",
+          "[compare]") {
+  std::vector<CompareRow> some = {row("one", "a", 2), row("two", "a", 3), row("one", "b", 1),
+                                  row("two", "b", 1, false)};
+  Plot plot = work_precision(some);
+  REQUIRE(plot.curves.size() == 2);
+  REQUIRE(plot.curves[1].points.size() == 1);
+  CHECK(plot.curves[0].points[0].second == 2);  // without problem two
+  CHECK(plot.curves[1].points[0].second == 1);
+  CHECK(plot.notes ==
+        std::vector<std::string>{"1 of 2 problems count: those that all methods with a curve solve",
+                                 "left out, with those that fail on it: two (b)"});
+  some.push_back(row("one", "never", 1, false));
+  some.push_back(row("two", "never", 1, false));
+  plot = work_precision(some);
+  CHECK(plot.curves[0].points[0].second == 2);  // what solves nothing does not empty the picture
+  CHECK(plot.curves[2].points.empty());
+  CHECK(plot.notes.back() == "solved at no tolerance: never");
 }
 
 TEST_CASE("work-precision plots show the spread of repetitions", "[compare]") {
