@@ -26,6 +26,10 @@ const std::vector<Sabotage>& sabotages() {
       {"cleaning_gel/strain_030", "a third of the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.1", "contact.pairs.1.adhesion.critical_strain=0.1"}, {"it takes what is loose, and of what sticks a little"}},
       {"cleaning_gel/strain_050", "three fifths of the adhesion", {"contact.pairs.0.adhesion.critical_strain=0.3", "contact.pairs.1.adhesion.critical_strain=0.3"}, {"it takes of all kinds of dust"}},
       {"wall_cube/stuck_rough", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction takes its part"}},
+      {"spider_web/octopus", "a tenth of the adhesion", {"contact.pairs.0.adhesion.peak_traction=3 kPa"}, {"the octopus hangs in the web", "and adheres to the end", "the ends carry 1.09 N of it and 0.19 N of the web"}},
+      {"spider_web/octopus", "a third of the adhesion", {"contact.pairs.0.adhesion.peak_traction=10 kPa"}, {"and tangential adhesion holds it where it hangs"}},
+      {"spider_web/octopus", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction takes part"}},
+      {"spider_web/octopus", "no tangential adhesion", {"contact.pairs.0.tangential_adhesion.mu=0"}, {"and tangential adhesion holds it where it hangs"}},
       {"wax_seal/seal", "no adhesion", {"contact.pairs=[]"}, {"the wax lies on the letter", "with all of its foot"}},
   };
   return table;
@@ -66,6 +70,7 @@ TEST_CASE("sabotage: cleaning_gel/strain_030", "[nightly]") { check_sabotage("cl
 TEST_CASE("sabotage: cleaning_gel/strain_050", "[nightly]") { check_sabotage("cleaning_gel/strain_050"); }
 TEST_CASE("sabotage: wall_cube/stuck", "[nightly]") { check_sabotage("wall_cube/stuck"); }
 TEST_CASE("sabotage: wall_cube/stuck_rough", "[nightly]") { check_sabotage("wall_cube/stuck_rough"); }
+TEST_CASE("sabotage: spider_web/octopus", "[nightly]") { check_sabotage("spider_web/octopus"); }
 TEST_CASE("sabotage: wax_seal/seal", "[nightly]") { check_sabotage("wax_seal/seal"); }
 
 }  // namespace
