@@ -45,7 +45,8 @@ int list_command(const ListOptions& o) {
     fmt::print("{}", is_kind(o.kind) ? list_kind(o.kind) : named(o.kind));
   } else {
     const std::string both = is_kind(o.kind) ? "" : found(o.kind + " " + o.name);
-    fmt::print("{}", both.empty() ? list_component(o.kind, o.name) : both);
+    const bool names_component = is_kind(o.kind) || !list_named(o.name).empty();  // of a kind that may be misspelt
+    fmt::print("{}", !both.empty() ? both : names_component ? list_component(o.kind, o.name) : named(o.kind + " " + o.name));
   }
   return exit_done;
 }

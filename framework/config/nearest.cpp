@@ -16,7 +16,8 @@ constexpr ForeignName foreign_names[] = {
     {"dt", "step"}, {"h", "step"}, {"timestep", "step"}, {"time_step", "step"}, {"t_end", "duration"}, {"end_time", "duration"},
     {"e", "young"}, {"youngs_modulus", "young"}, {"young_modulus", "young"}, {"elastic_modulus", "young"}, {"shear_modulus", "young"}, {"lambda", "young"}, {"mu", "young"},
     {"nu", "poisson"}, {"poissons_ratio", "poisson"}, {"poisson_ratio", "poisson"}, {"rho", "density"},
-    {"dhat", "distance"}, {"d_hat", "distance"}, {"contact_distance", "distance"}, {"kappa", "stiffness"},
+    {"dhat", "distance"}, {"d_hat", "distance"}, {"contact_distance", "distance"}, {"kappa", "stiffness"}, {"kappa", "barrier"}, {"mu", "friction"},
+    {"tol", "tolerance"}, {"max_iter", "max_iterations"}, {"backward_euler", "implicit_euler"}, {"newton", "projected_newton"},
     {"friction_coefficient", "mu"}, {"coefficient", "mu"}, {"epsv", "eps_v"}, {"v0", "velocity"}, {"initial_velocity", "velocity"},
     {"omega", "spin"}, {"angular_velocity", "spin"}, {"position", "place"}, {"transform", "place"}, {"material", "energies"},
     {"materials", "energies"}, {"mesh", "shape"}, {"geometry", "shape"}, {"boundary_conditions", "motion"}, {"dirichlet", "motion"},
@@ -51,7 +52,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& names) {
-  int best = std::max(2, static_cast<int>(word.size()) / 2);  // further away it is a different word
+  int best = word.size() < 4 ? 1 : std::max(2, static_cast<int>(word.size()) / 2);  // further away it is a different word
   std::string found;
   for (const std::string& name : names) {
     const int distance = edit_distance(word, name);

@@ -100,7 +100,9 @@ void apply_override(Value& root, const std::string& assignment) {
   if (equals == std::string::npos) {
     throw InputError(origin.text() + ": expects key=value or path.to.key=value");
   }
-  Value replacement = read_yaml(assignment.substr(equals + 1), *name);
+  const std::string text = assignment.substr(equals + 1);
+  // A text that begins with # is a colour; in YAML it would be a comment.
+  Value replacement = text.starts_with('#') ? Value::scalar(text) : read_yaml(text, *name);
   set_marks(replacement, origin);
   set_at(root, assignment.substr(0, equals), std::move(replacement));
 }

@@ -40,6 +40,7 @@ class GltfFormat : public ShapeFormat {
 
  protected:
   std::string default_output(const std::string& run) const override { return run + ".glb"; }
+  bool writes_one_file() const override { return true; }
   void check_output(const fs::path& path) const override {
     if (path.extension() != ".glb") throw InputError(fmt::format("{}: names of binary glTF files end in .glb; give one with -o", path.string()));
   }

@@ -24,7 +24,8 @@ class MeshSequence : public ShapeFormat {
   virtual void begin(DraftFiles&, const fs::path&, const ExportedObject&) const {}
 
   std::string default_output(const std::string&) const override { return extension_; }
-  void write_run(const RunShapes& run, const fs::path& folder, std::vector<std::string>&) const override {
+  void write_run(const RunShapes& run, const fs::path& folder, std::vector<std::string>& notes) const override {
+    unit_.note_other_units(run, notes);
     for (const ExportedObject& object : run.objects()) {
       DraftFiles files;
       begin(files, folder, object);

@@ -50,7 +50,8 @@ class PointCache : public ShapeFormat {
   virtual void add_header(Bytes& bytes, int vertices, const std::vector<double>& times) const = 0;
 
   std::string default_output(const std::string&) const override { return extension_; }
-  void write_run(const RunShapes& run, const fs::path& folder, std::vector<std::string>&) const override {
+  void write_run(const RunShapes& run, const fs::path& folder, std::vector<std::string>& notes) const override {
+    unit_.note_other_units(run, notes);
     DraftFiles files;
     std::vector<int> caches;
     for (const ExportedObject& object : run.objects()) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "framework/config/read_file.hpp"
@@ -13,6 +14,7 @@
 #include "framework/export/outer_vertices.hpp"
 #include "framework/export/source_faces.hpp"
 #include "framework/output/run_folder.hpp"
+#include "framework/output/summary.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
 
@@ -65,6 +67,54 @@ void add_elements(const FrameFile& frame, const Surface& surface, const std::vec
     if (owner(v) >= 0) objects[owner(v)].points.push_back(local[v]);
 }
 
+// Returns the results folder that `given` names. Throws InputError unless it has frames.
+fs::path folder_with_frames(const fs::path& given) {
+  std::error_code none;
+  if (given.filename() == "run.pvd" && fs::exists(given, none)) return given.has_parent_path() ? given.parent_path() : fs::path(".");
+  if (fs::exists(given / "run.pvd", none)) return given;
+  if (!fs::exists(given, none)) throw InputError(fmt::format("{}: there is no such folder; give the results folder of a run", given.string()));
+  if (!fs::is_directory(given, none)) throw InputError(fmt::format("{}: is a file; give the results folder of a run", given.string()));
+  std::vector<std::string> runs;
+  for (const auto& entry : fs::directory_iterator(given, none))
+    if (fs::exists(entry.path() / "run.pvd", none)) runs.push_back(entry.path().string());
+  if (fs::exists(given.parent_path() / "run.pvd", none)) runs.push_back(given.parent_path().string());
+  std::sort(runs.begin(), runs.end());
+  constexpr size_t shown_max = 8;
+  const bool more = runs.size() > shown_max;
+  if (more) runs.resize(shown_max);
+  if (!runs.empty())
+    throw InputError(fmt::format("{}: is no results folder; these are: {}{}", given.string(), fmt::join(runs, ", "), more ? ", ..." : ""));
+  throw InputError(fmt::format("{}: has no frames (run.pvd); give the results folder of a run that writes them (output.frames)", given.string()));
+}
+
+// Throws InputError with the number of the frame and the remedy.
+FrameFile read_frame_of_run(const fs::path& results, const PvdFile::Frame& frame) {
+  const fs::path path = results / frame.file;
+  const auto failed = [&](const std::string& why) {
+    return InputError(fmt::format("{}: the frame at {:.6g} s {}; leave it out by from=... or to=..., or run the scene again", path.string(), frame.time, why));
+  };
+  std::error_code none;
+  if (!fs::exists(path, none)) throw failed("is missing");
+  try {
+    return read_frame(path);
+  } catch (const InputError&) {
+    throw failed("cannot be read, as if it was cut short");
+  }
+}
+
+// Appends the files that a scene names.
+void collect_sources(const Value& value, std::vector<fs::path>& found) {
+  std::error_code none;
+  if (value.is_scalar() && value.text.find('.') != value.text.npos && fs::is_regular_file(value.text, none)) found.emplace_back(value.text);
+  for (const Value& item : value.items) collect_sources(item, found);
+  for (const Value::Entry& entry : value.entries) collect_sources(entry.value, found);
+}
+
+std::string unit_of_file(const Value& shape) {
+  const Value* unit = shape.find("unit");
+  return unit && unit->is_scalar() && unit->text != "m" ? unit->text : "";
+}
+
 }  // namespace
 
 // Positions of one frame.
@@ -74,17 +124,16 @@ struct RunShapes::Loaded {
 };
 
 RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, const std::function<void(const std::vector<std::string>&)>& check)
-    : results_(results), fps_(selection.fps) {
-  std::error_code none;
-  if (!fs::exists(results / "run.pvd", none))
-    throw InputError(fmt::format("{}: has no frames (run.pvd); give the results folder of a run that writes them (output.frames)", results.string()));
-  frames_ = PvdFile::continued(results / "run.pvd", std::numeric_limits<double>::infinity()).list();
-  if (frames_.empty()) throw InputError(fmt::format("{}: lists no frame yet; wait for the first", (results / "run.pvd").string()));
+    : results_(folder_with_frames(results)), fps_(selection.fps) {
+  frames_ = PvdFile::continued(results_ / "run.pvd", std::numeric_limits<double>::infinity()).list();
+  if (frames_.empty()) throw InputError(fmt::format("{}: lists no frame yet; wait for the first", (results_ / "run.pvd").string()));
   choose_times(selection);
+  note_unfinished();
 
-  const std::string scene = (results / "scene.yaml").string();
+  const std::string scene = (results_ / "scene.yaml").string();
   const LoadedExperiment loaded = parse_experiment(read_file(scene, largest_text), scene);
   const Experiment& experiment = loaded.experiment;
+  collect_sources(loaded.root, sources_);
   name_ = RunFolder::default_root(experiment.name).filename();
   if (experiment.gravity.norm() > 0) up_ = -experiment.gravity.normalized();
 
@@ -104,7 +153,7 @@ RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, c
     object.materials = {{object.file_name, linear(palette[i % palette.size()])}};
   }
 
-  const FrameFile first = read_frame(results_ / frames_[0].file);
+  const FrameFile first = read_frame_of_run(results_, frames_[0]);
   const Surface surface = extract_surface(first.mesh);
   const auto outer = outer_vertices(first, surface, static_cast<int>(names.size()));
   std::vector<int> local(first.mesh.vertices.size(), -1);
@@ -116,11 +165,29 @@ RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, c
   add_elements(first, surface, place, local, objects_);
   const Value* written = loaded.root.find("objects");
   for (size_t k = 0; k < objects_.size(); ++k)
-    if (const Value* shape = written->items[numbers_[k]].find("shape"))
+    if (const Value* shape = written->items[numbers_[k]].find("shape")) {
+      objects_[k].file_unit = unit_of_file(*shape);
       if (std::string note = take_source_faces(*shape, objects_[k]); !note.empty()) notes_.push_back(std::move(note));
+    }
+}
+
+void RunShapes::note_unfinished() {
+  std::error_code none;
+  const fs::path path = results_ / "summary.json";
+  const double last = frames_.back().time;
+  if (!fs::exists(path, none)) {
+    notes_.push_back(fmt::format("the run has not ended; its frames reach to {:.6g} s", last));
+    return;
+  }
+  const nlohmann::json summary = nlohmann::json::parse(read_file(path.string(), largest_text), nullptr, false);
+  const std::string status = summary.is_object() ? summary.value("status", "") : "";
+  if (status != to_string(RunStatus::done) && status != to_string(RunStatus::expectation_failed))
+    notes_.push_back(fmt::format("the run ended early ({}); its frames reach to {:.6g} s", status, last));
 }
 
 void RunShapes::choose_times(const ShapeSelection& selection) {
+  if (selection.from && selection.to && *selection.from > *selection.to)
+    throw InputError(fmt::format("from: {:.6g} s is after to: {:.6g} s", *selection.from, *selection.to));
   const double first = selection.from.value_or(frames_.front().time), last = selection.to.value_or(frames_.back().time);
   if (!fps_) {
     for (const PvdFile::Frame& frame : frames_)
@@ -151,7 +218,7 @@ struct RunShapes::KnownMesh {
 
 RunShapes::Loaded RunShapes::load(int number, KnownMesh& known) const {
   const fs::path path = results_ / frames_[number].file;
-  FrameFile frame = read_frame(path);
+  FrameFile frame = read_frame_of_run(results_, frames_[number]);
   if (!known.has_elements_of(frame.mesh)) {
     known.outer = outer_vertices(frame, extract_surface(frame.mesh), numbers_.empty() ? 0 : numbers_.back() + 1);
     std::vector<Vec3> vertices = std::move(frame.mesh.vertices);

@@ -44,6 +44,7 @@ struct ExportedObject {
   std::vector<Edge> edges;                  // rods
   std::vector<int> points;                  // particles
   double radius = 0;                        // of edges and points [m]; 0: none
+  std::string file_unit;                    // unit of the file that it was read from; "": metres, or no file
 
   bool has_faces() const { return !face_sizes.empty(); }
 };
@@ -63,9 +64,12 @@ class RunShapes {
  public:
   // check: called with the names of the scene's objects before frames are read. Throws InputError
   // if the folder has no frames or its scene cannot be read, and the exceptions of `check`.
+  // results: the folder of a run, or its run.pvd.
   RunShapes(const std::filesystem::path& results, const ShapeSelection& selection,
             const std::function<void(const std::vector<std::string>&)>& check);
 
+  const std::filesystem::path& folder() const { return results_; }  // of the results
+  const std::vector<std::filesystem::path>& sources() const { return sources_; }  // files that the scene reads
   const std::string& name() const { return name_; }  // of the scene, fit for a file name
   const std::vector<ExportedObject>& objects() const { return objects_; }
   const std::vector<double>& times() const { return times_; }  // of the samples [s]
@@ -82,9 +86,11 @@ class RunShapes {
   struct Loaded;
   struct KnownMesh;
   void choose_times(const ShapeSelection& selection);
+  void note_unfinished();
   Loaded load(int frame, KnownMesh& known) const;
 
   std::filesystem::path results_;
+  std::vector<std::filesystem::path> sources_;
   std::string name_;
   std::vector<PvdFile::Frame> frames_;
   std::vector<ExportedObject> objects_;

@@ -16,6 +16,8 @@ class ShapeFormat : public OutputFormat {
  protected:
   // Returns the file or folder below `export` that is written unless another is given.
   virtual std::string default_output(const std::string& run) const = 0;
+  // Returns true if the output is one file, false if it is a folder of files.
+  virtual bool writes_one_file() const { return false; }
   // Throws InputError if the path cannot be that of an output.
   virtual void check_output(const std::filesystem::path&) const {}
   // Writes the run. Appends remarks to `notes`.
@@ -31,6 +33,8 @@ struct OutputUnit {
   std::string name = "m";
   void fields(Fields& f);
   double per_metre() const;  // 1000 for mm
+  // Appends a remark for objects from files in another unit.
+  void note_other_units(const RunShapes& run, std::vector<std::string>& notes) const;
 };
 
 }  // namespace tack

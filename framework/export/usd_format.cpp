@@ -32,6 +32,7 @@ class UsdFormat : public ShapeFormat {
 
  protected:
   std::string default_output(const std::string& run) const override { return run + ".usda"; }
+  bool writes_one_file() const override { return true; }
   void check_output(const fs::path& path) const override {
     if (path.extension() != ".usda") throw InputError(fmt::format("{}: names of USD files as text end in .usda; give one with -o", path.string()));
   }

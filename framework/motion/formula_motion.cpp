@@ -31,7 +31,7 @@ class FormulaMotion : public Motion {
       for (int i = 0; i < 3; ++i) {
         const double d = formula_[i](std::array{t, r.x(), r.y(), r.z()});
         if (!(std::abs(d) <= 1e100))
-          throw SimulationError(fmt::format("{}: '{}' is {} at t = {} s, X = {}, Y = {}, Z = {}; it must be finite and at "
+          throw SimulationError(fmt::format("{}: '{}' is {} at t = {:.6g} s, X = {}, Y = {}, Z = {}; it must be finite and at "
                                             "most 1e100 m", "xyz"[i], text_[i], d, t, r.x(), r.y(), r.z()));
         x(3 * v + i) = reference(3 * v + i) + d;
       }

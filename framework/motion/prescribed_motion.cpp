@@ -20,7 +20,7 @@ void check_positions(const std::vector<int>& vertices, double t, const VecX& x) 
   for (const int v : vertices) {
     const Vec3 p = vertex(x, v);
     if (p.cwiseAbs().maxCoeff() <= coordinate_max && p.allFinite()) continue;
-    throw SimulationError(fmt::format("puts vertex {} at ({:g}, {:g}, {:g}) m at t = {} s; it must be finite and at most "
+    throw SimulationError(fmt::format("puts vertex {} at ({:g}, {:g}, {:g}) m at t = {:.6g} s; it must be finite and at most "
                                       "{:g} m away", v, p.x(), p.y(), p.z(), t, coordinate_max));
   }
 }

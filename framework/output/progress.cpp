@@ -131,10 +131,11 @@ void Progress::detail(std::string_view text) {
   if (options_.verbosity == Verbosity::verbose) print(text);
 }
 
-void Progress::warning(std::string_view text) {
-  const std::string line = fmt::format("warning: {}", text);
-  log(line);
-  print(line);
+void Progress::warning(std::string_view text) { failure(fmt::format("warning: {}", text)); }
+
+void Progress::failure(std::string_view text) {
+  log(text);
+  print(text);
 }
 
 void Progress::finish() {

@@ -47,6 +47,7 @@ class Progress {
   void message(std::string_view text);
   void detail(std::string_view text);  // on the terminal only if verbose
   void warning(std::string_view text);
+  void failure(std::string_view text);  // printed however quiet the run is
 
   // Erases the live line, so that others may write.
   void finish();

@@ -104,11 +104,11 @@ const RunSummary& RecordedRun::execute() {
   } catch (const SimulationError& error) {
     summary_.status = RunStatus::simulation_failed;
     summary_.error = error.what();
-    progress_.warning(fmt::format("error: {}", error.what()));
+    progress_.failure(fmt::format("error: {}", error.what()));
   } catch (const std::bad_alloc&) {
     summary_.status = RunStatus::simulation_failed;
     summary_.error = fmt::format("not enough memory after {} steps; use fewer cells, or let the run have more", summary_.steps);
-    progress_.warning("error: " + summary_.error);
+    progress_.failure("error: " + summary_.error);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
@@ -116,7 +116,7 @@ const RunSummary& RecordedRun::execute() {
     summary_.error =
         fmt::format("step {} at t = {:.6g} s: a component failed: {}", simulation_.state().step + 1,
                     simulation_.state().time, error.what());
-    progress_.warning("error: " + summary_.error);
+    progress_.failure("error: " + summary_.error);
   }
   if (recorder) recorder->flush();
   finish(recorder ? &recorder->series() : nullptr);
@@ -438,7 +438,8 @@ void RecordedRun::finish(const ProbeSeries* series) {
   write_summary(folder_.summary(), summary_);
   progress_.finish();
   progress_.message(profiler_ && simulation_.started() ? profile_of_run() : phase_table(summary_));
-  if (complete) progress_.message(expect_table(summary_.expect));
+  if (complete && summary_.status == RunStatus::done) progress_.message(expect_table(summary_.expect));
+  else if (complete) progress_.failure(expect_table(summary_.expect));
   const std::string warned = summary_.warnings.empty() ? "" : fmt::format(", {}", counted(summary_.warnings.size(), "warning"));
   const char* iterations = summary_.stepper.contains("sweeps") ? "sweeps" : "Newton iterations";
   const std::string sizes = experiment_.time.adaptive && summary_.steps > 0

@@ -90,7 +90,7 @@ bool TimeStepper::rejects(const Validation& validation, double h) {
   check_wall_limit(validation.fault);
   if (!sizes_.reject(validation.reason, 1.0 / validation.substeps)) {
     if (validation.tolerable) return false;
-    throw SimulationError(fmt::format("step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h, validation.fault, validation.remedy));
+    throw SimulationError(fmt::format("step {} at t = {:.6g} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h, validation.fault, validation.remedy));
   }
   if (validation.reason == Rejection::debonding) return true;  // asked for
   const double next = state_.step_size.h_next;
@@ -167,7 +167,7 @@ void TimeStepper::end(StepReport& report, const Validation& validation, const Er
 
 void TimeStepper::check_wall_limit(const std::string& fault) const {
   if (!clock_.deadline().run_passed()) return;
-  throw SimulationError(fmt::format("step {} at t = {} s: the run's wall time is used up (time.wall_limit: {} s){}", state_.step + 1, state_.time, *time_.wall_limit,
+  throw SimulationError(fmt::format("step {} at t = {:.6g} s: the run's wall time is used up (time.wall_limit: {} s){}", state_.step + 1, state_.time, *time_.wall_limit,
                                     fault.empty() ? "" : "; " + fault));
 }
 

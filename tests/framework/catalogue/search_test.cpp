@@ -124,6 +124,12 @@ TEST_CASE("tack list searches words that are no kind", "[catalogue]") {
   CHECK(list({"list", "cohesive", "zone"}).out == found.out);
   CHECK(contains(list({"list", "scene"}).out, "docs/scenes.md"));  // pages are found beside the program
   CHECK(list({"list", "xyzzy"}).exit_code == 2);
+  for (const char* word : {"uv", "timestep", "pin", "transparent", "shadow", "mp4", "softbody", "velcro", "framerate", "hdri", "fbx"}) {
+    INFO(word);
+    CHECK(contains(list({"list", word}).out, "  read  docs/"));
+  }
+  CHECK(contains(list({"list", "soft", "body"}).out, "neo_hookean"));
+  CHECK(contains(list({"list", "purple", "xyzzy"}).err, "nothing is found for 'purple xyzzy'"));
   CHECK(contains(list({"list", "enrgy", "fang"}).err, "unknown kind 'enrgy'; did you mean 'energy'?"));
 }
 

@@ -21,6 +21,8 @@ TEST_CASE("the nearest name is found, or none") {
   CHECK(nearest("thickness", names) == "");
   CHECK(nearest("hookean", {"arap", "stable_neo_hookean"}) == "stable_neo_hookean");
   CHECK(nearest("x", names) == "");
+  CHECK(nearest("fbx", {"obj"}) == "");  // two of three letters differ
+  CHECK(nearest("ob", {"obj"}) == "obj");
   CHECK(nearest("ab", {"cd"}) == "");
   CHECK(suggestion("yong", names, "keys") ==
         "; did you mean 'young'? (keys: density, poisson, young)");

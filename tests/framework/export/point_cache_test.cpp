@@ -1,6 +1,7 @@
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <regex>
 
 #include "geometry/io/mesh_io.hpp"
 #include "tests/support/exported_run.hpp"
@@ -109,7 +110,82 @@ TEST_CASE("an export says what it lacks") {
   CHECK(contains(run.to("pc2", {"unit=furlong2"}).err, "expects a unit of length"));
   CHECK(contains(run.to("pc2", {"from=1 s", "to=2 s"}).err, "its frames are from 0 to 0.1 s"));
   CHECK(contains(run.to("vtu").out, "run/run.pvd"));
-  CHECK(contains(run_tack(run.path(), {"export", "nothing", "--to", "pc2"}).err, "nothing: has no frames (run.pvd)"));
-  CHECK(run_tack(run.path(), {"export", "nothing", "--to", "pc2"}).exit_code == 2);
+  CHECK(contains(run.to("pc2", {"from=0.08 s", "to=0.02 s"}).err, "from: 0.08 s is after to: 0.02 s"));
+  CHECK(contains(run.to("pc2", {"fps", "24"}).err, "'fps': expects key=value, such as fps=24"));
+  CHECK(contains(run.to("alembic").err, "unknown format 'alembic'"));
+  CHECK(contains(run.to("alembic").err, "usd for Houdini"));
+}
+
+TEST_CASE("an export of what is no results folder says where the results are") {
+  const ExportedRun run;
+  const auto error_of = [&](const std::string& folder) {
+    const ProgramResult result = run_tack(run.path(), {"export", folder, "--to", "pc2"});
+    CHECK(result.exit_code == 2);
+    return result.err;
+  };
+  CHECK(contains(error_of("nothing"), "nothing: there is no such folder"));
+  CHECK(contains(error_of("."), "is no results folder; these are: ./run"));
+  CHECK(contains(error_of("run/frames"), "run/frames: is no results folder; these are: run"));
+  CHECK(contains(error_of("run/scene.yaml"), "run/scene.yaml: is a file; give the results folder"));
+  CHECK(contains(error_of("run/export"), "run/export: is no results folder; these are: run") == fs::exists(run.path() / "run" / "export"));
+  CHECK(run_tack(run.path(), {"export", "run/run.pvd", "--to", "pc2"}).exit_code == 0);
+}
+
+TEST_CASE("no format replaces a file that the scene reads or that no export wrote") {
+  const ExportedRun run;
+  const std::string before = file_text(run.path() / "quads.obj");
+  write_file(run.path() / "mine" / "notes.txt", "mine");
+  for (const std::string& format : Registry<OutputFormat>::kind().names()) {
+    if (format == "vtu") continue;
+    INFO(format);
+    const bool one_file = format == "usd" || format == "gltf";
+    const auto to = [&](const std::string& output) { return run_tack(run.path(), {"export", "run", "--to", format, "-o", output}); };
+    if (!one_file) {
+      CHECK(contains(to(".").err, "holds quads.obj, which the scene reads"));
+      CHECK(contains(to("mine").err, "mine: holds files that no export wrote"));
+      CHECK(contains(to("quads.obj").err, "quads.obj: is a file, and this format writes a folder"));
+      CHECK(to("new_" + format).exit_code == 0);
+      CHECK(to("new_" + format).exit_code == 0);  // its own
+    } else {
+      CHECK(to(".").exit_code == 2);
+      const std::string name = "one." + std::string(format == "usd" ? "usda" : "glb");
+      CHECK(to(name).exit_code == 0);
+      CHECK(to(name).exit_code == 0);
+    }
+    CHECK(file_text(run.path() / "quads.obj") == before);
+  }
+  // A scene that reads the file of a format of one file.
+  const TemporaryFolder folder;
+  fs::copy_file(run.path() / "one.glb", folder.path() / "model.glb");
+  const std::string model = file_text(folder.path() / "model.glb");
+  write_file(folder.path() / "scene.yaml", "name: model\ntime: {step: 10 ms, duration: 10 ms}\nobjects: [{name: m, shape: {type: file, path: model.glb}, shell: {thickness: 1 mm}, motion: [fixed]}]\n");
+  REQUIRE(run_tack(folder.path(), {"run", "scene.yaml", "-q", "-o", "run"}).exit_code == 0);
+  CHECK(contains(run_tack(folder.path(), {"export", "run", "--to", "gltf", "-o", "model.glb"}).err, "model.glb: the scene reads this file"));
+  CHECK(file_text(folder.path() / "model.glb") == model);
+}
+
+TEST_CASE("an export of a run that ended early, or whose frames are damaged, says so") {
+  const ExportedRun run;
+  CHECK_FALSE(contains(run.to("pc2").out, "note: the run"));
+  const std::string summary = file_text(run.path() / "run" / "summary.json");
+  write_file(run.path() / "run" / "summary.json", std::regex_replace(summary, std::regex("\"status\": \"done\""), "\"status\": \"simulation failed\""));
+  CHECK(contains(run.to("pc2").out, "note: the run ended early (simulation failed); its frames reach to 0.1 s"));
+  fs::remove(run.path() / "run" / "summary.json");
+  CHECK(contains(run.to("pc2").out, "note: the run has not ended; its frames reach to 0.1 s"));
+  const fs::path frame = run.path() / "run" / "frames" / "frame_000002.vtu";
+  REQUIRE(fs::exists(frame));
+  fs::resize_file(frame, fs::file_size(frame) / 2);
+  const ProgramResult damaged = run.to("pc2");
+  CHECK(damaged.exit_code == 2);
+  CHECK(contains(damaged.err, "frame_000002.vtu: the frame at 0.02 s cannot be read"));
+  fs::remove(frame);
+  CHECK(contains(run.to("pc2").err, "frame_000002.vtu: the frame at 0.02 s is missing; leave it out by from=..."));
+}
+
+TEST_CASE("an export of a file in another unit says how to write it as it was") {
+  const ExportedRun run({"objects.sheet.shape.unit=dm"});
+  REQUIRE(run.result.exit_code == 0);
+  CHECK(contains(run.to("obj").out, "note: object 'sheet' was read from a file in dm and is written in m; unit=dm writes it as it was"));
+  CHECK_FALSE(contains(run.to("obj", {"unit=dm"}).out, "note: object 'sheet' was read"));
 }
 
