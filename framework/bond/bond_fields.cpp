@@ -51,4 +51,24 @@ VecX bond_tractions(const BondTerm& bonds, const VecX& x) {
   return tractions;
 }
 
+void BondTerm::visit_points(const VecX& x, std::string_view summand, const ForcePointVisitor& visit) const {
+  const std::vector<Vec3> pulled = site_forces(x, law_term(summand));
+  for (int k = 0; k < list_.size(); ++k) {
+    const Bond& b = list_.bonds()[k];
+    const size_t count = static_cast<size_t>(b.count());
+    ForcePoint point;
+    point.object = b.a;
+    point.opposite = b.b;
+    point.vertices = {b.vertices.data(), count};
+    point.coefficients = {b.c.data(), count};
+    point.own_vertex_count = b.site_count;
+    point.normal = b.normal;
+    point.gap = b.normal.dot(point.point(x) - point.opposite_point(x));
+    point.area = b.area;
+    point.force = pulled[k];
+    point.normal_force = point.force.dot(point.normal);
+    visit(point);
+  }
+}
+
 }  // namespace tack

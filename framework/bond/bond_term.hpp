@@ -16,13 +16,14 @@
 #include "framework/bond/bond_list.hpp"
 #include "framework/bond/environment.hpp"
 #include "framework/contact/contact_system.hpp"
+#include "framework/core/force_point.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
 /// Potential of all bonds of a world.
-class BondTerm : public Term {
+class BondTerm : public Term, public ForcePoints {
  public:
   // The system must outlive the term, and begin steps before it.
   BondTerm(ContactSystem& system, BondTable table);
@@ -67,6 +68,9 @@ class BondTerm : public Term {
   std::vector<Vec3> site_forces(const VecX& x, LawTerm term = LawTerm::all) const;
   /// Returns the bond forces on every vertex (3n) [N]; with a pair, of its bonds only.
   VecX forces(const VecX& x, LawTerm term, std::optional<ObjectPair> only = std::nullopt) const;
+  /// Visits the bonds of the list: site, attachment point and force (bond_fields.cpp).
+  void visit_points(const VecX& x, std::string_view summand,
+                    const ForcePointVisitor& visit) const override;
   /// Returns forces like ContactTerm::compressions; below zero where bonds pull.
   VecX compressions(const VecX& x, LawTerm term) const;
   /// Returns the force of object b on object a [N].

@@ -95,8 +95,11 @@ PageData report_data(const ReportSettings& s) {
     for (const std::string& name : s.cases) shown.emplace_back(case_folder(document["batch"], s.folders[0], name), name);
   }
   document["runs"] = Json::array();
-  for (const auto& [folder, label] : shown) document["runs"].push_back(run_data(folder, label, s.frames, page));
-
+  for (const auto& [folder, label] : shown) {
+    Json run = run_data(folder, label, s.frames, page);
+    if (!s.status.empty() && run["summary"].is_null()) run["status"] = s.status;
+    document["runs"].push_back(std::move(run));
+  }
   return page;
 }
 

@@ -24,6 +24,7 @@ struct ReportSettings {
   std::filesystem::path output;
   int frames = 0;                  // limit; 0: 200, or fewer if a page would get too large
   std::vector<std::string> cases;  // cases of a batch whose runs are included
+  std::string status;              // of runs without a summary; empty: "unfinished"
   std::filesystem::path page;      // empty: the page next to the program
   std::string version, commit;     // of the program
 };

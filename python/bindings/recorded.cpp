@@ -74,12 +74,13 @@ std::string recorded(const std::string& path, const std::string& text, const std
   return folder;
 }
 
-std::string reported(const std::vector<std::string>& folders, const std::string& output, int frames) {
+std::string reported(const std::vector<std::string>& folders, const std::string& output, int frames, const std::string& status) {
   const py::gil_scoped_release released;
   ReportSettings settings;
   settings.folders.assign(folders.begin(), folders.end());
   settings.output = output;
   settings.frames = frames;
+  settings.status = status;
   settings.version = this_build().version;
   settings.commit = this_build().revision();
   return write_report(settings).path.string();
@@ -126,7 +127,7 @@ void bind_recorded(py::module_& module) {
   module.def("kind_of", &kind, py::arg("folder"));
   module.def("units", &units_in, py::arg("folder"));
   module.def("export", &exported, py::arg("folder"), py::arg("to"), py::arg("output"), py::arg("settings"));
-  module.def("report", &reported, py::arg("folders"), py::arg("output"), py::arg("frames"));
+  module.def("report", &reported, py::arg("folders"), py::arg("output"), py::arg("frames"), py::arg("status"));
 }
 
 }  // namespace tack::python

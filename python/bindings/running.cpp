@@ -17,6 +17,7 @@
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/plain_numbers.hpp"
+#include "python/bindings/force_points.hpp"
 #include "python/bindings/interrupts.hpp"
 
 namespace tack::python {
@@ -254,6 +255,12 @@ py::array Running::field(const std::string& name) {
   throw py::value_error("there is no field '" + name + "'; there are " + known);
 }
 
+py::array Running::contacts(const std::string& force, const std::string& summand) {
+  const Claim claim(busy_);
+  return_to_state();
+  return force_points(world(), simulation_->state().x, force, summand);
+}
+
 std::string Running::scene() const { return to_yaml(fields_of(simulation_->experiment())); }
 
 void Running::write_frame(const std::string& path) {
@@ -346,6 +353,7 @@ void bind_running(py::module_& module) {
       .def("energies", &Running::energies)
       .def("forces", &Running::forces)
       .def("field", &Running::field)
+      .def("contacts", &Running::contacts, py::arg("force"), py::arg("summand"))
       .def("scene", &Running::scene)
       .def("write_frame", &Running::write_frame)
       .def("probe_columns", &Running::probe_columns)

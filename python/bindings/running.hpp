@@ -62,6 +62,8 @@ class Running {
   py::dict energies();
   py::dict forces();
   py::array field(const std::string& name);
+  // Returns the points at which a force between surfaces acts (force_points.hpp).
+  py::array contacts(const std::string& force, const std::string& summand);
   // Returns the scene with all defaults resolved, as in results of runs.
   std::string scene() const;
   // Writes a frame as runs do, with some of the fields.

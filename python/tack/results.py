@@ -20,10 +20,10 @@ from .frames import Frame
 from .scene import overrides_of
 
 
-def shown(folder, title):
-    """Returns the report of a folder as HTML for a notebook."""
+def shown(folder, title, status=""):
+    """Returns the report of a folder as HTML for a notebook; status: of a run without a summary."""
     with tempfile.TemporaryDirectory() as scratch:
-        page = pathlib.Path(_tack.report([str(folder)], str(pathlib.Path(scratch) / "report.html"), 0)).read_text(encoding="utf-8")
+        page = pathlib.Path(_tack.report([str(folder)], str(pathlib.Path(scratch) / "report.html"), 0, status)).read_text(encoding="utf-8")
     return f'<iframe title="{html.escape(title)}" srcdoc="{html.escape(page)}" style="width: 100%; height: 720px; border: 0" sandbox="allow-scripts"></iframe>'
 
 
@@ -68,7 +68,7 @@ class _Folder:
         pathlib.Path
             The path of the file.
         """
-        return pathlib.Path(_tack.report([str(self.path)], str(output), frames))
+        return pathlib.Path(_tack.report([str(self.path)], str(output), frames, ""))
 
     def _repr_html_(self):
         return shown(self.path, self.path.name)

@@ -10,6 +10,7 @@ from typing import Callable
 import numpy as np
 
 from . import _tack
+from .contacts import pair_sums
 from .results import Run, shown
 from .scene_object import Object
 from .scene import opened, overrides_of
@@ -269,6 +270,50 @@ class Simulation:
         """
         return self._running.field(name)
 
+    def contacts(self, force: str = "contact", part: str = "") -> np.ndarray:
+        """Returns the points at which a force between surfaces acts, a row per quadrature point.
+
+        The forces of all rows add up to those that act between the objects: those of `contact` to `forces()["contact"]`, object by object.
+
+        Parameters
+        ----------
+        force : str, optional
+            'contact' (barrier and adhesion), 'friction', 'bonds', or 'clipped_adhesion' of `contact.model: clipped`.
+        part : str, optional
+            'barrier' or 'adhesion' of contact and bonds, 'friction' or 'adhesion' of friction; default: the whole force.
+
+        Returns
+        -------
+        ndarray
+            A structured array: object and opposite (positions in `objects`), vertices and opposite_vertices (3, -1: none) of the two primitives with their weights and
+            opposite_weights, point and opposite_point (3) [m], normal (3, from the opposite point to the point), gap [m], area (quadrature weight, negative where a point is
+            counted twice) [m^2], normal_force (that presses; negative: pulls) [N], force (3, on `object`) [N]. Rows of friction have the area, the closest points and the
+            normal force of the start of the step, with which it lags.
+
+        Raises
+        ------
+        ValueError
+            The force has no points, or no such part.
+        """
+        return self._running.contacts(force, part)
+
+    def contact_pairs(self, force: str = "contact", part: str = "") -> np.ndarray:
+        """Returns sums of contacts() for each pair of objects.
+
+        Parameters
+        ----------
+        force : str, optional
+            As of contacts().
+        part : str, optional
+            As of contacts().
+
+        Returns
+        -------
+        ndarray
+            A structured array: first and second (names), points, area [m^2], normal_force [N], force (3, on the first object) [N].
+        """
+        return pair_sums(self.contacts(force, part), list(self._objects))
+
     @property
     def pressures(self) -> np.ndarray:
         """Contact pressure of the vertices [Pa], positive in compression."""
@@ -295,7 +340,7 @@ class Simulation:
             (frame.parent / "scene.yaml").write_text(self.scene(), encoding="utf-8")
             (frame.parent / "run.pvd").write_text(
                 f'<VTKFile type="Collection"><Collection><DataSet timestep="{self.time!r}" file="{frame.name}"/></Collection></VTKFile>', encoding="ascii")
-            return shown(frame.parent, self.name)
+            return shown(frame.parent, self.name, "done" if self.finished else "")
 
     def _warn(self):
         for text, kind in self._running.take_warnings():

@@ -66,7 +66,7 @@ function expectationsOf(run) {
   const units = byName(Object.fromEntries((run.scene?.expect ?? []).map(({ name, unit }) => [name, unit])));
   const judged = run.summary?.expect ?? [];
   if (judged.length > 0) return judged.map((e) => ({ ...e, ...resultText(e, units[e.name]) }));
-  return (run.scene?.expect ?? []).map(({ name, wanted }) => ({ name, pass: null, is: "the run is not finished", wanted: criterion(wanted, units[name]) }));
+  return (run.scene?.expect ?? []).map(({ name, wanted }) => ({ name, pass: null, is: run.status === "done" ? "not judged" : "the run is not finished", wanted: criterion(wanted, units[name]) }));
 }
 
 // Returns the accepted range as text: around a target, or between bounds of which one may be open.

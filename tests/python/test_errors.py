@@ -1,4 +1,5 @@
 """Errors, the process around the package, and what notebooks show."""
+import html
 import os
 import pathlib
 import shutil
@@ -22,11 +23,15 @@ class Notebooks(unittest.TestCase):
         shown = sim._repr_html_()
         self.assertTrue(shown.startswith("<iframe"))
         self.assertGreater(len(shown), 100000)
+        self.assertIn('"status":"unfinished"', html.unescape(shown))
         self.assertIn("at 0.01 s of 0.6 s", repr(sim))
 
     def test_a_simulation_that_has_ended_says_so(self):
         sim = tack.Simulation(falling).run()
         self.assertIn("finished at 0.1 s", repr(sim))
+        if not (pathlib.Path(tack.__file__).parent / "share/report.html").exists():
+            self.skipTest("the page of reports is not built")
+        self.assertIn('"status":"done"', html.unescape(sim._repr_html_()))
 
 
 class Errors(unittest.TestCase):

@@ -56,6 +56,36 @@ void ClippedAdhesionTerm::add_points(const ContactPointsRequest& request, int fi
   }
 }
 
+// One point per pair of triangles: the centroids of the parts of both that attract each other.
+void ClippedAdhesionTerm::visit_points(const VecX& x, std::string_view, const ForcePointVisitor& visit) const {
+  const std::vector<int>& object = system_.surface().mesh.vertex_object;
+  const std::vector<ClippedIntegral> all = integrals(x);
+  const std::vector<Vec18>& slopes = gradients(x);
+  for (int i = 0; i < pair_count(); ++i) {
+    const ClosePair& close = close_[i];
+    const double area = all[i].area[0] + all[i].area[1] + all[i].area[2];
+    if (!(area > 0)) continue;
+    ForcePoint point;
+    point.object = object[close.vertices[0]];
+    point.opposite = object[close.vertices[3]];
+    point.vertices = close.vertices;
+    point.own_vertex_count = 3;
+    std::array<double, 6> coefficients;
+    for (int k = 0; k < 3; ++k) {
+      coefficients[k] = all[i].area_a[k] / area;
+      coefficients[3 + k] = -all[i].area[k] / area;
+      point.force -= slopes[i].segment<3>(3 * k);
+    }
+    point.coefficients = coefficients;
+    point.normal = normal_of_b(x, close);
+    point.gap = all[i].gap;
+    // Laws of regions are differences to that of the whole triangles.
+    point.area = close.pair.whole < 0 ? 0 : laws_.laws()[close.pair.whole].share * area;
+    point.normal_force = point.force.dot(point.normal);
+    visit(point);
+  }
+}
+
 void ClippedAdhesionTerm::publish(Records& records) const {
   ForceRecord force{"clipped_adhesion", ForceDirection::normal, {"adhesion"}};
   force.add = [this](const VecX& x, std::string_view, VecX& forces) {

@@ -27,12 +27,13 @@
 #include "framework/contact/points/contact_points.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/surface/surface_topology.hpp"
+#include "framework/core/force_point.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
-class ClippedAdhesionTerm : public Term {
+class ClippedAdhesionTerm : public Term, public ForcePoints {
  public:
   // The system must outlive this term, and its configuration changes before that of this term.
   ClippedAdhesionTerm(const ContactSystem& system, ClippedLaws laws);
@@ -54,6 +55,10 @@ class ClippedAdhesionTerm : public Term {
   // Appends the contact points of wanted laws at x, where the term must be: one per pair of
   // triangles. They carry no pressure. first_index: of the first close pair, for point.
   void add_points(const ContactPointsRequest& request, int first_index, ContactPoints& out) const;
+
+  // Visits the pairs of triangles that overlap at x, where the term must be.
+  void visit_points(const VecX& x, std::string_view summand,
+                    const ForcePointVisitor& visit) const override;
 
   // Close pairs of triangles.
   int pair_count() const { return static_cast<int>(close_.size()); }

@@ -19,6 +19,8 @@ void store(const GcpHessian& h, int arity, double* out) {
     for (int j = 0; j <= i; ++j, out += 9) Eigen::Map<Mat3>{out} = h.block<3, 3>(3 * i, 3 * j);
 }
 
+bool is_of_barrier(std::string_view summand) { return summand.empty() || summand == "barrier"; }
+
 }  // namespace
 
 GcpContacts::GcpContacts(const ContactSurface& surface, const PairTable& pairs, const GcpSmoothing& smoothing)
@@ -160,16 +162,48 @@ std::vector<double> GcpTerm::normal_forces(const VecX& x) const {
   return forces;
 }
 
+void GcpTerm::visit_points(const VecX& x, std::string_view summand, const ForcePointVisitor& visit) const {
+  if (!is_of_barrier(summand)) return;
+  const GcpStencils& all = contacts_.stencils();
+  const std::vector<int>& object = contacts_.surface().mesh.vertex_object;
+  std::vector<double> gradient(3 * all.vertices.size());
+  derivatives(x, Projection::none, gradient.data(), nullptr);
+  const std::vector<double> normal = normal_forces(x);
+  GcpPositions c;
+  for (size_t i = 0; i < all.stencils.size(); ++i) {
+    const GcpStencil& s = all.stencils[i];
+    const std::span<const int> v = all.vertices_of(s);
+    gcp_positions(x, v, c);
+    const std::array<double, 4> coefficients = gcp_coefficients(s.kind, c);
+    const size_t core = static_cast<size_t>(gcp_core_count(s.kind));
+    ForcePoint point;
+    point.own_vertex_count = gcp_first_count(s.kind);
+    point.object = object[v[0]];
+    point.opposite = object[v[point.own_vertex_count]];
+    point.vertices = v.first(core);
+    point.coefficients = {coefficients.data(), core};
+    const Vec3 separation = point.point(x) - point.opposite_point(x);
+    point.gap = separation.norm();
+    point.normal = separation / point.gap;
+    point.area = s.weight * gcp_direction(s, all.factors_of(s), contacts_.smoothing(), c);
+    if (point.object == point.opposite) point.force = normal[i] * point.normal;
+    else
+      for (int k = 0; k < s.arity; ++k)
+        if (object[v[k]] == point.object) point.force -= Eigen::Map<const Vec3>(gradient.data() + 3 * (s.vertex_begin + k));
+    point.normal_force = point.force.dot(point.normal);
+    visit(point);
+  }
+}
+
 void GcpTerm::publish(Records& records) const {
-  const auto is_of_barrier = [](std::string_view summand) { return summand.empty() || summand == "barrier"; };
   const auto for_each_point = [this](const VecX& x, const auto& body) {
     for_each_record(gcp_points(contacts_, *this, std::vector<char>(contacts_.pairs().laws().size(), 1), x), body);
   };
   ForceRecord force{"contact", ForceDirection::normal, {"barrier", "adhesion"}};
-  force.add = [=, this](const VecX& x, std::string_view summand, VecX& sum) {
+  force.add = [this](const VecX& x, std::string_view summand, VecX& sum) {
     if (is_of_barrier(summand)) sum += forces(x);
   };
-  force.between = [=, this](const VecX& x, std::string_view summand, ObjectPair pair) {
+  force.between = [this](const VecX& x, std::string_view summand, ObjectPair pair) {
     return is_of_barrier(summand) ? force_between(x, pair) : Vec3(Vec3::Zero());
   };
   force.add_compressions = [=](const VecX& x, std::string_view summand, VecX& pressed) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "framework/contact/gcp/gcp_search.hpp"
+#include "framework/core/force_point.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 
@@ -39,7 +40,7 @@ class GcpContacts {
   GcpStencils stencils_;
 };
 
-class GcpTerm : public Term {
+class GcpTerm : public Term, public ForcePoints {
  public:
   explicit GcpTerm(const GcpContacts& contacts);
 
@@ -56,6 +57,10 @@ class GcpTerm : public Term {
   VecX forces(const VecX& x, std::optional<ObjectPair> only = std::nullopt) const;
   // Returns the force of object b on object a [N].
   Vec3 force_between(const VecX& x, ObjectPair pair) const;
+  // Visits the stencils. In self-contact their forces are without those of the directional factors,
+  // whose vertices belong to both sides.
+  void visit_points(const VecX& x, std::string_view summand,
+                    const ForcePointVisitor& visit) const override;
   // Returns -w Gamma phi' of each stencil [N]: the force along the shortest vector, without that
   // of the directional factors.
   std::vector<double> normal_forces(const VecX& x) const;

@@ -13,7 +13,10 @@ RollingPoint rolling_point(const ContactPoint<K>& c, const ContactSpins::Columns
   p.scalar_count = columns.count;
   for (int i = 0; i < K; ++i) p.vertices[i] = c.vertices[i], p.coefficients[i] = c.coefficients[i];
   for (int j = 0; j < columns.count; ++j) p.vertices[K + j] = columns.scalar_dofs[j], p.directions[j] = columns.directions[j];
+  p.own_vertex_count = c.own_vertex_count;
+  p.normal = c.normal;
   p.tangents = c.tangents;
+  p.gap = c.gap;
   p.area = c.area;
   p.normal_force = c.normal_force;
   p.object = c.object;

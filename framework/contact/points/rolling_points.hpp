@@ -15,7 +15,10 @@ struct RollingPoint {
   std::array<double, largest_contact_arity> coefficients;        // c
   std::array<Vec3, ContactSpins::Columns::capacity> directions;  // b
   int vector_count, scalar_count;
+  int own_vertex_count;  // of the point; those of the opposite feature follow
+  Vec3 normal;           // unit, from the closest point to the point
   TangentBasis tangents;
+  double gap;           // distance, offsets included [m]
   double area;          // m^2
   double normal_force;  // N
   int object, opposite;

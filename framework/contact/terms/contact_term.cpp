@@ -194,4 +194,33 @@ Vec3 ContactTerm::force_between(const VecX& x, LawTerm term, ObjectPair pair) co
   return sum;
 }
 
+void ContactTerm::visit_points(const VecX& x, std::string_view summand, const ForcePointVisitor& visit) const {
+  const auto& object = system_.surface().mesh.vertex_object;
+  for_each_gradient(x, law_term(summand), [&](auto kind, const auto& stencil, const auto& gradient) {
+    using K = decltype(kind);
+    const auto& v = stencil.vertices;
+    const auto s = stencil_distance<GradientKernels>(kind, x, stencil);
+    ForcePoint point;
+    point.object = object[v[0]];
+    point.opposite = object[v[K::first_vertices]];
+    point.vertices = v;
+    point.own_vertex_count = K::first_vertices;
+    point.gap = std::sqrt(s.value);
+    point.area = stencil.weight;
+    if constexpr (std::is_same_v<K, EdgeEdgeKind>)
+      point.area *= mollifier_of(x, v, contacts_.mollifier_threshold[&stencil - contacts_.edge_edge.data()]);
+    for (int k = 0; k < K::first_vertices; ++k) {
+      point.normal += s.gradient.template segment<3>(3 * k) / (2 * point.gap);
+      point.force -= gradient.template segment<3>(3 * k);
+    }
+    // Closest points are stationary: the slope of the distance by a vertex is its coefficient times
+    // the normal.
+    std::array<double, K::arity> coefficients;
+    for (int k = 0; k < K::arity; ++k) coefficients[k] = s.gradient.template segment<3>(3 * k).dot(point.normal) / (2 * point.gap);
+    point.coefficients = coefficients;
+    point.normal_force = point.force.dot(point.normal);
+    visit(point);
+  });
+}
+
 }  // namespace tack

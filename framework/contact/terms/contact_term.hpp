@@ -10,12 +10,13 @@
 #include "framework/contact/terms/contact_residuals.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/stencils/stencil_kinds.hpp"
+#include "framework/core/force_point.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
-class ContactTerm : public Term {
+class ContactTerm : public Term, public ForcePoints {
  public:
   explicit ContactTerm(const ContactSystem& system);
   // Over stencils of the system's laws that others find, with vertices of any numbering. The set
@@ -41,6 +42,10 @@ class ContactTerm : public Term {
   VecX compressions(const VecX& x, LawTerm term) const;
   // Returns the force of object b on object a [N].
   Vec3 force_between(const VecX& x, LawTerm term, ObjectPair pair) const;
+  // Visits the stencils in order. Their area is the weight, of pairs of edges with the mollifier,
+  // whose slope turns the force of nearly parallel edges off the normal.
+  void visit_points(const VecX& x, std::string_view summand,
+                    const ForcePointVisitor& visit) const override;
 
  private:
   template <class Act>

@@ -20,6 +20,11 @@ double sum_over(const std::vector<Point>& points, const PairTable& pairs, const 
   });
 }
 
+TangentialTerm tangential_term(std::string_view summand) {
+  if (summand.empty()) return TangentialTerm::all;
+  return summand == "friction" ? TangentialTerm::friction : TangentialTerm::adhesion;
+}
+
 }  // namespace
 
 template <class Number>
@@ -42,13 +47,9 @@ void FrictionTerm::set_grains(std::vector<Vec3> grains) {
 }
 
 void FrictionTerm::publish(Records& records) const {
-  const auto tangential = [](std::string_view part) {
-    if (part.empty()) return TangentialTerm::all;
-    return part == "friction" ? TangentialTerm::friction : TangentialTerm::adhesion;
-  };
   ForceRecord force{"friction", ForceDirection::tangential, {"friction", "adhesion"}};
-  force.add = [=, this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, tangential(part)); };
-  force.between = [=, this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, tangential(part), pair); };
+  force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, tangential_term(part)); };
+  force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, tangential_term(part), pair); };
   force.stored = false;
   records.add(std::move(force));
   for (const auto& [name, term] : {std::pair{"friction", TangentialTerm::friction}, {"tangential_adhesion", TangentialTerm::adhesion}})
@@ -230,6 +231,31 @@ VecX FrictionTerm::forces_of(const ContactPoints& sliding, const std::vector<Rol
 VecX FrictionTerm::forces(const VecX& x, TangentialTerm term,
                           std::optional<ObjectPair> only) const {
   return forces_of(sliding(), rolling_, x, term, only);
+}
+
+void FrictionTerm::visit_points(const VecX& x, std::string_view summand, const ForcePointVisitor& visit) const {
+  const TangentialTerm term = tangential_term(summand);
+  const auto show = [&](const auto& c, std::span<const int> vertices, std::span<const double> coefficients, const Vec3& normal, double gap) {
+    ForcePoint point;
+    point.object = c.object;
+    point.opposite = c.opposite;
+    point.vertices = vertices;
+    point.coefficients = coefficients;
+    point.own_vertex_count = c.own_vertex_count;
+    point.normal = normal;
+    point.gap = gap;
+    point.area = c.area;
+    point.normal_force = c.normal_force;
+    const Slip slip(c, x, start_);
+    point.force = -slip.slope(slip.sample(system_.pairs().tangential(c.law), h_, term));
+    visit(point);
+  };
+  for_each_record(sliding(), [&](const auto& c) { show(c, c.vertices, c.coefficients, c.normal, c.gap); });
+  for (const RollingGroup& group : rolling_)
+    for (const RollingPoint& p : group.points) {
+      const size_t count = static_cast<size_t>(p.vector_count);
+      show(p, {p.vertices.data(), count}, {p.coefficients.data(), count}, p.normal, p.gap);
+    }
 }
 
 Vec3 FrictionTerm::force_between(const VecX& x, TangentialTerm term, ObjectPair pair) const {

@@ -23,13 +23,14 @@
 #include "framework/contact/points/rolling_points.hpp"
 #include "framework/contact/points/stick_anchors.hpp"
 #include "framework/contact/tangential_law.hpp"
+#include "framework/core/force_point.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
-class FrictionTerm : public Term, public ResidualView {
+class FrictionTerm : public Term, public ResidualView, public ForcePoints {
  public:
   // system: must outlive the term. spins: rotations of rods and particles by friction.
   explicit FrictionTerm(const ContactSystem& system, ContactSpins spins = ContactSpins());
@@ -92,6 +93,11 @@ class FrictionTerm : public Term, public ResidualView {
               std::optional<ObjectPair> only = std::nullopt) const;
   // Returns the force of object b on object a [N].
   Vec3 force_between(const VecX& x, TangentialTerm term, ObjectPair pair) const;
+
+  // Visits the contact points of the step: their lagged geometry and normal forces, and the force
+  // at x.
+  void visit_points(const VecX& x, std::string_view summand,
+                    const ForcePointVisitor& visit) const override;
 
   const ContactPoints& points() const { return points_; }
 
