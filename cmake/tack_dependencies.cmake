@@ -58,4 +58,7 @@ find_library(CERES_LIBRARY ceres REQUIRED)
 find_library(GLOG_LIBRARY glog REQUIRED)
 find_path(NLOPT_INCLUDE nlopt.h REQUIRED)
 find_library(NLOPT_LIBRARY nlopt REQUIRED)
+# Tables of batches.
+find_path(HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)
+find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 REQUIRED)
 set(TACK_EXTERNAL_MINIMISERS ${CERES_LIBRARY} ${GLOG_LIBRARY} ${NLOPT_LIBRARY})

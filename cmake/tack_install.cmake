@@ -6,7 +6,7 @@ else()
   install(TARGETS tack_cli tack_studies tack_further RUNTIME DESTINATION bin LIBRARY DESTINATION lib/tack)
   install(FILES $<TARGET_FILE:tack_library> DESTINATION lib OPTIONAL)
 endif()
-install(TARGETS tack_meshing tack_msh LIBRARY DESTINATION lib/tack)
+install(TARGETS tack_meshing tack_msh tack_hdf5 LIBRARY DESTINATION lib/tack)
 install(DIRECTORY geometry framework energies solvers DESTINATION include/tack FILES_MATCHING PATTERN "*.hpp"
         PATTERN framework/app EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/generated/framework/plugin/headers_digest.hpp DESTINATION include/tack/framework/plugin)

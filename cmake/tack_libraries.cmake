@@ -1,11 +1,14 @@
 # Libraries that the programs load on demand.
 include_guard()
 
-# tack_own_library(NAME SOURCES ... HEADERS ... LINKS ...): libtack_NAME.so beside the program. geometry/NAME/functions.hpp has the table of its
-# functions, geometry/NAME_library.cpp calls them. The program refuses a library that was built from other HEADERS, or in another way.
+# tack_own_library(NAME [CALLER FILE] SOURCES ... HEADERS ... LINKS ...): libtack_NAME.so beside the program. geometry/NAME/functions.hpp has the table
+# of its functions, CALLER (geometry/NAME_library.cpp) calls them. The program refuses a library that was built from other HEADERS, or in another way.
 # With TACK_FIRST there is the program's side alone.
 function(tack_own_library NAME)
-  cmake_parse_arguments(L "" "" "SOURCES;HEADERS;LINKS" ${ARGN})
+  cmake_parse_arguments(L "" "CALLER" "SOURCES;HEADERS;LINKS" ${ARGN})
+  if(NOT L_CALLER)
+    set(L_CALLER geometry/${NAME}_library.cpp)
+  endif()
   if(NOT TACK_FIRST)
     add_library(tack_${NAME} MODULE ${L_SOURCES})
     tack_compile_cold(tack_${NAME})
@@ -22,7 +25,7 @@ function(tack_own_library NAME)
   endforeach()
   string(SHA256 DIGEST "${ALL}")
   string(TOUPPER ${NAME} UPPER)
-  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/${NAME}/functions.cpp ${CMAKE_SOURCE_DIR}/geometry/${NAME}_library.cpp
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/${NAME}/functions.cpp ${CMAKE_SOURCE_DIR}/${L_CALLER}
                               PROPERTIES COMPILE_DEFINITIONS TACK_${UPPER}_INTERFACE="${DIGEST}" SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
@@ -45,6 +48,16 @@ function(tack_msh_library)
   file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/msh/*.hpp ${CMAKE_SOURCE_DIR}/geometry/types.hpp
        ${CMAKE_SOURCE_DIR}/geometry/errors.hpp ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp)
   tack_own_library(msh SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS ${TACK_GMSH})
+endfunction()
+
+# libtack_hdf5.so: tables of batches as HDF5 files.
+function(tack_hdf5_library)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/hdf5/*.cpp)
+  file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/hdf5/*.hpp)
+  tack_own_library(hdf5 CALLER framework/batch/hdf5_library.cpp SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS ${HDF5_LIBRARY})
+  if(NOT TACK_FIRST)
+    target_include_directories(tack_hdf5 SYSTEM PRIVATE ${HDF5_INCLUDE})
+  endif()
 endfunction()
 
 # libtack_further.so: further components (tack_folders.cmake). It calls functions of the program that loads it, as a plugin does.

@@ -26,11 +26,11 @@ function(tack_python)
   set_target_properties(tack_extension PROPERTIES OUTPUT_NAME _tack LIBRARY_OUTPUT_DIRECTORY ${PACKAGE} BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
 
   file(GLOB MODULES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/python/tack/*.py ${CMAKE_SOURCE_DIR}/python/tack/*.pyi)
-  add_custom_target(tack_python DEPENDS tack_extension tack_meshing tack_msh VERBATIM
+  add_custom_target(tack_python DEPENDS tack_extension tack_meshing tack_msh tack_hdf5 VERBATIM
     COMMAND ${CMAKE_COMMAND} -E make_directory ${PACKAGE}/lib/tack ${PACKAGE}/share
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${MODULES} ${PACKAGE}
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${CMAKE_SOURCE_DIR}/python/tack_program.py ${CMAKE_BINARY_DIR}/python
-    COMMAND ${CMAKE_COMMAND} -E copy_if_different $<TARGET_FILE:tack_meshing> $<TARGET_FILE:tack_msh> ${PACKAGE}/lib/tack
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different $<TARGET_FILE:tack_meshing> $<TARGET_FILE:tack_msh> $<TARGET_FILE:tack_hdf5> ${PACKAGE}/lib/tack
     COMMAND ${CMAKE_COMMAND} -D FROM=${CMAKE_BINARY_DIR}/share/report.html -D TO=${PACKAGE}/share/report.html -P ${CMAKE_SOURCE_DIR}/cmake/copy_if_there.cmake)
   # The folder that a wheel is made of: the package, and what an installation has in share/tack.
   set(STAGE ${CMAKE_BINARY_DIR}/python/stage)

@@ -20,7 +20,7 @@ for a in "${architectures[@]}"; do
   cmake -S . -B "$root/$a" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DTACK_ARCHITECTURE=$a" -DTACK_TESTS=OFF -DTACK_BENCH=OFF "${python[@]}" \
     "-DTACK_PACKAGED=$(IFS=';'; echo "${others[*]}")" >"$root/$a.log" || { cat "$root/$a.log"; exit 2; }
   targets=(tack_cli tack_studies tack_further tack_library)
-  [[ $a != "${architectures[0]}" ]] || targets+=(tack_meshing tack_msh tack_launcher tack_python)
+  [[ $a != "${architectures[0]}" ]] || targets+=(tack_meshing tack_msh tack_hdf5 tack_launcher tack_python)
   cmake --build "$root/$a" -j "$jobs" --target "${targets[@]}"
 done
 # The page of reports needs npm and a network; without it the package has none, and says so when one is asked for.

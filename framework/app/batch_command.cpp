@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <set>
 #include <thread>
 
@@ -58,21 +59,28 @@ class Preparation {
   std::chrono::steady_clock::time_point reported_ = std::chrono::steady_clock::now();
 };
 
+std::optional<BatchTable> chosen_table(const BatchOptions& options) {
+  if (options.table.empty()) return std::nullopt;
+  return options.table == "hdf5" ? BatchTable::hdf5 : BatchTable::csv;
+}
+
 // Returns the exit code for the cases named by `only`.
 int report(const BatchFolder& folder, const BatchDescription& description, bool quiet, const std::vector<std::string>& only = {}) {
-  const std::map<CaseStatus, size_t> counts = write_batch_table(folder, description);
+  const std::vector<CaseState> states = write_batch_table(folder, description);
+  std::map<CaseStatus, size_t> counts;
+  for (const CaseState& state : states) ++counts[state.status];
   std::vector<std::string> parts;
   for (const auto& [status, count] : counts) parts.push_back(fmt::format("{} {}", count, to_string(status)));
   bool all_done = true, expectations_only = true;
-  for (const BatchCase& one : description.plan.cases) {
-    if (!is_named(only, one)) continue;
-    const CaseStatus status = state_of(folder, one).status;
+  for (size_t i = 0; i < states.size(); ++i) {
+    if (!is_named(only, description.plan.cases[i])) continue;
+    const CaseStatus status = states[i].status;
     all_done = all_done && status == CaseStatus::done;
     expectations_only = expectations_only && (status == CaseStatus::done || status == CaseStatus::expectation_failed);
   }
   if (!quiet)
     fmt::print("{}: {}: {}; table in {}\n", description.plan.name, counted(description.plan.cases.size(), "case"),
-               fmt::join(parts, ", "), folder.table().string());
+               fmt::join(parts, ", "), (description.table == BatchTable::hdf5 ? folder.hdf5() : folder.table()).string());
   if (all_done) return exit_done;
   return expectations_only ? exit_expectation_failed : exit_simulation_failed;
 }
@@ -195,7 +203,9 @@ int batch_command(const BatchOptions& options) {
   if (options.task) return run_task(options);
   if (!options.collect.empty()) {
     const BatchFolder folder = BatchFolder::found(options.collect);
-    return report(folder, read_description(folder), options.quiet);
+    BatchDescription d = read_description(folder);
+    d.table = chosen_table(options).value_or(d.table);
+    return report(folder, d, options.quiet);
   }
   const BatchConfig config = load_batch(options.file.file, options.file.overrides);
   BatchSettings settings;
@@ -204,6 +214,7 @@ int batch_command(const BatchOptions& options) {
   settings.jobs = options.jobs;
   settings.threads = options.threads;
   settings.provenance = provenance_of(options.command_line, options.threads > 0 ? options.threads : config.threads);
+  settings.table = chosen_table(options);
   settings.only = options.only;
   settings.rerun_failed = options.failed;
   settings.dry_run = options.dry_run;

@@ -84,6 +84,7 @@ struct BatchOptions {
   bool dry_run = false;           // show the plan and its estimated duration
   bool failed = false;            // run failed cases again
   std::vector<std::string> only;  // names of cases, with * and ?; empty: all
+  std::string table;              // format of the table, csv or hdf5; empty: as the file says
   bool slurm = false, no_wait = false;
   // The folder of a batch whose table is to be made again.
   std::string collect;

@@ -65,6 +65,10 @@ void BatchConfig::fields(Fields& f) {
   f.component_list("vary", vary, "variations; with several entries, all combinations of them");
   f.list("statistics", statistics,
          "statistics of probes, one column of results.csv each; without any, final, min and max of all probes");
+  f.choice("table", table,
+           {{"csv", BatchTable::csv, "results.csv alone"},
+            {"hdf5", BatchTable::hdf5, "results.h5 as well: typed columns with units, for many cases and for pandas, h5py or MATLAB"}},
+           "format of the table");
   f.list("plots", plots, "pictures that `tack plot` draws in addition to its own");
   f.integer("threads", threads, "threads per case").at_least(1);
   f.integer("jobs", jobs, "concurrent cases; 0: as many as cores allow").at_least(0);

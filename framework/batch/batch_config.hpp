@@ -40,6 +40,9 @@ struct SlurmConfig {
 // Returns a time in minutes, rounded up, as Slurm counts time limits.
 long whole_minutes(double seconds);
 
+// Format of the table, beside results.csv.
+enum class BatchTable { csv, hdf5 };
+
 struct BatchConfig {
   std::string name, about;
   std::string base;  // absolute; empty: `bases`
@@ -47,6 +50,7 @@ struct BatchConfig {
   std::vector<std::string> set;
   std::vector<std::unique_ptr<const Variation>> vary;
   std::vector<BatchStatistic> statistics;
+  BatchTable table = BatchTable::csv;
   std::vector<BatchPlot> plots;      // further pictures of `tack plot`
   int threads = 1;                   // per case
   int jobs = 0;                      // side by side; 0: as the cores allow

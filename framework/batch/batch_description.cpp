@@ -83,8 +83,7 @@ BatchPlot plot_of(const Json& json) {
   return p;
 }
 
-Json json_of(const BatchFolder& folder, const BatchPlan& plan, const BatchCase& one) {
-  const CaseState state = state_of(folder, one);
+Json json_of(const BatchPlan& plan, const BatchCase& one, const CaseState& state) {
   Json values = Json::object();
   for (const std::string& column : plan.columns)
     if (const auto found = one.values.find(column); found != one.values.end()) values[column] = found->second;
@@ -104,14 +103,21 @@ CaseState state_of(const BatchFolder& folder, const BatchCase& one) {
   return state.digest == one.digest ? state : CaseState{};
 }
 
-void write_description(const BatchFolder& folder, const BatchDescription& d) {
+std::vector<CaseState> states_of(const BatchFolder& folder, const BatchPlan& plan) {
+  std::vector<CaseState> states;
+  states.reserve(plan.cases.size());
+  for (const BatchCase& one : plan.cases) states.push_back(state_of(folder, one));
+  return states;
+}
+
+void write_description(const BatchFolder& folder, const BatchDescription& d, const std::vector<CaseState>& states) {
   Json json{{"name", d.plan.name}, {"about", d.plan.about}, {"file", d.file}, {"provenance", Json::parse(d.provenance)},
             {"threads", d.limits.threads}, {"jobs", d.limits.jobs}, {"memory", optional(d.limits.memory)},
             {"time_limit", optional(d.limits.time_limit)}, {"keys", d.plan.columns},
-            {"units", d.plan.units}, {"statistics", Json::array()}, {"plots", Json::array()}, {"cases", Json::array()}};
+            {"units", d.plan.units}, {"table", d.table == BatchTable::hdf5 ? "hdf5" : "csv"}, {"statistics", Json::array()}, {"plots", Json::array()}, {"cases", Json::array()}};
   for (const BatchStatistic& s : d.plan.statistics) json["statistics"].push_back(json_of(s));
   for (const BatchPlot& p : d.plan.plots) json["plots"].push_back(json_of(p));
-  for (const BatchCase& one : d.plan.cases) json["cases"].push_back(json_of(folder, d.plan, one));
+  for (size_t i = 0; i < d.plan.cases.size(); ++i) json["cases"].push_back(json_of(d.plan, d.plan.cases[i], states[i]));
   replace_file(folder.description(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
@@ -143,6 +149,7 @@ BatchDescription read_description(const BatchFolder& folder) {
     d.limits = {json.at("threads"), json.at("jobs"), optional(json.at("memory")), optional(json.at("time_limit"))};
     d.plan.columns = json.at("keys").get<std::vector<std::string>>();
     if (json.contains("units")) d.plan.units = json["units"].get<std::map<std::string, std::string>>();
+    if (json.value("table", "csv") == "hdf5") d.table = BatchTable::hdf5;
     for (const Json& s : json.at("statistics")) d.plan.statistics.push_back(statistic_of(s));
     for (const Json& p : json.value("plots", Json::array())) d.plan.plots.push_back(plot_of(p));
     for (const Json& c : json.at("cases")) {

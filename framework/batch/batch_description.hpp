@@ -8,6 +8,7 @@
 // - keys: [columns that vary]
 // - units: {column: unit}
 // - statistics: [{name, probe, statistic, along, where, over}]
+// - table: format of the table
 // - plots: as in the file
 // - cases: [{name, folder, scene, values {column: text}, digest, status, error}]
 #pragma once
@@ -31,6 +32,7 @@ struct BatchDescription {
   std::string file;
   BatchLimits limits;
   std::string provenance;  // provenance_text()
+  BatchTable table = BatchTable::csv;
 };
 
 // Returns the provenance as JSON, as in batch.json.
@@ -39,8 +41,12 @@ std::string provenance_text(const Provenance& provenance);
 // Returns the state of a case; waiting if its digest is not that of the stored state.
 CaseState state_of(const BatchFolder& folder, const BatchCase& one);
 
-// Writes batch.json with the present state of each case. Throws InputError if it cannot be written.
-void write_description(const BatchFolder& folder, const BatchDescription& description);
+// Returns the state of each case, in order.
+std::vector<CaseState> states_of(const BatchFolder& folder, const BatchPlan& plan);
+
+// Writes batch.json with the state of each case. Throws InputError if it cannot be written.
+void write_description(const BatchFolder& folder, const BatchDescription& description,
+                       const std::vector<CaseState>& states);
 
 // Returns true if the folder has a batch that this one does not continue: one with another name,
 // or one of another file without a common case name.

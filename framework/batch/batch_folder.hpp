@@ -17,6 +17,7 @@ struct BatchFolder {
 
   std::filesystem::path description() const { return root / "batch.json"; }
   std::filesystem::path table() const { return root / "results.csv"; }
+  std::filesystem::path hdf5() const { return root / "results.h5"; }
   std::filesystem::path scene(const std::string& name) const {
     return root / "scenes" / (name + ".yaml");
   }

@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <set>
 
+#include "framework/batch/hdf5_library.hpp"
 #include "framework/batch/resolved_case.hpp"
-#include "framework/batch/results_table.hpp"
+#include "framework/batch/results_hdf5.hpp"
 #include "framework/output/run_folder.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
@@ -82,6 +83,8 @@ PreparedBatch prepare_batch(const BatchConfig& config, const BatchSettings& sett
   d.limits.memory = config.memory;
   d.limits.time_limit = config.time_limit;
   d.provenance = provenance_text(settings.provenance);
+  d.table = settings.table.value_or(config.table);
+  if (d.table == BatchTable::hdf5) open_hdf5_library();
   check_names(d.plan, settings.only);
   const std::filesystem::path root = RunFolder::chosen_root(settings.output, config.name);
   const BatchFolder there{std::filesystem::weakly_canonical(root), nullptr};
@@ -99,16 +102,18 @@ PreparedBatch prepare_batch(const BatchConfig& config, const BatchSettings& sett
   batch.folder = BatchFolder::opened(root, is_other_batch(there, d));
   if (batch.folder.moved_aside) print(fmt::format("another batch that was there is moved to {}", batch.folder.moved_aside->string()));
   find_open(batch.folder);  // another call may have ended cases meanwhile
-  write_description(batch.folder, d);
+  write_description(batch.folder, d, states_of(batch.folder, d.plan));
   return batch;
 }
 
-std::map<CaseStatus, size_t> write_batch_table(const BatchFolder& folder, const BatchDescription& description) {
-  write_description(folder, description);
-  replace_file(folder.table(), csv_text(results_of(folder, description.plan)));
-  std::map<CaseStatus, size_t> counts;
-  for (const BatchCase& one : description.plan.cases) ++counts[state_of(folder, one).status];
-  return counts;
+std::vector<CaseState> write_batch_table(const BatchFolder& folder, const BatchDescription& description) {
+  std::vector<CaseState> states = states_of(folder, description.plan);
+  write_description(folder, description, states);
+  const ResultsTable table = results_of(folder, description.plan, states);
+  replace_file(folder.table(), csv_text(table));
+  if (description.table == BatchTable::hdf5) write_results_hdf5(folder.hdf5(), table, description);
+  else std::filesystem::remove(folder.hdf5());  // of earlier results
+  return states;
 }
 
 }  // namespace tack

@@ -9,11 +9,12 @@
 namespace tack {
 
 struct BatchSettings {
-  std::string file;               // for the records; absolute
-  std::string output;             // empty: results/<name>
-  Provenance provenance;          // of this call
-  int jobs = 0, threads = 0;      // 0: as the file says
-  std::vector<std::string> only;  // names of cases, with * and ?; empty: all
+  std::string file;                 // for the records; absolute
+  std::string output;               // empty: results/<name>
+  Provenance provenance;            // of this call
+  int jobs = 0, threads = 0;        // 0: as the file says
+  std::optional<BatchTable> table;  // none: as the file says
+  std::vector<std::string> only;    // names of cases, with * and ?; empty: all
   bool rerun_failed = false;
   bool dry_run = false;  // makes no folder
 };
@@ -41,9 +42,8 @@ PreparedBatch prepare_batch(const BatchConfig& config, const BatchSettings& sett
 // Returns true if the case has one of the names, or if there are none.
 bool is_named(const std::vector<std::string>& names, const BatchCase& one);
 
-// Writes the table and the description in their present state. Returns the number of cases by
-// status.
-std::map<CaseStatus, size_t> write_batch_table(const BatchFolder& folder,
-                                               const BatchDescription& description);
+// Writes the table and the description in their present state. Returns the state of each case.
+std::vector<CaseState> write_batch_table(const BatchFolder& folder,
+                                         const BatchDescription& description);
 
 }  // namespace tack

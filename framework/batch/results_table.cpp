@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "framework/output/probes_csv.hpp"
 #include "geometry/errors.hpp"
@@ -15,39 +18,45 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The columns of one group in the order of their first appearance.
+// The columns of one role in the order of their first appearance.
 class Cells {
  public:
+  Cells(ColumnRole role, size_t rows) : role_(role), rows_(rows) {}
+
   void set(size_t row, const std::string& column, std::string text) {
-    const auto found = std::find(columns_.begin(), columns_.end(), column);
-    const size_t k = static_cast<size_t>(found - columns_.begin());
-    if (found == columns_.end()) columns_.push_back(column);
-    if (cells_.size() <= row) cells_.resize(row + 1);
-    if (cells_[row].size() <= k) cells_[row].resize(k + 1);
-    cells_[row][k] = std::move(text);
+    ResultsColumn& c = at(column);
+    if (c.texts.empty()) c.texts.resize(rows_);
+    c.texts[row] = std::move(text);
   }
   void set(size_t row, const std::string& column, double number) {
-    set(row, column, std::isfinite(number) ? fmt::format("{}", number) : std::string());
+    ResultsColumn& c = at(column);
+    if (c.numbers.empty()) c.numbers.resize(rows_, std::numeric_limits<double>::quiet_NaN());
+    if (std::isfinite(number)) c.numbers[row] = number;
   }
   void set(size_t row, const std::string& column, const Json& number) {
     if (number.is_number()) set(row, column, number.get<double>());
   }
-  void append_to(ResultsTable& table) const {
-    table.columns.insert(table.columns.end(), columns_.begin(), columns_.end());
-    for (size_t row = 0; row < table.rows.size(); ++row)
-      for (size_t k = 0; k < columns_.size(); ++k)
-        table.rows[row].push_back(row < cells_.size() && k < cells_[row].size() ? cells_[row][k] : "");
+  void append_to(ResultsTable& table) {
+    std::move(columns_.begin(), columns_.end(), std::back_inserter(table.columns));
   }
 
  private:
-  std::vector<std::string> columns_;
-  std::vector<std::vector<std::string>> cells_;
+  ResultsColumn& at(const std::string& column) {
+    const auto [known, is_new] = index_.try_emplace(column, columns_.size());
+    if (is_new) columns_.push_back({column, role_, {}, {}});
+    return columns_[known->second];
+  }
+
+  ColumnRole role_;
+  size_t rows_;
+  std::vector<ResultsColumn> columns_;
+  std::unordered_map<std::string, size_t> index_;
 };
 
 void add_expectations(Cells& cells, size_t row, const Json& summary) {
   for (const Json& e : summary.at("expect")) {
     const std::string name = e.at("name");
-    cells.set(row, "expect:" + name, std::string(e.at("pass") ? "1" : "0"));
+    cells.set(row, "expect:" + name, e.at("pass") ? 1.0 : 0.0);
     cells.set(row, "value:" + name, e.at("value"));
   }
 }
@@ -80,39 +89,52 @@ void add_seconds(Cells& cells, size_t row, const Json& summary) {
 
 }  // namespace
 
-ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan) {
-  ResultsTable table{{"case"}, {}};
-  Cells varied, status, expectations, statistics, counts, measured;
-  for (size_t row = 0; row < plan.cases.size(); ++row) {
+std::string_view to_string(ColumnRole role) {
+  static constexpr std::string_view names[] = {"name", "parameter", "status", "expectation", "statistic", "count", "cost"};
+  return names[static_cast<size_t>(role)];
+}
+
+std::string ResultsColumn::cell(size_t row) const {
+  if (!is_number()) return texts[row];
+  return std::isfinite(numbers[row]) ? fmt::format("{}", numbers[row]) : std::string();
+}
+
+ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan, const std::vector<CaseState>& case_states) {
+  const size_t rows = plan.cases.size();
+  using enum ColumnRole;
+  Cells names(name, rows), varied(parameter, rows), states(status, rows), expectations(expectation, rows), statistics(statistic, rows), counts(count, rows), costs(cost, rows);
+  for (size_t row = 0; row < rows; ++row) {
     const BatchCase& one = plan.cases[row];
-    const CaseState state = state_of(folder, one);
-    table.rows.push_back({one.name});
+    const CaseState& state = case_states[row];
+    names.set(row, "case", one.name);
     for (const std::string& column : plan.columns) {
       const auto found = one.values.find(column);
       varied.set(row, column, found == one.values.end() ? std::string() : found->second);
     }
-    status.set(row, "status", std::string(to_string(state.status)));
-    status.set(row, "error", state.error);
+    states.set(row, "status", std::string(to_string(state.status)));
+    states.set(row, "error", state.error);
     if (!finished(state.status)) continue;
     std::ifstream in(folder.run(one.name) / "summary.json");
     const Json summary = Json::parse(in, nullptr, false);
     if (summary.is_object()) try {
         add_counts(counts, row, summary);
-        add_seconds(measured, row, summary);
+        add_seconds(costs, row, summary);
         if (state.status == CaseStatus::done || state.status == CaseStatus::expectation_failed) {
           add_expectations(expectations, row, summary);
           add_statistics(statistics, row, plan, folder.run(one.name) / "probes.csv");
         }
       } catch (const Json::exception& error) {
-        status.set(row, "error", fmt::format("summary.json is damaged ({})", error.what()));
+        states.set(row, "error", fmt::format("summary.json is damaged ({})", error.what()));
       } catch (const InputError& error) {
-        status.set(row, "error", std::string(error.what()));
+        states.set(row, "error", std::string(error.what()));
       }
-    measured.set(row, "process_seconds", state.wall_seconds);
-    measured.set(row, "cpu_seconds", state.cpu_seconds);
-    measured.set(row, "memory_mb", state.memory_mb);
+    costs.set(row, "process_seconds", state.wall_seconds);
+    costs.set(row, "cpu_seconds", state.cpu_seconds);
+    costs.set(row, "memory_mb", state.memory_mb);
   }
-  for (const Cells* cells : {&varied, &status, &expectations, &statistics, &counts, &measured}) cells->append_to(table);
+  ResultsTable table{rows, {}};
+  if (rows == 0) table.columns.push_back({"case", name, {}, {}});
+  for (Cells* cells : {&names, &varied, &states, &expectations, &statistics, &counts, &costs}) cells->append_to(table);
   return table;
 }
 
@@ -126,12 +148,12 @@ bool is_reserved_column(const std::string& name) {
 
 std::string csv_text(const ResultsTable& table) {
   std::string text;
-  const auto add = [&](const std::vector<std::string>& row) {
-    for (size_t i = 0; i < row.size(); ++i) text += (i ? "," : "") + csv_cell(row[i]);
+  const auto add_row = [&](const auto& cell_of) {
+    for (size_t k = 0; k < table.columns.size(); ++k) text += (k ? "," : "") + csv_cell(cell_of(table.columns[k]));
     text += "\n";
   };
-  add(table.columns);
-  for (const auto& row : table.rows) add(row);
+  add_row([](const ResultsColumn& c) { return c.name; });
+  for (size_t row = 0; row < table.rows; ++row) add_row([&](const ResultsColumn& c) { return c.cell(row); });
   return text;
 }
 

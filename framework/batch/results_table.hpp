@@ -1,4 +1,6 @@
-// results.csv: a row per case of a batch. Numbers are in SI. Columns:
+// Table of a batch, a row per case: results.csv, and results.h5 (results_hdf5.hpp). Numbers are in
+// SI.
+// Columns:
 // - case; the varied keys; status and error
 // - expect:NAME (1 or 0) and value:NAME of each expectation; the statistics of probes
 // - steps, dofs, newton_iterations, linear_solves, linear_iterations, failed_solves, max_contacts,
@@ -11,19 +13,37 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "framework/batch/batch_description.hpp"
 
 namespace tack {
 
-struct ResultsTable {
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
+// What a column holds.
+enum class ColumnRole { name, parameter, status, expectation, statistic, count, cost };
+std::string_view to_string(ColumnRole role);
+
+struct ResultsColumn {
+  std::string name;
+  ColumnRole role;
+  // One of both, with a value per row; an empty cell is NaN or "". Parameters are texts as in the
+  // batch file, numbers with a unit converted to SI.
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+
+  bool is_number() const { return texts.empty(); }
+  std::string cell(size_t row) const;
 };
 
-// Returns the table from the present contents of a batch folder.
-ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan);
+struct ResultsTable {
+  size_t rows = 0;
+  std::vector<ResultsColumn> columns;
+};
+
+// Returns the table from the present contents of a batch folder. states: of each case.
+ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan,
+                        const std::vector<CaseState>& states);
 
 std::string csv_text(const ResultsTable& table);
 

@@ -146,8 +146,9 @@ std::vector<BatchCase> CaseEvaluator::without_scenes() const {
 void CaseEvaluator::write_tables() {
   BatchDescription& d = settings_.description;
   d.plan.cases = without_scenes();
-  write_description(settings_.folder, d);
-  replace_file(settings_.folder.table(), csv_text(results_of(settings_.folder, d.plan)));
+  const std::vector<CaseState> states = states_of(settings_.folder, d.plan);
+  write_description(settings_.folder, d, states);
+  replace_file(settings_.folder.table(), csv_text(results_of(settings_.folder, d.plan, states)));
 }
 
 std::vector<std::filesystem::path> CaseEvaluator::run_folders(const PointEvaluation& of) {

@@ -21,7 +21,7 @@ dpkg-deb -I "$python_package" | grep -q 'Depends: tack (= .*python3-numpy.*libtb
 dpkg-deb -x "$package" "$scratch/root"
 ! compgen -G "$scratch/root/usr/lib/python3*" >/dev/null || fail "the package tack has the Python package as well"
 dpkg-deb -x "$python_package" "$scratch/root"
-for file in bin/tack lib/tack/libtack_meshing.so lib/tack/libtack_msh.so share/man/man1/tack.1 share/bash-completion/completions/tack share/tack/experiments/debonding/pull.yaml \
+for file in bin/tack lib/tack/libtack_meshing.so lib/tack/libtack_msh.so lib/tack/libtack_hdf5.so share/man/man1/tack.1 share/bash-completion/completions/tack share/tack/experiments/debonding/pull.yaml \
   share/doc/{tack,python3-tack}/copyright lib/python3/dist-packages/tack_program.py lib/python3/dist-packages/tack/{__init__.py,_tack.pyi,lib/x86-64{,-v3,-v4}/libtack.so} include/tack/geometry/types.hpp lib/cmake/tack/tackConfig.cmake libexec/tack/x86-64{,-v3,-v4}/bin/{tack,tack_studies,libtack_further.so}; do
   [[ -s $scratch/root/usr/$file ]] || fail "the package does not have $file"
 done

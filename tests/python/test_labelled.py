@@ -1,4 +1,4 @@
-"""Results as pandas and xarray have them; each test needs the package that it is about (Debian: python3-pandas, python3-xarray)."""
+"""Results as pandas and xarray have them, and tables of batches as HDF5; each test needs the package that it is about (Debian: python3-pandas, python3-xarray, python3-h5py)."""
 import importlib
 import pathlib
 import tempfile
@@ -75,10 +75,11 @@ class Batches(Scratch):
     def setUpClass(cls):
         super().setUpClass()
         file = cls.folder / "pulls.yaml"
-        file.write_text(f"name: pulls\nbase: {shipped / 'pull.yaml'}\nset: [time.step=50 ms, 'expect=[]', output.frames=false]\n"
+        file.write_text(f"name: pulls\nbase: {shipped / 'pull.yaml'}\nset: [time.step=50 ms, 'expect=[]', output.frames=false]\ntable: hdf5\n"
                         f"vary:\n  - {{type: grid, keys: {{{strength}: {{values: [5 kPa, 10 kPa], as: a/strength}}, time.step: {{values: [50 ms, 100 ms], as: step}}}}}}\n"
                         "statistics:\n  - {name: pull, probe: force, statistic: max}\n", encoding="utf-8")
         cls.batch = tack.batch(file, output=cls.folder / "out", jobs=2, threads=1)
+        cls.some = tack.batch(file, set={"table": "csv"}, output=cls.folder / "some", jobs=2, threads=1, only=["*step=50ms"])
         cls.file = file
 
     def test_the_table_of_pandas_has_units(self):
@@ -101,11 +102,32 @@ class Batches(Scratch):
 
     def test_other_points_are_over_cases(self):
         needed(self, "xarray")
-        study = tack.Study(self.file, output=self.folder / "study", jobs=2, threads=1)
+        study = tack.Study(self.file, set={"table": "csv"}, output=self.folder / "study", jobs=2, threads=1)
         study.evaluate_all([{"a/strength": 5e3, "step": 0.05}, {"a/strength": 1e4, "step": 0.1}, {"a/strength": 2e4, "step": 0.1}])
         cases = study.finish().to_xarray()
         self.assertEqual(cases["pull"].dims, ("case",))
         np.testing.assert_array_equal(cases["a/strength"], [5e3, 1e4, 2e4])
+
+    def test_the_table_as_hdf5_equals_the_other(self):
+        h5py = needed(self, "h5py")
+        with h5py.File(self.batch.path / "results.h5") as file:
+            self.assertEqual((file.attrs["format"], file.attrs["name"]), ("tack batch", "pulls"))
+            self.assertIn("compiler", file.attrs["provenance"])
+            columns = {file[name].attrs["name"]: file[name] for name in file.attrs["columns"]}
+            self.assertEqual(list(columns), list(self.batch.table))
+            for name, dataset in columns.items():
+                if dataset.dtype == object:
+                    self.assertEqual(dataset.asstr()[:].tolist(), [one if isinstance(one, str) else "" for one in self.batch.table[name].tolist()], name)
+                else:
+                    np.testing.assert_array_equal(dataset[:], self.batch.table[name], name)
+            self.assertEqual((columns["a/strength"].attrs["unit"], columns["pull"].attrs["unit"], columns["steps"].attrs["unit"]), ("Pa", "N", "1"))
+            self.assertEqual([columns[name].attrs["role"] for name in ("case", "a/strength", "status", "pull", "steps", "wall_seconds")],
+                             ["name", "parameter", "status", "statistic", "count", "cost"])
+            self.assertEqual(columns["a/strength"].dtype, np.float64)
+
+    def test_the_table_as_hdf5_is_written_if_it_is_asked_for(self):
+        self.assertTrue((self.batch.path / "results.h5").exists())
+        self.assertFalse((self.some.path / "results.h5").exists())
 
 
 if __name__ == "__main__":

@@ -345,6 +345,13 @@ TEST_CASE("the table is made again from the folder alone", "[batch]") {
   fs::remove(files.path / "batch.yaml");
   CHECK(run_tack(files.path, {"batch", "--collect", "b"}).exit_code == 0);
   CHECK(file_text(files.path / "b" / "results.csv") == table);
+  // tests/python/test_labelled.py reads the contents of such a file.
+  CHECK_FALSE(fs::exists(files.path / "b" / "results.h5"));
+  CHECK(run_tack(files.path, {"batch", "--collect", "b", "--table", "hdf5"}).exit_code == 0);
+  CHECK(file_text(files.path / "b" / "results.h5").starts_with("\x89HDF\r\n"));
+  CHECK(file_text(files.path / "b" / "results.csv") == table);
+  CHECK(run_tack(files.path, {"batch", "--collect", "b"}).exit_code == 0);
+  CHECK_FALSE(fs::exists(files.path / "b" / "results.h5"));
   const ProgramResult nothing = run_tack(files.path, {"batch", "--collect", "."});
   CHECK(nothing.exit_code == 2);
   CHECK(contains(nothing.err, "holds no batch"));

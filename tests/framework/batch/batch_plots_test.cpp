@@ -80,7 +80,7 @@ TEST_CASE("plots of a batch are kept in its folder, and refused before anything 
                                            "  - {name: bars, bars: steps, per: dofs, bases: [two], published: [{base: two, value: 2}], source: Them}\n");
   BatchFolder results;
   results.root = folder.path();
-  write_description(results, {plan, "batch.yaml", {}, "{}"});
+  write_description(results, {plan, "batch.yaml", {}, "{}"}, states_of(results, plan));
   const BatchPlan read = read_description(results).plan;
   REQUIRE(read.plots.size() == 2);
   CHECK(read.plots[0].title == "T");
