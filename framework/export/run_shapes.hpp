@@ -44,7 +44,7 @@ struct ExportedObject {
   std::vector<Edge> edges;                  // rods
   std::vector<int> points;                  // particles
   double radius = 0;                        // of edges and points [m]; 0: none
-  std::string file_unit;                    // unit of the file that it was read from; "": metres, or no file
+  std::string file_unit;  // unit of the file that it was read from; "": metres, or no file
 
   bool has_faces() const { return !face_sizes.empty(); }
 };
@@ -69,7 +69,9 @@ class RunShapes {
             const std::function<void(const std::vector<std::string>&)>& check);
 
   const std::filesystem::path& folder() const { return results_; }  // of the results
-  const std::vector<std::filesystem::path>& sources() const { return sources_; }  // files that the scene reads
+  const std::vector<std::filesystem::path>& sources() const {
+    return sources_;
+  }                                                  // files that the scene reads
   const std::string& name() const { return name_; }  // of the scene, fit for a file name
   const std::vector<ExportedObject>& objects() const { return objects_; }
   const std::vector<double>& times() const { return times_; }  // of the samples [s]

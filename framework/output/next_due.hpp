@@ -13,7 +13,8 @@ inline double next_due(double interval, double time, double step) {
   return (std::floor((time + tolerance) / interval) + 1) * interval;
 }
 
-// Returns the first time after `time` that is due if nothing is before `from` [s], which is due itself.
+// Returns the first time after `time` that is due if nothing is before `from` [s], which is due
+// itself.
 inline double next_due_from(double from, double interval, double time, double step) {
   return time < from - 1e-9 * step ? from : next_due(interval, time, step);
 }

@@ -16,8 +16,8 @@ struct World;
 /// Returns the index of an object by name. Throws InputError with the nearest name.
 int object_index(const World& world, const std::string& name, const std::string& probe);
 
-/// Returns the indices of an object, or with `fill` of all of its copies (NAME_12). Throws InputError
-/// with the nearest name.
+/// Returns the indices of an object, or with `fill` of all of its copies (NAME_12). Throws
+/// InputError with the nearest name.
 std::vector<int> copies_of(const World& world, const std::string& name, const std::string& probe);
 
 /// Throws InputError if the scene has no contact.
