@@ -20,7 +20,7 @@
 
 namespace tack {
 
-// What a column holds.
+// Content of a column.
 enum class ColumnRole { name, parameter, status, expectation, statistic, count, cost };
 std::string_view to_string(ColumnRole role);
 
