@@ -25,7 +25,7 @@ constexpr double largest_ratio = 30;
 
 double mass_of(const World& world, int body) {
   double mass = 0;
-  for (const int v : world.vertices_of(body)) mass += world.mass(v);
+  for (const int v : world.vertices_of(body)) mass += world.gravitational_mass(v);  // scalar dofs have none
   return mass;
 }
 

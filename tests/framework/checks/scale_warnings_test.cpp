@@ -72,6 +72,10 @@ TEST_CASE("sizes, masses and speeds of bodies", "[checks]") {
   TestScene scene(scaled(1, soft));
   CHECK(size_text(*scene.world, 0).starts_with("300 x 100 x 300 mm"));
   CHECK(size_text(*scene.world, 1) == "100 x 100 x 100 mm, 1 kg, 2 m/s");
+  // Twists of rods are unknowns without mass.
+  const TestScene rod("time: {step: 1e-2, duration: 1e-2}\nobjects: [{name: rod, shape: {type: helix, radius: 0.1, pitch: 0.1, turns: 2, edges: 64}, rod: {radius: 5 mm},\n"
+                      "            energies: [{type: elastic_rod, young: 1 MPa, density: 1000}]}]\n");
+  CHECK(size_text(*rod.world, 0) == "200 x 200 x 200 mm, 0.09978 kg");  // pi r^2 times the length of the edges
 }
 
 // The study of the header: the scales of each shipped scene as it is, and with all lengths of its

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <regex>
 
+#include "framework/output/output_format.hpp"
 #include "geometry/io/mesh_io.hpp"
 #include "tests/support/exported_run.hpp"
 
