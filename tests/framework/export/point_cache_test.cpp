@@ -135,6 +135,7 @@ TEST_CASE("an export of what is no results folder says where the results are") {
 TEST_CASE("no format replaces a file that the scene reads or that no export wrote") {
   const ExportedRun run;
   const std::string before = file_text(run.path() / "quads.obj");
+  fs::create_directories(run.path() / "mine");
   write_file(run.path() / "mine" / "notes.txt", "mine");
   for (const std::string& format : Registry<OutputFormat>::kind().names()) {
     if (format == "vtu") continue;
@@ -157,9 +158,10 @@ TEST_CASE("no format replaces a file that the scene reads or that no export wrot
   }
   // A scene that reads the file of a format of one file.
   const TemporaryFolder folder;
-  fs::copy_file(run.path() / "one.glb", folder.path() / "model.glb");
+  REQUIRE(run.to("gltf", {"objects=[sheet]", "-o", (folder.path() / "model.glb").string()}).exit_code == 0);
   const std::string model = file_text(folder.path() / "model.glb");
-  write_file(folder.path() / "scene.yaml", "name: model\ntime: {step: 10 ms, duration: 10 ms}\nobjects: [{name: m, shape: {type: file, path: model.glb}, shell: {thickness: 1 mm}, motion: [fixed]}]\n");
+  write_file(folder.path() / "scene.yaml", "name: model\ntime: {step: 10 ms, duration: 10 ms}\nobjects: [{name: m, shape: {type: file, path: model.glb}, shell: {thickness: 1 mm},\n"
+              "  energies: [{type: neo_hookean_membrane, young: 1 MPa, poisson: 0.3, density: 1000}]}]\n");
   REQUIRE(run_tack(folder.path(), {"run", "scene.yaml", "-q", "-o", "run"}).exit_code == 0);
   CHECK(contains(run_tack(folder.path(), {"export", "run", "--to", "gltf", "-o", "model.glb"}).err, "model.glb: the scene reads this file"));
   CHECK(file_text(folder.path() / "model.glb") == model);
