@@ -23,6 +23,13 @@ void check_size(const VecX& p, const VecX& q) {
         "its direction has {} entries, and the problem has {} unknowns", p.size(), q.size()));
 }
 
+// Returns whether the objective decreases along p, or no direction decreases it, since g is zero.
+// The vectors are scaled first: near an equilibrium their product underflows.
+bool descends(const VecX& g, const VecX& p) {
+  const double slope_scale = g.lpNorm<Eigen::Infinity>(), step_scale = p.lpNorm<Eigen::Infinity>();
+  return slope_scale == 0 || (step_scale > 0 && (g / slope_scale).dot(p / step_scale) < 0);
+}
+
 }  // namespace
 
 void DescentMinimizer::fields(Fields& f) {
@@ -81,7 +88,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     for (const auto& policy : step_) policy->direct(context, q, p);
     if (last) context.length_max = 1 / problem.stopping_norm(p, objective.gradient());
     const VecX before = last ? q : VecX();
-    const bool descends = objective.gradient().dot(p) < 0;
+    const bool downhill = descends(objective.gradient(), p);
     const MinimizerStatus moved = advance(context, p, q);
     notify(result);
     // Below the tolerance the point is accepted if forces balance, whether or not the last step
@@ -96,7 +103,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     }
     if (moved == MinimizerStatus::line_search_failed && nearly_newton() && at_equilibrium(problem, p, result)) return end(MinimizerStatus::converged);
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;
-    if (moved == MinimizerStatus::line_search_failed && !descends)
+    if (moved == MinimizerStatus::line_search_failed && !downhill)
       throw FaultyDirection(type(), "no descent direction", end(moved));
     if (moved != MinimizerStatus::converged) return end(moved);
   }
