@@ -11,7 +11,7 @@ import sys
 
 # Instruction sets of x86-64, best first, with the flags of /proc/cpuinfo that the psABI asks for.
 _V3 = {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe", "xsave"}
-_FLAGS = {"x86-64-v4": _V3 | {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"}, "x86-64-v3": _V3, "x86-64": set()}
+_FLAGS: dict[str, set[str]] = {"x86-64-v4": _V3 | {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"}, "x86-64-v3": _V3, "x86-64": set()}
 
 
 def _processor_flags() -> set[str]:

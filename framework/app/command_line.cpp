@@ -224,7 +224,7 @@ class CommandLine {
     batch->add_flag("--dry-run", batch_.dry_run, "check and list all cases and estimate the run time");
     batch->add_flag("--failed", batch_.failed, "repeat the cases that failed");
     batch->add_option("--only", batch_.only, "run only these cases, by name as shown by --dry-run; * matches any text")->type_name("CASE");
-    batch->add_option("--table", batch_.table, "write the table as results.h5, too (default: as the file says)")->check(CLI::IsMember({"csv", "hdf5"}));
+    batch->add_option("--table", batch_.table, "hdf5: write the table as results.h5, too; csv: as results.csv alone (default: as the file says, and the folder with --collect)")->check(CLI::IsMember({"csv", "hdf5"}));
     CLI::Option* slurm = batch->add_flag("--slurm", batch_.slurm, "run the cases as a job array of Slurm");
     batch->add_flag("--no-wait", batch_.no_wait, "with --slurm: submit and exit without waiting")->needs(slurm);
     batch->add_option("--collect", batch_.collect, "rebuild the table of a batch folder without running anything")->type_name("FOLDER");

@@ -351,6 +351,8 @@ TEST_CASE("the table is made again from the folder alone", "[batch]") {
   CHECK(file_text(files.path / "b" / "results.h5").starts_with("\x89HDF\r\n"));
   CHECK(file_text(files.path / "b" / "results.csv") == table);
   CHECK(run_tack(files.path, {"batch", "--collect", "b"}).exit_code == 0);
+  CHECK(fs::exists(files.path / "b" / "results.h5"));  // the folder keeps the choice
+  CHECK(run_tack(files.path, {"batch", "--collect", "b", "--table", "csv"}).exit_code == 0);
   CHECK_FALSE(fs::exists(files.path / "b" / "results.h5"));
   const ProgramResult nothing = run_tack(files.path, {"batch", "--collect", "."});
   CHECK(nothing.exit_code == 2);
