@@ -23,11 +23,10 @@ void check_size(const VecX& p, const VecX& q) {
         "its direction has {} entries, and the problem has {} unknowns", p.size(), q.size()));
 }
 
-// Returns whether the objective decreases along p, or no direction decreases it, since g is zero.
-// The vectors are scaled first: near an equilibrium their product underflows.
+// Returns whether the objective decreases along p, or g is so small that no decrease, of the order
+// of g^2, is a normal number.
 bool descends(const VecX& g, const VecX& p) {
-  const double slope_scale = g.lpNorm<Eigen::Infinity>(), step_scale = p.lpNorm<Eigen::Infinity>();
-  return slope_scale == 0 || (step_scale > 0 && (g / slope_scale).dot(p / step_scale) < 0);
+  return g.squaredNorm() < std::numeric_limits<double>::min() || g.dot(p) < 0;
 }
 
 }  // namespace
