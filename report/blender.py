@@ -149,6 +149,8 @@ class Drawing:
         s.render.film_transparent = True
         s.render.image_settings.file_format = "PNG"
         s.render.image_settings.color_mode = "RGBA"
+        s.render.image_settings.compression = 100
+        s.render.dither_intensity = 0  # noise, which makes a PNG several times as large
         s.render.use_persistent_data = True
 
     def material(self, name, look, colour, transmission=0.0):
