@@ -35,6 +35,16 @@ fs::path shared_file(const std::string& name) {
   return fs::exists(installed, none) ? installed : share / name;
 }
 
+bool is_installed() {
+  std::error_code none;
+  return fs::is_directory(own_root() / "share" / "tack", none);
+}
+
+std::string remedy_for_missing(const std::string& target, const std::string& script) {
+  if (is_installed()) return "install tack again, since this installation lacks it";
+  return fmt::format("run `{}`, which builds it, or `cmake --build --preset release --target {}`", script, target);
+}
+
 // Tests are in a folder beside bin/, and use the libraries there.
 fs::path own_library_path(const std::string& name) {
   std::error_code none;
@@ -64,8 +74,7 @@ const void* open_library(const OwnLibrary& library) {
     return functions_of(library);
   } catch (const InputError& error) {
     missing = library.target;
-    throw InputError(fmt::format("{}: {}; run `./tack`, which builds it, or `cmake --build --preset release --target {}`", library.without,
-                                 error.what(), library.target));
+    throw InputError(fmt::format("{}: {}; {}", library.without, error.what(), remedy_for_missing(library.target)));
   }
 }
 

@@ -16,6 +16,14 @@ std::filesystem::path own_root();
 // Returns the path of a file in share/, or in share/tack/ of an installation.
 std::filesystem::path shared_file(const std::string& name);
 
+// Returns true for an installation, false for a build tree.
+bool is_installed();
+
+// Returns how to get a part of the program that is not there: "run `./tack`, which builds it, or
+// `cmake --build --preset release --target TARGET`" for a build tree, "install tack again" for an
+// installation. script: the command that builds it.
+std::string remedy_for_missing(const std::string& target, const std::string& script = "./tack");
+
 std::filesystem::path own_library_path(const std::string& name);
 
 struct OwnLibrary {

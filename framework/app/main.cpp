@@ -68,8 +68,8 @@ int execute_studies_program(char** argv) {
   std::fflush(nullptr);
   unblock_signals();
   ::execv(program.c_str(), argv);
-  fmt::print(stderr, "error: the program with this command, {}, cannot be started ({}); run `./tack`, which builds it, or "
-                     "`cmake --build --preset release --target tack_studies`\n", program, std::strerror(errno));
+  const char* why = std::strerror(errno);
+  fmt::print(stderr, "error: the program with this command, {}, cannot be started ({}); {}\n", program, why, remedy_for_missing("tack_studies"));
   return exit_bad_input;
 }
 

@@ -56,8 +56,7 @@ bool load_further_components() {
   try {
     load_from(own_library_path("libtack_further.so").string());
   } catch (const InputError& error) {
-    throw InputError(fmt::format("the library that has it cannot be loaded ({}); run `./tack`, which builds it, or `cmake --build --preset release "
-                                 "--target tack_further`", error.what()));
+    throw InputError(fmt::format("the library that has it cannot be loaded ({}); {}", error.what(), remedy_for_missing("tack_further")));
   }
   further = Further::here;
   return true;

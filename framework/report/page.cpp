@@ -48,8 +48,8 @@ std::string page_with(const fs::path& path, const PageData& data, Requests reque
   if (requests == Requests::own && rule != page.npos) page.replace(rule, requests_none.size(), requests_own);
   const size_t at = page.find(data_marker);
   if (!in || at == page.npos || (requests == Requests::own && rule == page.npos))
-    throw InputError(fmt::format("{}: the page of reports is not built; run `./tack report`, which builds it, or `cmake --build --preset "
-                                 "release --target tack_report` (needs npm: apt-get install nodejs npm)", path.string()));
+    throw InputError(fmt::format("{}: the page of reports is not built; {}{}", path.string(), remedy_for_missing("tack_report", "./tack report"),
+                                 is_installed() ? "" : " (needs npm: apt-get install nodejs npm)"));
   // Names and paths need not be UTF-8.
   constexpr auto lenient = nlohmann::ordered_json::error_handler_t::replace;
   std::string out = page.substr(0, at) + "<script type=\"application/json\" id=\"data\">" +
