@@ -113,6 +113,11 @@ int check_gradient_of(const CheckOptions& options) {
     fmt::print("the runs have values at no common time\n");
     return exit_expectation_failed;
   }
+  if (c.nothing_to_compare()) {
+    fmt::print("nothing to compare: '{}' is {} in the runs with the two values of {}, at all {} times; its largest sensitivity is {:.3g}. Choose a probe that depends on "
+               "the key, a run long enough for it, or a larger --gradient-step\n", probe, c.largest_value == 0 ? "zero" : "the same", key, c.times.size(), c.largest_gradient);
+    return exit_expectation_failed;
+  }
   fmt::print("{:<11} {:>12} {:>16} {:>16}   error, of {:.4g}\n", "", "t [s]", "sensitivity", "difference", c.largest);
   print_gradient(c, "at the end", c.times.size() - 1);
   print_gradient(c, "worst", c.worst);
@@ -127,6 +132,12 @@ int check_gradient_of(const CheckOptions& options) {
 }  // namespace
 
 int check_command(const CheckOptions& options) {
+  if (!options.plugins.empty()) {
+    CheckOptions named = options;
+    named.overrides = overrides_with_plugins(options);
+    named.plugins.clear();
+    return check_command(named);
+  }
   if (!options.picture.empty()) return picture_command(options);
   if (!options.gradient.empty()) return check_gradient_of(options);
   BuiltExperiment built(load_experiment(options.file, options.overrides));

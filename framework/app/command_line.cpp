@@ -21,6 +21,7 @@
 #include "framework/output/output_format.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
+#include "geometry/own_library.hpp"
 
 namespace tack {
 namespace {
@@ -34,7 +35,7 @@ class CommandLine {
     app_.failure_message([](const CLI::App* app, const CLI::Error& error) { return "error: " + CLI::FailureMessage::simple(app, error); });
     app_.set_version_flag("--version", version_text());
     app_.require_subcommand(1);
-    app_.footer("`./tack test` runs the tests.");
+    if (!is_installed()) app_.footer("`./tack test` runs the tests.");
     add_new();
     add_run();
     add_view();
@@ -175,7 +176,7 @@ class CommandLine {
     solve->get_option("--set")->description("override keys of its scene: a.b=c (one or more; repeatable)");
     solve->add_option("--solver", solve_.solvers, "minimizer by name, or a YAML map that is laid over the scene's `solver` (repeatable; default: the scene's)")
         ->type_name("SOLVER")->take_all()->allow_extra_args(false);
-    solve->add_option("--plugin", solve_.plugins, "plugin library with solvers (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    add_plugins(*solve, solve_.plugins, "solvers");
     solve->add_option("--cpu-limit", solve_.cpu_limit, "processor seconds of each solve, instead of the scene's iteration limit (default: none)")->check(number_above_zero);
     solve->add_option("--tolerance-scale", solve_.tolerance_scale, "factor of the scene's tolerances (default: 1)")->check(number_above_zero);
     solve->add_flag("--check", solve_.check, "follow each result to its own minimum by projected Newton: which one, error, and stopping norm of the result");
@@ -194,7 +195,7 @@ class CommandLine {
     suite->add_option("problem", suite_.paths, "stored steps (*.problem), or folders of them (default: experiments/suite)")->type_name("PROBLEM");
     suite->add_option("--solver", suite_.solvers, "minimizer by name, or a YAML map that is laid over the scene's `solver` (repeatable; default: all minimizers)")
         ->type_name("SOLVER")->take_all()->allow_extra_args(false);
-    suite->add_option("--plugin", suite_.plugins, "plugin library with solvers (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    add_plugins(*suite, suite_.plugins, "solvers");
     suite->add_option("--cpu-limit", suite_.cpu_limit, "processor seconds of each solve (default: 20)")->check(number_above_zero);
     suite->add_option("--tolerance-scale", suite_.tolerance_scales, "factor of the scenes' tolerances; several give curves of work against precision (repeatable; default: 1)")
         ->take_all()->allow_extra_args(false)->check(number_above_zero);
@@ -208,6 +209,7 @@ class CommandLine {
   void add_compare() {
     CLI::App* compare = app_.add_subcommand("compare", "Compare speed and error of several solvers");
     add_scene_options(*compare, compare_.file, "comparison");
+    add_plugins(*compare, compare_.file.plugins, "components");
     add_output(*compare, compare_.output, compare_.threads);
     compare->add_flag("-q,--quiet", compare_.quiet, "print errors only");
     compare->callback([this] {
@@ -299,16 +301,17 @@ class CommandLine {
   void add_export() {
     CLI::App* exported = app_.add_subcommand("export", "Write the shapes of a run for Blender, Houdini, ParaView or a browser");
     exported->add_option("folder", export_.folder, "results folder of a run, finished or under way")->required()->type_name("FOLDER");
-    exported->add_option("--to", export_.format, "format: ./tack list format")->required();
+    exported->add_option("--to", export_.format, "format: tack list format")->required();
     exported->add_option("settings", export_.settings, "keys of the format: fps=25 objects=[cube]");
     exported->add_option("-o,--output", export_.output, "file or folder to write (default: below export in the results folder)")->type_name("FILE");
-    exported->add_option("--plugin", export_.plugins, "plugin library with custom formats (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    add_plugins(*exported, export_.plugins, "formats");
     exported->callback([this] { exit_code_ = export_command(export_); });
   }
 
   void add_check() {
     CLI::App* check = app_.add_subcommand("check", "Validate a scene and its derivatives without running it");
     add_scene_options(*check, check_);
+    add_plugins(*check, check_.plugins, "components");
     check->add_option("--gradient", check_.gradient,
                       "PROBE:KEY: run the scene and compare the sensitivity of a column of probes.csv to a scene parameter with finite differences "
                       "of whole runs");
@@ -345,7 +348,7 @@ class CommandLine {
     law->add_option("words", law_.words,
                     "scene (for the laws of its pairs) or file with an adhesion law (type: ..., as below "
                     "`adhesion:`); and keys of the law or of --type: work_of_adhesion=1J/m^2")->type_name("YAML");
-    law->add_option("--type", law_.type, "registered law instead of a file: ./tack list adhesion");
+    law->add_option("--type", law_.type, "registered law instead of a file: tack list adhesion");
     law->add_option("--set", law_.words, "override keys of the law, as without --set: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
     law->add_option("-o,--output", law_.output, "folder for pictures (SVG, PNG) and tables (CSV)")->type_name("FOLDER");
     law->add_option("--young", law_.young, "Young's modulus of the softer side, '10 MPa', for the process zone and the barrier");
@@ -354,7 +357,7 @@ class CommandLine {
     law->add_option("--temperature", law_.temperature, "temperature of bonds, '5 degC', of laws that depend on it (default: that of the scene, or 20 degC)");
     law->add_option("--contact-distance", law_.contact_distance, "contact distance of the barrier (default: 1 mm, or less if the law peaks below)");
     law->add_option("--barrier-stiffness", law_.barrier_stiffness, "stiffness of the barrier (default: as in scenes)");
-    law->add_option("--plugin", law_.plugins, "plugin library with custom laws (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    add_plugins(*law, law_.plugins, "laws");
     law->callback([this] { exit_code_ = law_command(law_); });
   }
 
@@ -362,7 +365,7 @@ class CommandLine {
     CLI::App* mesh = app_.add_subcommand("mesh", "Inspect, convert and process mesh files (scale, repair, remesh, tetrahedralize, unite, ...), or "
                                                  "mesh level sets");
     mesh->add_option("operation", mesh_.operation,
-                     "info; convert (to another format); sdf (mesh of a level set: ./tack list level_set); or an operation: ./tack list "
+                     "info; convert (to another format); sdf (mesh of a level set: tack list level_set); or an operation: tack list "
                      "mesh_operation")->required();
     mesh->add_option("words", mesh_.words,
                      "mesh file (obj, ply, stl, off, glb, gltf, msh, vtk or vtu), a second one for union, difference "
@@ -398,8 +401,10 @@ class CommandLine {
     if (is("completion", "shell")) names = {"bash", "zsh", "fish"};
     if (is("new", "template"))
       for (const SceneTemplate& t : scene_templates(template_folder())) names.push_back(t.name);
-    if (is("list", "kind"))
+    if (is("list", "kind")) {
       for (const Kind* kind : registered_kinds()) names.push_back(kind->name());
+      if (std::find(names.begin(), names.end(), study_kind) == names.end()) names.emplace_back(study_kind);
+    }
     if (is("law", "--type")) names = Registry<AdhesionLaw>::kind().names();
     if (is("export", "--to")) names = Registry<OutputFormat>::kind().names();
     if (is("mesh", "operation")) {
@@ -427,6 +432,7 @@ class CommandLine {
 
   static void add_run_options(CLI::App& command, RunOptions& options) {
     add_scene_options(command, options.scene);
+    add_plugins(command, options.scene.plugins, "components");
     add_output(command, options.output, options.threads);
     command.add_option("--steps", options.steps, "stop after this many steps")->check(whole_number_above_zero);
     command.add_flag("-q,--quiet", options.quiet, "print errors only");

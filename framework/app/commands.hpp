@@ -22,7 +22,12 @@ struct InStudies : std::exception {};
 struct SceneOptions {
   std::string file;
   std::vector<std::string> overrides;  // "a.b=c"
+  std::vector<std::string> plugins;    // libraries besides those that the file names
 };
+// Loads the plugins of the options and returns the overrides with one more, for `plugins`: what a
+// run keeps then names them, so that it can be repeated and resumed. Throws InputError for a plugin
+// that cannot be loaded.
+std::vector<std::string> overrides_with_plugins(const SceneOptions& options);
 
 // With `profile`, no frames are written unless overrides ask for them.
 struct RunOptions : RunSettings {
@@ -197,8 +202,11 @@ struct ListOptions {
              batch_schema.empty() && calibrate_schema.empty() && plot_schema.empty());
   }
 };
+// Kind of components that only tack_studies has: those of batches.
+inline constexpr const char* study_kind = "variation";
 // Lists the components that a scene file can name, or what a search for a word finds; calls
-// describe_command if files are to be written.
+// describe_command if files are to be written. Throws InStudies for `study_kind` in a program
+// without it.
 int list_command(const ListOptions& options);
 // Writes the reference page and the JSON schemas.
 int describe_command(const ListOptions& options);

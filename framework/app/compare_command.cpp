@@ -16,7 +16,7 @@ int compare_command(const CompareOptions& options) {
     std::fflush(stdout);
   };
   const std::filesystem::path folder =
-      run_comparison({options.file.file, options.file.overrides, options.output, provenance_of(options.command_line, threads.count())}, print);
+      run_comparison({options.file.file, overrides_with_plugins(options.file), options.output, provenance_of(options.command_line, threads.count())}, print);
   print("results in " + folder.string());
   return exit_done;
 }

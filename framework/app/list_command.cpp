@@ -39,8 +39,9 @@ std::string named(const std::string& name) {
 int list_command(const ListOptions& o) {
   for (const std::string& plugin : o.plugins) load_plugin(std::filesystem::absolute(plugin).string());
   if (o.writes_files()) return describe_command(o);
+  if (o.kind == study_kind && !is_kind(o.kind)) throw InStudies{};
   if (o.kind.empty()) {
-    fmt::print("{}", list_kinds());
+    fmt::print("{}{}", list_kinds(), is_kind(study_kind) ? "" : fmt::format("of batches: tack list {}\n", study_kind));
   } else if (o.name.empty()) {
     fmt::print("{}", is_kind(o.kind) ? list_kind(o.kind) : named(o.kind));
   } else {

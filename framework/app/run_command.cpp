@@ -34,7 +34,7 @@ namespace {
 // Returns the overrides of a run: with `profile`, no frames are written unless overrides ask for
 // them.
 std::vector<std::string> overrides_of(const RunOptions& options) {
-  std::vector<std::string> overrides = options.scene.overrides;
+  std::vector<std::string> overrides = overrides_with_plugins(options.scene);
   if (options.profile) overrides.insert(overrides.begin(), "output.frames=false");
   return overrides;
 }

@@ -20,6 +20,16 @@ inline void add_scene_options(CLI::App& command, SceneOptions& options,
       ->allow_extra_args(true);
 }
 
+// Adds --plugin to a command. contents: what the libraries bring, for the help.
+inline void add_plugins(CLI::App& command, std::vector<std::string>& plugins,
+                        const std::string& contents) {
+  command
+      .add_option("--plugin", plugins, "plugin library with custom " + contents + " (repeatable)")
+      ->type_name("LIBRARY")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
 // --set takes several values and also swallows a file that follows them: the value without '=' is
 // the file. Throws CLI::RequiredError without one.
 inline void settle(SceneOptions& options) {

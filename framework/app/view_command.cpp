@@ -80,7 +80,7 @@ void wait_for_interrupt() {
 void need_page() { page_with(page_path(), PageData(), Requests::own); }
 
 PageData preview_of(const ViewOptions& options) {
-  return preview_data({options.scene.file, options.scene.overrides, this_build().version, this_build().revision()});
+  return preview_data({options.scene.file, overrides_with_plugins(options.scene), this_build().version, this_build().revision()});
 }
 
 int write_preview(const ViewOptions& options) {
@@ -107,7 +107,8 @@ int serve_preview(const ViewOptions& options) {
 }
 
 int show_results(const ViewOptions& options) {
-  if (!options.scene.overrides.empty()) throw InputError(fmt::format("{}: is a folder of results, and --set is for a scene; leave it out", options.scene.file));
+  if (!options.scene.overrides.empty() || !options.scene.plugins.empty())
+    throw InputError(fmt::format("{}: is a folder of results, and {} is for a scene; leave it out", options.scene.file, options.scene.overrides.empty() ? "--plugin" : "--set"));
   if (!options.output.empty()) {
     ReportSettings report;
     report.folders = {options.scene.file};
@@ -133,7 +134,7 @@ int run_and_show(const ViewOptions& options) {
   RunControl control;
   RunSettings settings = options;
   settings.control = &control;
-  RecordedRun run(load_experiment(options.scene.file, options.scene.overrides), settings, provenance_of(options.command_line, threads.count()), std::cout,
+  RecordedRun run(load_experiment(options.scene.file, overrides_with_plugins(options.scene)), settings, provenance_of(options.command_line, threads.count()), std::cout,
                   progress_options(options));
   RunView view(run.folder(), this_build().version, this_build().revision(), &control);
   const HttpServer server([&](const HttpRequest& request) { return view.answer(request); });

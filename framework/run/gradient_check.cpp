@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "framework/config/nearest.hpp"
 #include "framework/config/parse.hpp"
@@ -88,6 +89,8 @@ void compare(const Curve& run, const Curve& less, const Curve& more, double tole
     check.gradients.push_back(run.gradients[i]);
     check.differences.push_back(difference);
     check.largest = std::max(check.largest, std::abs(difference));
+    check.largest_gradient = std::max(check.largest_gradient, std::abs(run.gradients[i]));
+    check.largest_value = std::max({check.largest_value, std::abs(less.values[a]), std::abs(more.values[b])});
   }
   std::vector<double> errors;
   for (size_t i = 0; i < check.times.size(); ++i) errors.push_back(check.error(i));
@@ -98,6 +101,11 @@ void compare(const Curve& run, const Curve& less, const Curve& more, double tole
 }
 
 }  // namespace
+
+bool GradientCheck::nothing_to_compare() const {
+  constexpr double round_off = 4 * std::numeric_limits<double>::epsilon();  // of a difference of two values
+  return largest * 2 * step <= round_off * largest_value;
+}
 
 GradientCheck check_gradient(const LoadedExperiment& loaded, const std::string& column, const std::string& key, double relative_step) {
   const BuiltExperiment built(bound_experiment(loaded.root));

@@ -74,6 +74,15 @@ cd "$scratch/elsewhere"
 tack run "$scratch/guide/mine/results/pull/scene.yaml" -q -o again --steps 3 --dump-problem step=2
 printf 'name: stored\nproblems: [again/problems/pull.step2.problem]\nrepeat: 1\ntolerances: [0.1 mm/s]\nsolvers: [{name: a, solver: projected_newton}]\n' >stored.yaml
 tack compare stored.yaml -q
+
+# --plugin adds a library to those of the scene, and the scene that the run keeps names it.
+sed '/^plugins:/d' "$scratch/guide/mine/pull.yaml" >plain.yaml
+! tack run plain.yaml -q -o plain || fail "an adhesion that nobody named"
+tack run plain.yaml -q -o plain --steps 2 --plugin "$scratch/guide/mine/build/libmine.so" || fail "run --plugin"
+grep -q 'mine/build/libmine.so' plain/scene.yaml || fail "the kept scene does not name the plugin"
+tack check plain.yaml --plugin "$scratch/guide/mine/build/libmine.so" >/dev/null || fail "check --plugin"
+sed '/^plugins:/d' "$scratch/guide/mine/solvers.yaml" | sed "s|base: pull.yaml|base: $PWD/plain.yaml|" >compared.yaml
+tack compare compared.yaml -q -o compared --set steps=1 --plugin "$scratch/guide/mine/build/libmine.so" || fail "compare --plugin"
 tack list --plugin "$scratch/guide/mine/build/libmine.so" --schema schema.json
 grep -q '"adhesion.parabolic"' schema.json || fail "the schema does not know the plugin"
 ! tack list adhesion | grep parabolic || fail "a plugin that nobody named"

@@ -220,6 +220,9 @@ TEST_CASE("a wrong command line ends with 2 and names the expected arguments") {
   CHECK(contains(error_of({"run"}), "error: FILE is required"));
   CHECK(contains(error_of({"run", "nowhere.yaml"}), "nowhere.yaml"));
   CHECK(contains(error_of({"run", "scene.yaml", "--stepz", "2"}), "--stepz"));
+  CHECK(contains(error_of({"run", "scene.yaml", "--plugin", "nowhere.so"}), "there is no library '" + (folder.path() / "nowhere.so").string() + "'"));
+  CHECK(contains(error_of({"check", "scene.yaml", "--plugin", "nowhere.so"}), "there is no library"));
+  CHECK(contains(error_of({"compare", "compare.yaml", "--plugin", "nowhere.so"}), "there is no library"));
   CHECK(contains(error_of({"run", "scene.yaml", "--steps", "0"}), "--steps: expects a whole number above zero, got '0'"));
   CHECK(error_of({"run", "scene.yaml", "--steps", "0"}).size() < 200);
   CHECK(contains(error_of({"run", "scene.yaml", "--threads", "99999999999"}), "got '99999999999'"));

@@ -58,7 +58,7 @@ TEST_CASE("without its program, a command names the target to build, and other c
   const TemporaryFolder folder;
   const fs::path alone = folder.path() / "tack";
   fs::copy_file(TACK_PROGRAM, alone);
-  const std::vector<Arguments> in_studies = {{"batch", "b.yaml"},   {"calibrate", "c.yaml"}, {"compare", "c.yaml"}, {"list", "--schema", "s.json"},
+  const std::vector<Arguments> in_studies = {{"batch", "b.yaml"},   {"calibrate", "c.yaml"}, {"compare", "c.yaml"}, {"list", "--schema", "s.json"}, {"list", "variation"},
                                              {"law", "--type", "fang"}, {"plot", "results"},     {"report", "results"},     {"view", "scene.yaml"}};
   for (const Arguments& arguments : in_studies) {
     CAPTURE(arguments);
@@ -138,11 +138,33 @@ TEST_CASE("tack check validates without running") {
   CHECK(contains(bad.err, "the start intersects"));
 }
 
+TEST_CASE("tack check --gradient says so if the probe does not depend on the key") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml",
+             tiny_scene_with("probes:", "probes:\n  - {name: aside, type: centre_of_mass, object: floor, direction: [1, 0, 0]}\n"
+                                        "  - {name: floor_height, type: centre_of_mass, object: floor, direction: [0, 1, 0]}"));
+  for (const auto& [probe, what] : {std::pair("aside", "zero"), std::pair("floor_height", "the same")}) {
+    const ProgramResult result = run_tack(folder.path(), {"check", "scene.yaml", "--gradient", std::string(probe) + ":objects.block.energies.0.young", "--threads", "1"});
+    INFO(result.out << result.err);
+    CHECK(result.exit_code == 1);
+    CHECK(contains(result.out, "nothing to compare: '" + std::string(probe) + "' is " + what + " in the runs with the two values of objects.block.energies.0.young"));
+    CHECK_FALSE(contains(result.out, "nan"));
+    CHECK_FALSE(contains(result.out, "median error"));
+  }
+}
+
 TEST_CASE("tack list names kinds, components and their parameters") {
   const TemporaryFolder folder;
   CHECK(contains(run_tack(folder.path(), {"list"}).out, "adhesion "));
   CHECK(contains(run_tack(folder.path(), {"list", "adhesion"}).out, "fang "));
   const std::string fang = run_tack(folder.path(), {"list", "adhesion", "fang"}).out;
+  // Components of batches are in another program.
+  const ProgramResult variations = run_tack(folder.path(), {"list", "variation"});
+  CHECK(variations.exit_code == 0);
+  CHECK(contains(variations.out, "variation: Scene keys that vary in a batch"));
+  CHECK(contains(variations.out, "  grid "));
+  CHECK(contains(run_tack(folder.path(), {"list", "variation", "grid"}).out, "variation 'grid'"));
+  CHECK(contains(run_tack(folder.path(), {"list"}).out, "variation"));
   CHECK(contains(fang, "file: energies/adhesion/fang.cpp"));
   CHECK(contains(fang, "critical_strain"));
 }
@@ -153,6 +175,25 @@ TEST_CASE("tack mesh info reports the contents of a file") {
       run_tack(folder.path(), {"mesh", "info", TACK_TEST_DATA "/meshes/two_tets_41_ascii.msh"});
   CHECK(result.exit_code == 0);
   CHECK(contains(result.out, "vertices 7, tets 2"));
+}
+
+TEST_CASE("messages and help of an installation name tack, not the script of the source tree") {
+  const TemporaryFolder folder;
+  const fs::path installed = folder.path() / "usr" / "bin" / "tack";
+  fs::create_directories(installed.parent_path());
+  fs::create_directories(folder.path() / "usr" / "share" / "tack");
+  fs::copy_file(TACK_PROGRAM, installed);
+  const ProgramResult missing = run_tack(folder.path(), {"compare", "c.yaml"}, installed);
+  CHECK(missing.exit_code == 2);
+  CHECK(contains(missing.err, "cannot be started (No such file or directory); install tack again"));
+  const ProgramResult further = run_tack(folder.path(), {"list", "energy", "von_mises"}, installed);
+  CHECK(contains(further.err, "install tack again"));
+  for (const Arguments& arguments : {Arguments{"--help"}, {"export", "--help"}, {"law", "--help"}, {"mesh", "--help"}, {"run", "nowhere.yaml"}, {"list", "adhesoin"}}) {
+    const ProgramResult result = run_tack(folder.path(), arguments, installed);
+    INFO(result.out << result.err);
+    CHECK_FALSE(contains(result.out + result.err, "./tack"));
+  }
+  CHECK_FALSE(contains(missing.err + further.err, "./tack"));
 }
 
 TEST_CASE("help and version end with 0") {
