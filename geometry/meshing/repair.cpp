@@ -27,6 +27,8 @@ namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
 
+constexpr const char* crossing_sheets_remedy = "sheets that cross other surfaces are not cut by repair; move them apart or cut them in a modelling program, or give each of them a "
+                                               "thickness there, so that closed parts are united";
 constexpr double missing_area_fraction_max = 0.1;  // of the area of a component that counts as a solid
 
 // A mesh, and the indices of its triangles in the input mesh.
@@ -261,6 +263,34 @@ Mesh unite_crossing_components(const Mesh& mesh, Notes& notes) {
   return others;
 }
 
+// Returns true if the triangles of an open component cross those of another component. Which of the pieces to keep there is a decision of the modeller: CGAL's
+// repair would cut the sheets and fill the cuts with new triangles.
+bool sheets_cross(const Mesh& mesh) {
+  const SurfaceDefects defects = find_defects(mesh);
+  const std::vector<int> component = components_by_vertices(mesh);
+  std::set<int> open;
+  for (const OpenEdge& e : defects.open_edges) open.insert(component[e.triangle]);
+  return std::any_of(defects.crossings.begin(), defects.crossings.end(), [&](const auto& pair) {
+    const int a = component[pair[0]], b = component[pair[1]];
+    return a != b && (open.contains(a) || open.contains(b));
+  });
+}
+
+// Replaces triangles of a component that cross each other. Returns the mesh as it was if that fails for a surface with borders: it would have others then.
+Mesh without_crossings(const Mesh& mesh, Notes& notes) {
+  const SurfaceDefects before = find_defects(mesh);
+  CgalMesh m = to_cgal(mesh);
+  pmp::experimental::remove_self_intersections(m, CGAL::parameters::preserve_genus(false));
+  m.collect_garbage();
+  Mesh result = from_cgal(m);
+  const SurfaceDefects after = find_defects(result);
+  const bool same_borders = after.holes == before.holes && after.component_count == before.component_count;
+  if (!before.closed() && !(after.crossings.empty() && same_borders)) return mesh;
+  if (after.crossings.size() < before.crossings.size())
+    notes.push_back(fmt::format("replaced triangles that crossed each other: {} pairs, {} left", before.crossings.size(), after.crossings.size()));
+  return result;
+}
+
 void orient_outwards(CgalMesh& m, Notes& notes) {
   if (!CGAL::is_closed(m)) return;
   const Mesh before = from_cgal(m);
@@ -307,12 +337,13 @@ void refuse_flat_components(const Mesh& mesh, const std::string& name) {
   }
 }
 
-void refuse(const Mesh& mesh, const SurfaceDefects& before, const SurfaceDefects& after, const Mesh& left, const std::string& name) {
+void refuse(const Mesh& mesh, const SurfaceDefects& before, const SurfaceDefects& after, const Mesh& left, const std::string& name,
+            const std::string& remedy) {
   std::string text = name + ": could not be repaired. Given were " + std::to_string(mesh.triangles.size()) + " triangles with";
   for (const std::string& line : list_defects(before)) text += "\n  " + line;
   text += "\nof which is left, in numbers of the repaired mesh,";
   for (const std::string& line : list_defects(after)) text += "\n  " + line;
-  throw InputError(text + defect_positions(left, after) + "\nremedy: repair these positions in a modelling program");
+  throw InputError(text + defect_positions(left, after) + "\nremedy: " + (remedy.empty() ? "repair these positions in a modelling program" : remedy));
 }
 
 }  // namespace
@@ -337,23 +368,16 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   if (result.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
   if (o.holes == Holes::fill) refuse_flat_components(result, name);
   result = unite_crossing_components(result, notes);
+  const bool apart = !sheets_cross(result);
+  if (apart && !find_defects(result).crossings.empty()) result = without_crossings(result, notes);
   m = to_cgal(result);
-  if (!find_defects(result).crossings.empty()) {
-    const std::size_t crossed = find_defects(result).crossings.size();
-    pmp::experimental::remove_self_intersections(m, CGAL::parameters::preserve_genus(false));
-    m.collect_garbage();
-    result = from_cgal(m);
-    const std::size_t left = find_defects(result).crossings.size();
-    if (left < crossed) notes.push_back(fmt::format("replaced triangles that crossed each other: {} pairs, {} left", crossed, left));
-    m = to_cgal(result);
-  }
   if (find_defects(result).crossings.empty()) orient_outwards(m, notes);
   result = from_cgal(m);
   drop_unused_vertices(result);
   const SurfaceDefects after = find_defects(result);
   const bool open_on_purpose = kept > 0 && !after.closed() && after.degenerate.empty() && after.manifold() && after.flipped.empty() &&
                              after.crossings.empty();
-  if (!after.bounds_volume() && !open_on_purpose) refuse(input, before, after, result, name);
+  if (!after.bounds_volume() && !open_on_purpose) refuse(input, before, after, result, name, apart ? "" : crossing_sheets_remedy);
   if (notes.empty()) notes.push_back("nothing to repair");
   return result;
 }

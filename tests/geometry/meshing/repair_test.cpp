@@ -182,6 +182,23 @@ TEST_CASE("a surface that crosses itself is repaired there", "[meshing]") {
   CHECK(find_defects(r.mesh).bounds_volume());
 }
 
+TEST_CASE("sheets that cross are refused, not cut", "[meshing]") {
+  Mesh sheets = grid({1, 1}, {6, 6});
+  Mesh other = grid({1, 1}, {6, 6});
+  for (Vec3& v : other.vertices) v = Vec3(v.x() + 0.03, v.z() + 0.02, v.y() + 0.01);
+  append(sheets, other);
+  for (const Holes holes : {Holes::of_solids, Holes::keep}) {
+    const std::string error = error_of(sheets, {std::nullopt, holes}), left = error.substr(std::min(error.size(), error.find("of which is left")));
+    CHECK_THAT(error, Contains("could not be repaired. Given were 144 triangles") && Contains("sheets that cross other surfaces are not cut"));
+    // None of the crossings was replaced by other defects.
+    CHECK_THAT(left, Contains(std::to_string(find_defects(sheets).crossings.size()) + " pairs of triangles that cross"));
+  }
+  // A sheet through a solid.
+  Mesh through = box_surface({1, 1, 1});
+  append(through, grid({3, 3}, {4, 4}));
+  CHECK_THAT(error_of(through), Contains("sheets that cross other surfaces are not cut"));
+}
+
 TEST_CASE("neighbours that are folded onto each other cross", "[meshing]") {
   Mesh mesh;
   mesh.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1, 0), Vec3(0.5, 0.5, 0)};
