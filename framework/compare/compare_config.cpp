@@ -61,6 +61,9 @@ void CompareConfig::fields(Fields& f) {
   f.optional_number("reference_time_step", reference_time_step, units::time,
                     "time step of the reference, so that errors include time discretisation; unless given, each time "
                     "step has its own reference and errors are those of the solver alone").positive();
+  f.optional_number("error_limit", error_limit, units::none,
+                    "largest error of a vertex, relative to the size of what moves (`relative_error`), up to which a converged result counts as solved; unless "
+                    "given 1e-3, and no limit for runs whose time step is not that of the reference").positive();
   f.check("base", [this]() -> std::string {
     return base.empty() && bases.empty() && problems.empty() ? "give an experiment (base, bases) or stored steps (problems)" : "";
   });

@@ -42,6 +42,11 @@ struct CompareConfig {
   int repeat = 3;
   double reference_tolerance = 1e-10;         // m/s
   std::optional<double> reference_time_step;  // s
+  // Largest error of a vertex of a result that counts as solved, relative to the size of what
+  // moves. Unless given, error_limit_default, and none for runs whose time step is not the
+  // reference's.
+  std::optional<double> error_limit;
+  static constexpr double error_limit_default = 1e-3;
   void fields(Fields& f);
 };
 

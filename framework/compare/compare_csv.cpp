@@ -38,14 +38,14 @@ std::string probe_error(const CompareRow& row, const std::string& column) {
 void write_compare_csv(const std::filesystem::path& path, const std::vector<CompareRow>& rows) {
   const std::vector<std::string> probes = probe_columns(rows);
   std::string out = "problem,solver,tolerance,time_step,wall_seconds,wall_spread,cpu_seconds,iterations,evaluations,"
-                    "linear_solves,status,branch,error_rms,error_max,relative_error,error_floor,energy_gap,intersections,penetration,crossing_pairs";
+                    "linear_solves,status,branch,error_rms,error_max,relative_error,error_floor,energy_gap,intersections,penetration,crossing_pairs,solved";
   for (const std::string& column : probes) out += "," + text("error_" + column);
   out += '\n';
   for (const CompareRow& r : rows) {
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", text(r.problem), text(r.solver), r.tolerance,
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", text(r.problem), text(r.solver), r.tolerance,
                        r.time_step, r.wall_seconds, r.wall_spread, r.cpu_seconds, r.iterations, r.evaluations,
                        r.linear_solves, text(r.status), r.branch, number(r.error_rms), number(r.error_max),
-                       number(r.relative_error), number(r.floor), number(r.energy_gap), r.intersections, r.penetration, r.crossing_pairs);
+                       number(r.relative_error), number(r.floor), number(r.energy_gap), r.intersections, r.penetration, r.crossing_pairs, r.solved() ? 1 : 0);
     for (const std::string& column : probes) out += "," + probe_error(r, column);
     out += '\n';
   }

@@ -24,6 +24,7 @@ std::string compare_json(const CompareConfig& config, const Comparison& comparis
                      {"about", config.about},
                      {"provenance", to_json(provenance)},
                      {"repeat", config.repeat},
+                     {"error_limit", config.error_limit.value_or(CompareConfig::error_limit_default)},
                      {"wall_seconds", wall_seconds},
                      {"references", references}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

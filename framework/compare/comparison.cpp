@@ -98,7 +98,7 @@ ReferenceRow row_of(const CompareCase& compare_case, const Reference& reference,
 std::string progress_line(const CompareRow& r) {
   return fmt::format("{} h {:.3g} s: {} at {:.0e} m/s: {} iterations, {:.4g} s, error {:.2e} m{}{}{}", r.problem,
                      r.time_step, r.solver, r.tolerance, r.iterations, r.wall_seconds, r.error_rms,
-                     r.below_floor() ? fmt::format(" (noise, below {:.1e} m)", r.floor) : "", r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : r.branch == "inaccurate" ? ", inaccurate" : "");
+                     r.below_floor() ? fmt::format(" (noise, below {:.1e} m)", r.floor) : "", r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : r.inaccurate() ? ", inaccurate" : "");
 }
 
 // Records the convergence of each solver with its smallest tolerance, in the problem with most
@@ -144,6 +144,7 @@ std::vector<CompareCase> cases_of(const CompareConfig& config) {
     if (!base.name.empty()) cases.back().name = base.name;
   }
   for (const std::string& path : config.problems) cases.push_back(problem_case(path));
+  for (CompareCase& c : cases) c.branch_distance = config.error_limit.value_or(CompareConfig::error_limit_default);
   std::set<std::string> names;
   for (const CompareCase& c : cases)
     if (!names.insert(c.name).second)
@@ -189,6 +190,7 @@ Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& 
           e.row.solver = solver.name;
           e.row.tolerance = tolerance;
           e.row.time_step = own.value_or(h);
+          if (config.error_limit || e.row.time_step == h_reference) e.row.error_limit = config.error_limit.value_or(CompareConfig::error_limit_default);
           entries.push_back(std::move(e));
         }
     }

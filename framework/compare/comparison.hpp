@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "framework/compare/compare_config.hpp"
 #include "framework/compare/reference.hpp"
@@ -33,7 +34,9 @@ struct CompareRow {
   // RMS [m]: the distance of the two references, below which errors are noise (reference.hpp); NaN:
   // unknown.
   double floor = 0;
-  double size = 0;        // of the moving objects [m]
+  double size = 0;  // of the moving objects [m]
+  // Largest relative_error of a result that counts as solved.
+  double error_limit = std::numeric_limits<double>::infinity();
   double energy_gap = 0;  // J, over the reference's
   std::vector<std::pair<std::string, double>> probe_errors;
   int intersections = 0;
@@ -41,7 +44,12 @@ struct CompareRow {
   bool single_step = false;
   bool below_floor() const { return error_rms <= floor; }
   double known_error() const { return below_floor() ? floor : error_rms; }  // upper bound
-  bool solved() const { return converged && (single_step || branch != "another"); }
+  bool ended_elsewhere() const { return !single_step && branch == "another"; }
+  // Returns true for a result that converged, but too far from its solution.
+  bool inaccurate() const {
+    return converged && !ended_elsewhere() && relative_error > error_limit;
+  }
+  bool solved() const { return converged && !ended_elsewhere() && !inaccurate(); }
 };
 
 // Marks runs that ended away from the reference as "another" or "inaccurate". Inaccurate are runs

@@ -36,6 +36,18 @@ void add_notes(Plot& plot, std::string line, const std::vector<std::string>& nam
   if (!names.empty()) plot.notes.push_back(line);
 }
 
+// Appends a note with the solvers that have results of too large an error, and the limit.
+void add_inaccurate(Plot& plot, const std::vector<CompareRow>& rows) {
+  std::map<double, std::vector<std::string>> names;  // by limit
+  for (const CompareRow& r : rows) {
+    if (!r.inaccurate()) continue;
+    const std::string name = fmt::format("{} at {:g} m/s", r.solver, r.tolerance);
+    std::vector<std::string>& of_limit = names[r.error_limit];
+    if (std::find(of_limit.begin(), of_limit.end(), name) == of_limit.end()) of_limit.push_back(name);
+  }
+  for (const auto& [limit, of_limit] : names) add_notes(plot, fmt::format("failures by inaccuracy, relative error above {:g} (error_limit):", limit), of_limit);
+}
+
 std::set<std::string> problems_of(const std::vector<CompareRow>& rows) {
   std::set<std::string> problems;
   for (const CompareRow& r : rows) problems.insert(r.problem);
@@ -163,6 +175,7 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   add_notes(plot, std::string(problems > 1 ? "all problems " : "") + "solved at no tolerance:", unsolved);
   add_notes(plot, "failed at some tolerances:", partly);
   add_notes(plot, "no point, as the error is below the noise floor:", below_floor);
+  add_inaccurate(plot, all);
   double least = std::numeric_limits<double>::infinity();
   for (const Curve& c : plot.curves)
     for (const auto& [error, seconds] : c.points) least = std::min(least, error);
@@ -197,6 +210,7 @@ Plot profile_plot(const std::vector<CompareRow>& rows) {
     if (done == 0) unsolved.push_back(p.solver);
   }
   add_notes(plot, "solved nothing:", unsolved);
+  add_inaccurate(plot, rows);
   return plot;
 }
 

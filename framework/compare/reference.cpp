@@ -11,7 +11,6 @@ namespace {
 
 // Relative to the size of the moving objects: solutions at a larger distance are different.
 constexpr double same_minimum = 1e-6;
-constexpr double same_run = 1e-3;        // small differences grow from step to step
 constexpr double same_potential = 1e-9;  // relative
 
 // Turns off adaptive steps.
@@ -31,7 +30,7 @@ bool equal_potential(Trial& trial, const VecX& x) {
 
 // Returns the distance up to which two solutions count as one [m].
 double same_branch_distance(const CompareCase& compare_case) {
-  return compare_case.size * (compare_case.single() ? same_minimum : same_run);
+  return compare_case.size * (compare_case.single() ? same_minimum : compare_case.branch_distance);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ std::string equally_fast(const Comparison& c, const CompareRow& best, double lev
 }
 
 // Returns the table of all tasks (problem, tolerance, time step) together, a row for each solver.
-std::string joint_table(const Comparison& c) {
+std::string joint_table(const CompareConfig& config, const Comparison& c) {
   struct Sum {
     std::string solver;
     int tasks = 0, solved = 0, fastest = 0, elsewhere = 0, inaccurate = 0, with_error = 0;
@@ -88,7 +88,7 @@ std::string joint_table(const Comparison& c) {
     }
     ++at->tasks;
     at->elsewhere += r.branch == "another" ? 1 : 0;
-    at->inaccurate += r.branch == "inaccurate" ? 1 : 0;
+    at->inaccurate += r.branch == "inaccurate" || r.inaccurate() ? 1 : 0;
     if (!r.solved()) continue;
     ++at->solved;
     at->iterations += r.iterations;
@@ -101,7 +101,9 @@ std::string joint_table(const Comparison& c) {
   std::string out = fmt::format("\n## All {} tasks together\n\nA task is a problem with a tolerance and a time step. *Fastest*: tasks in which the solver is as fast as the "
                                 "fastest one, within the spread of the repetitions. *Slowdown* is the time over that of the fastest solver, *error* the RMS error over the size of "
                                 "the moving objects (errors below the noise floor count as the floor). Both are geometric means over the tasks that the solver solved; "
-                                "iterations are their sum.", tasks);
+                                "iterations are their sum. A converged result counts as solved if its relative error (of the worst vertex) is at most {:g} (`error_limit`{}); beyond, it is "
+                                "*inaccurate*.", tasks, config.error_limit.value_or(CompareConfig::error_limit_default),
+                                config.error_limit || !config.reference_time_step ? "" : "; not applied to other time steps than the reference's");
   if (unsolved > 0) out += fmt::format(" No solver solved {} of the tasks.", unsolved);
   out += "\n\n| solver | solved | fastest | slowdown | iterations | error | another branch | inaccurate |\n"
          "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
@@ -172,13 +174,16 @@ std::string failures(const Comparison& c) {
   std::string rows;
   for (const CompareRow& r : c.rows) {
     const bool elsewhere = r.branch == "another" || r.branch == "inaccurate";
-    if (r.converged && !elsewhere && r.intersections == 0 && r.crossing_pairs == 0) continue;
+    if (r.converged && !elsewhere && !r.inaccurate() && r.intersections == 0 && r.crossing_pairs == 0) continue;
     std::string outcome = r.converged ? "" : r.status;
     if (r.branch == "another")
       outcome = r.single_step ? fmt::format("another minimum, {:.3g} J {} the reference's", std::abs(r.energy_gap),
                                          r.energy_gap < 0 ? "below" : "above")
                            : fmt::format("another branch: ended {:.1e} m from the reference", r.error_max);
-    if (r.branch == "inaccurate")
+    if (r.inaccurate())
+      outcome += fmt::format("{}inaccurate: {:.1e} m from {}, {:.1e} of the size (error_limit: {:g})", outcome.empty() ? "" : "; ", r.error_max,
+                             r.single_step ? "its minimum" : "the reference", r.relative_error, r.error_limit);
+    else if (r.branch == "inaccurate")
       outcome = fmt::format("inaccurate: ended {:.1e} m from the reference, closer with smaller tolerances", r.error_max);
     if (r.intersections > 0) outcome += fmt::format(" {} intersections", r.intersections);
     if (r.crossing_pairs > 0) outcome += fmt::format(" surfaces passed through each other: at most {:g} pairs, {:.2g} m deep", r.crossing_pairs, r.penetration);
@@ -193,7 +198,7 @@ std::string failures(const Comparison& c) {
 }  // namespace
 
 std::string compare_report(const CompareConfig& config, const Comparison& c, const Provenance& provenance, double wall_seconds) {
-  return header(config, provenance, wall_seconds) + references(c) + joint_table(c) + pareto(c) + failures(c) +
+  return header(config, provenance, wall_seconds) + references(c) + joint_table(config, c) + pareto(c) + failures(c) +
          "\nAll numbers: compare.csv; their provenance: compare.json. Pictures: plots/.\n";
 }
 

@@ -24,6 +24,7 @@ struct CompareCase {
   int steps = 1;         // number of steps of step_size
   double size = 0;       // diagonal of all that moves [m]
   bool quasi_static = false;
+  double branch_distance = 1e-3;  // of runs on one branch, relative to the size
 
   bool single() const { return problem.has_value(); }
   // Returns the number of steps of size h to the same end time. Throws InputError if h does not

@@ -19,8 +19,8 @@ export function comparisonSections({ table, text }) {
 }
 
 const unique = (values) => [...new Set(values)];
-// Another minimum of a single step, which has an energy gap, is a solution; another branch of a run is not.
-const solved = (row) => row.status === "converged" && (row.branch !== "another" || row.energy_gap !== null) && row.wall_seconds > 0;
+// Another minimum of a single step, which has an energy gap, is a solution; another branch of a run is not. Tables of earlier versions have no column `solved`.
+const solved = (row) => (row.solved === undefined ? row.status === "converged" && (row.branch !== "another" || row.energy_gap !== null) : row.solved === 1) && row.wall_seconds > 0;
 
 // Returns true for an error below the noise floor, the distance of the two references: it has no point.
 const belowFloor = (row) => row.error_floor !== undefined && row.error_floor !== null && row.error_rms !== null && row.error_rms <= row.error_floor;

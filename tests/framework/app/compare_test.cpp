@@ -49,7 +49,7 @@ TEST_CASE("tack compare writes a row for every combination, also for those that 
   REQUIRE(result.exit_code == 0);
   const std::string csv = place.text("results/two/compare.csv");
   CHECK(lines(csv) == 1 + 2 * 2 * 2);
-  CHECK(contains(csv, "error_floor,energy_gap,intersections,penetration,crossing_pairs,error_height,error_stickiness_x,"));
+  CHECK(contains(csv, "error_floor,energy_gap,intersections,penetration,crossing_pairs,solved,error_height,error_stickiness_x,"));
   CHECK(contains(csv, "tiny,clamp,0.001,0.01,"));
   CHECK(contains(csv, "tiny,weak,1e-05,0.005,"));
   CHECK(contains(csv, "iteration limit reached"));

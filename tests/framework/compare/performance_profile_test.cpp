@@ -1,5 +1,6 @@
 #include "framework/compare/performance_profile.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -121,6 +122,31 @@ TEST_CASE("runs that come closer with smaller tolerances are inaccurate, others 
   classify_branches(some);
   const std::vector<std::string> expected = {"inaccurate", "same", "inaccurate", "inaccurate", "another", "another", "another"};
   for (size_t i = 0; i < some.size(); ++i) CHECK(some[i].branch == expected[i]);
+}
+
+TEST_CASE("a converged result with too large an error is not solved, and the limit is shown", "[compare]") {
+  std::vector<CompareRow> some = {row("one", "a", 1), row("one", "b", 2), row("two", "a", 1), row("two", "b", 2)};
+  for (CompareRow& r : some) r.single_step = true, r.branch = "same", r.error_limit = 1e-3;
+  some[0].error_rms = 1e-3, some[0].error_max = 2.5e-3, some[0].relative_error = 0.025;
+  CHECK(some[0].inaccurate());
+  CHECK_FALSE(some[0].solved());
+  CHECK(some[1].solved());
+  const auto profiles = performance_profiles(some);
+  CHECK(std::isinf(profiles[0].ratios[1]));
+  CHECK(profiles[1].ratios[0] == 1);
+  const std::string note = "failures by inaccuracy, relative error above 0.001 (error_limit): a at 0.001 m/s";
+  CHECK(profile_plot(some).notes == std::vector<std::string>{note});
+  const std::vector<std::string> notes = work_precision(some).notes;
+  CHECK(std::find(notes.begin(), notes.end(), note) != notes.end());
+  const ReferenceRow one{"one", 0.01, 1e-10, 0, 0, 0.1, false, false, 1, ""}, two{"two", 0.01, 1e-10, 0, 0, 0.1, false, false, 1, ""};
+  const std::string report = compare_report({}, {{one, two}, some, "", {}}, {}, 0);
+  CHECK(report.find("at most 0.001 (`error_limit`)") != std::string::npos);
+  CHECK(report.find("| b | 2 | 1 |") != std::string::npos);
+  CHECK(report.find("| a | 1 | 1 | 1.00 | 0 | 1e-05 | 0 | 1 |") != std::string::npos);
+  CHECK(report.find("| one | a | 1e-03 | 0.01 | inaccurate: 2.5e-03 m from its minimum, 2.5e-02 of the size (error_limit: 0.001) |") != std::string::npos);
+  // Without a limit, for other time steps than the reference's, the error is for the reader to judge.
+  some[0].error_limit = CompareRow().error_limit;
+  CHECK(some[0].solved());
 }
 
 TEST_CASE("profile plots show the fraction of tasks solved", "[compare]") {
