@@ -146,7 +146,7 @@ void Trial::solve_step(const VecX* guess) {
   result_.linear_solves = solve.linear_solves;
   record_maxima(solved->metrics);
   result_.converged = solved->failure.empty() && solve.status == MinimizerStatus::converged;
-  result_.status = solved->failure.empty() ? std::string(to_string(solve.status)) : solved->failure;
+  result_.status = solved->failure.empty() ? status_text(*solved) : solved->failure;
   result_.complete = solved->failure.empty() && solved->x.allFinite();
   if (result_.complete) simulation_.stepper().commit(solved->x, h_);
 }

@@ -1,5 +1,7 @@
 #include "framework/run/stored_step.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -116,8 +118,8 @@ StoredSolve StoredStep::solve(const Value& solver, const StoredSolveSettings& se
   result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count() - judgement.wall_seconds;
   const MinimizerResult& work = solved.minimizer;
   const MinimizerStatus status = out_of_time && work.status == MinimizerStatus::interrupted ? MinimizerStatus::time_limit : work.status;
-  if (out_of_time && status != MinimizerStatus::converged) result.status = "out of processor time";
-  else result.status = solved.failure.empty() ? std::string(to_string(status)) : solved.failure;
+  if (out_of_time && status != MinimizerStatus::converged) result.status = fmt::format("out of processor time (cpu limit: {:g} s)", *settings.cpu_limit);
+  else result.status = solved.failure.empty() ? status_text(solved) : solved.failure;
   result.converged = solved.failure.empty() && status == MinimizerStatus::converged;
   result.iterations = work.iterations;
   result.evaluations = work.line_search_evaluations;

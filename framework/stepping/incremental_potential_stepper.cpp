@@ -229,10 +229,7 @@ std::string Minimization::failure(const SolveResult& result) const {
   if (minimizer_failed_) return result.failure;
   if (!result.failure.empty()) return result.failure + steps_.blocker() + beyond;
   if (result.minimizer.status == MinimizerStatus::converged) return "";
-  const bool late = result.minimizer.status == MinimizerStatus::time_limit && !clock_.deadline().run_passed();
-  const std::string limit = late ? fmt::format(" (solver.time_limit: {} s)", *solver_.time_limit()) : "";
-  return fmt::format("{}{} after {} iterations, {:.3g} times the tolerance{}{}", to_string(result.minimizer.status), limit,
-                     result.minimizer.iterations, result.minimizer.residual, steps_.blocker(), beyond);
+  return fmt::format("{} after {} iterations, {:.3g} times the tolerance{}{}", status_text(result), result.minimizer.iterations, result.minimizer.residual, steps_.blocker(), beyond);
 }
 
 const char* Minimization::remedy(const SolveResult& result) const {

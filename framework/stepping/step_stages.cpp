@@ -158,6 +158,10 @@ SolveResult StepStages::solve(double h, const VecX* guess) {
     throw_failed(state_, solver_, "it threw what is no std::exception");
   }
   clock_.deadline().end_solve();
+  if (result.minimizer.status == MinimizerStatus::time_limit) {
+    if (time_.wall_limit && clock_.deadline().run_passed()) result.limit = fmt::format("time.wall_limit: {} s", *time_.wall_limit);
+    else if (solver_.time_limit()) result.limit = fmt::format("solver.time_limit: {} s", *solver_.time_limit());
+  }
   return result;
 }
 

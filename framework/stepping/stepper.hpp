@@ -53,6 +53,7 @@ struct SolveResult {
   MinimizerResult minimizer;  // summed over all lag iterations
   VecX x;                     // 3n [m]; initially Step::targets
   std::string failure = "";   // why prescribed vertices did not reach their targets
+  std::string limit = "";     // of wall time that ended the solve: "solver.time_limit: 5 s"
   int lag_iterations = 0;
   // Solution of an earlier lag iteration, where lagged forces were updated.
   struct LaggedSolve {
@@ -65,6 +66,12 @@ struct SolveResult {
   double unbalanced_force = 0, tolerated_force = 0;  // force residual and its limit [N]
   std::vector<StepMetric> metrics = {};              // step metrics of the stepper
 };
+
+// Returns how the minimisation ended: "out of wall time (solver.time_limit: 5 s)".
+inline std::string status_text(const SolveResult& result) {
+  return std::string(to_string(result.minimizer.status)) +
+         (result.limit.empty() ? "" : " (" + result.limit + ")");
+}
 
 // Validation of a solve result.
 struct Validation {

@@ -133,7 +133,7 @@ Validation LcpPgsStepper::validate(const SolveResult& result) {
   Validation v{"", "refine time.step"};
   const MinimizerStatus status = result.minimizer.status;
   if (status != MinimizerStatus::converged && status != MinimizerStatus::iteration_limit) {
-    v.fault = to_string(status);
+    v.fault = status_text(result);
     return v;
   }
   if (const int tet = first_inverted_tet(world_->tets, result.x); tet >= 0) {

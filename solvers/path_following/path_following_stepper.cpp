@@ -213,8 +213,7 @@ Validation PathFollowingStepper::validate(const SolveResult& result) {
   Validation v{result.failure, result.failure.empty() ? "refine time.step, or lower dissipation_rate or arc_speed" : FreeBody::remedy};
   if (!v.fault.empty()) return v;
   if (result.minimizer.status != MinimizerStatus::converged) {
-    v.fault = fmt::format("the step along the path did not converge: {} after {} iterations, {:.3g} times the tolerance{}", to_string(result.minimizer.status),
-                          result.minimizer.iterations, result.minimizer.residual, newton_->blocker());
+    v.fault = fmt::format("the step along the path did not converge: {} after {} iterations, {:.3g} times the tolerance{}", status_text(result), result.minimizer.iterations, result.minimizer.residual, newton_->blocker());
     return v;
   }
   if (const int tet = first_inverted_tet(world_->tets, result.x); tet >= 0) {

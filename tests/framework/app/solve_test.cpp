@@ -43,6 +43,17 @@ TEST_CASE("tack solve measures several solvers on a stored step, and keeps its m
   CHECK(contains(again.out, "its minimum is stored to 1e-10 m/s"));
 }
 
+TEST_CASE("a solve that runs out of wall time names the key and its value") {
+  const StoredStep step(impact);
+  CHECK(step.solve(parse_string("{time_limit: 1e-9}", "(test)")).status == "out of wall time (solver.time_limit: 1e-09 s)");
+  const TemporaryFolder folder;
+  write_file(folder.path() / "compare.yaml", "name: late\nproblems: [" + impact + "]\nrepeat: 1\ntolerances: [1 mm/s]\nsolvers: [{name: slow, solver: {time_limit: 1e-9}}]\n");
+  const ProgramResult compared = run_tack(folder.path(), {"compare", "compare.yaml"});
+  CHECK(compared.exit_code == 0);
+  CHECK(contains(compared.out, "out of wall time (solver.time_limit: 1e-09 s)"));
+  CHECK(contains(file_text(folder.path() / "results/late/compare.csv"), "out of wall time (solver.time_limit: 1e-09 s)"));
+}
+
 TEST_CASE("another solver of a stored step keeps the convergence criteria of its scene") {
   const StoredStep step(impact, {"solver.max_iterations=400"});
   CHECK_FALSE(step.has_minimum());

@@ -43,7 +43,7 @@ TEST_CASE("time.wall_limit ends a run within a solve, and names the blocking pri
   TestRun run(endless(", wall_limit: 0.5 s", ""));
   const Stopwatch watch;
   CHECK_THROWS_WITH(run.step(), Catch::Contains("time.wall_limit: 0.5 s") && Catch::Contains("step 1 at t = 0 s") &&
-                                    Catch::Contains("out of wall time after") &&
+                                    Catch::Contains("out of wall time (time.wall_limit: 0.5 s) after") &&
                                     Catch::Contains("the last step was cut to ") && Catch::Contains("of 'ball'") &&
                                     Catch::Contains("of 'plate'") && Catch::Contains(" m apart"));
   CHECK(watch.seconds() < 2 * TACK_PATIENCE);
