@@ -3,10 +3,11 @@
 import {
   AddEquation, AmbientLight, BufferAttribute, BufferGeometry, Color, CustomBlending, CylinderGeometry, DirectionalLight, DoubleSide, DynamicDrawUsage, FloatType,
   HalfFloatType, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, NearestFilter, NoBlending, OneFactor,
-  OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, ShaderMaterial, ShadowMaterial, SRGBColorSpace, Vector3, Vector4, WebGLRenderer, WebGLRenderTarget,
+  OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, ShaderMaterial, SRGBColorSpace, Vector3, Vector4, WebGLRenderer, WebGLRenderTarget,
 } from "three";
 import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 import { CornerNormals } from "./corner_normals.js";
+import { GroundShade } from "./ground_shade.js";
 import { litMaterial, mapOfSky } from "./sky.js";
 import { lightBothSides } from "./two_sided_shadows.js";
 
@@ -16,7 +17,7 @@ const shadowPixels = 1024;
 const [groundExtent, groundGap] = [60, 1e-4];
 // Fraction of the drawings that the sun lights, about its fraction of the light on the ground.
 const sunShare = 0.4;
-const groundShadows = 2; // extent of shadows beside that of the objects, so that those on the ground are not cut off
+const groundLights = 96; // whose shade on the ground is added up, if the drawings have fewer
 const up = new Vector3(0, 1, 0);
 
 const quad = `varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }`;
@@ -94,6 +95,7 @@ export class Studio {
   // sets: [{set, camera, box: [x, y, width, height] in pixels from below}]; drawn side by side.
   draw(views) {
     const { renderer } = this;
+    for (const { set, camera } of views) set.shadeGround(renderer, Math.max(groundLights, this.lights), camera);
     renderer.setRenderTarget(this.sum);
     renderer.setClearColor(0x000000, 0);
     renderer.clear();
@@ -145,7 +147,10 @@ class Actors {
     this.placed = new Float32Array(3 * frames.vertices);
     this.place(0);
     this.parts = frames.objects.map((object, i) => this.part(object, i));
-    if (ground) this.layGround(ground);
+    if (ground) {
+      this.layGround(ground);
+      this.scene.traverse((mesh) => mesh.castShadow && mesh.isMesh && this.shade.add(mesh));
+    }
   }
 
   // Returns the vertices of objects that are not hidden.
@@ -161,21 +166,21 @@ class Actors {
     return shown;
   }
 
-  // Adds a plane below everything that is shown, or at a height [m]. Without a colour, only the shadows on it are drawn.
+  // Adds a plane below everything that is shown, or at a height [m], with the shade on it (ground_shade.js). Without a colour, only the shade is drawn.
   layGround({ at, colour }) {
     const { frames, vertical, size } = this;
     const along = (p) => p.reduce((sum, x, c) => sum + x * vertical[c], 0);
     const height = at ?? Math.min(...(({ low, high }) => [along(low), along(high)])(frames.box(undefined, this.shownVertices)));
-    const material = colour === null ? new ShadowMaterial()
-      : litMaterial({ color: new Color().setStyle(colour, SRGBColorSpace), roughness: usual.roughness, side: DoubleSide }, this.mirrored);
+    const material = litMaterial({ color: new Color().setStyle(colour ?? "#ffffff", SRGBColorSpace), roughness: usual.roughness, side: DoubleSide }, this.mirrored);
     // Slightly lower, so that faces that lie on the ground are in front of it.
     const plane = new Mesh(new PlaneGeometry(groundExtent, groundExtent), material);
     plane.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...vertical));
     plane.position.set(...vertical.map((x) => x * ((height - along(this.centre)) / size - groundGap)));
-    plane.receiveShadow = true;
     plane.frustumCulled = false;
-    this.scene.add(plane);
-    this.ground = plane;
+    if (colour !== null) this.scene.add(plane);
+    this.ground = { coloured: colour !== null };
+    this.shade = new GroundShade(plane);
+    this.scene.add(this.shade.mesh);
   }
 
   look(object) { return { ...usual, ...this.looks(object) }; }
@@ -299,8 +304,9 @@ class Actors {
     }
   }
 
-  // Sets the light of drawing i: a wide sun from behind the camera on the left, or a part of the sky.
-  lightUp(i, count, camera) {
+  // Returns light i of `count`: a wide sun from behind the camera on the left, or a part of the sky. away: direction to it; intensity, and ambient that comes with it; onGround: the light of
+  // all on the ground.
+  lightOf(i, count, camera) {
     const { lighting } = this;
     const vertical = new Vector3(...this.vertical);
     const suns = Math.max(1, Math.round(sunShare * count));
@@ -326,11 +332,24 @@ class Actors {
     const sky = Math.PI * (lighting.zenith - lighting.horizon), even = Math.PI * lighting.horizon;
     const onGround = lighting.sun * Math.max(0, sunward.dot(vertical)) + (2 / 3) * sky + even;
     const times = i < suns ? count / suns : count / skies; // each drawing stands for so many
-    this.light.intensity = times * (i < suns ? lighting.sun : sky);
-    this.ambient.intensity = skies > 0 ? even : even + (2 / 3) * sky;
-    this.mirrored.value = i < suns ? 1 : 0;
-    if (this.ground?.material.isShadowMaterial)
-      this.ground.material.opacity = (this.light.intensity * Math.max(0, away.dot(vertical)) + (i < suns ? 0 : times * even)) / onGround; // above 1 in some drawings, not in their mean
+    const intensity = times * (i < suns ? lighting.sun : sky);
+    const shaded = intensity * Math.max(0, away.dot(vertical));
+    return { away, intensity, sun: i < suns, ambient: skies > 0 ? even : even + (2 / 3) * sky, shaded, even: i < suns ? 0 : times * even, onGround };
+  }
+
+  // Draws the shade on the ground, if there is one. A ground without a colour is shaded from the even light as well as from the sky.
+  shadeGround(renderer, count, camera) {
+    if (!this.ground) return;
+    const all = Array.from({ length: count }, (_, i) => this.lightOf(i, count, camera));
+    this.shade.draw(renderer, this.middle, this.radius, all.map((one) => ({ away: one.away, weight: (one.shaded + (this.ground.coloured ? 0 : one.even)) / (count * one.onGround) })));
+  }
+
+  // Sets the light of drawing i.
+  lightUp(i, count, camera) {
+    const { away, intensity, ambient, sun } = this.lightOf(i, count, camera);
+    this.light.intensity = intensity;
+    this.ambient.intensity = ambient;
+    this.mirrored.value = sun ? 1 : 0;
     const { radius } = this;
     this.light.target.position.copy(this.middle);
     this.light.position.copy(this.middle).addScaledVector(away, 2 * radius);
@@ -349,7 +368,7 @@ class Actors {
     const place = (p) => new Vector3(...p.map((x, c) => (x - this.centre[c]) / this.size));
     const [a, b] = [place(low), place(high)];
     this.middle = a.clone().add(b).multiplyScalar(0.5);
-    this.radius = Math.max(1e-3, a.distanceTo(b) / 2) * (this.ground ? groundShadows : 1);
+    this.radius = Math.max(1e-3, a.distanceTo(b) / 2);
     this.target = this.middle;
   }
 
