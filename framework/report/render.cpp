@@ -3,16 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <regex>
 
 #include "framework/config/bind.hpp"
 #include "framework/output/output_format.hpp"
+#include "framework/output/pvd.hpp"
 #include "framework/report/report.hpp"
 #include "framework/report/scratch_folder.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/frame_file.hpp"
 #include "geometry/io/replace_file.hpp"
 #include "geometry/own_library.hpp"
 #include "geometry/run_program.hpp"
@@ -52,8 +56,44 @@ std::vector<std::string> film_coding(const fs::path& output) {
 
 // Throws InputError if a program that was run is missing or failed.
 void check_exit(int code, const char* program, const char* package, const fs::path& output) {
-  if (code < 0 || code == 127) throw InputError(fmt::format("{} is missing; install it (Debian: {}), or run `./tack render`, which installs it", program, package));
+  const char* script = is_installed() ? "" : ", or run `./tack render`, which installs it";
+  if (code < 0 || code == 127) throw InputError(fmt::format("{} is missing; install it (Debian: {}){}", program, package, script));
   if (code != 0) throw InputError(fmt::format("{} was not drawn", output.string()));
+}
+
+// Returns the frames of a run in the order of time, at least one.
+std::vector<PvdFile::Frame> frames_of(const fs::path& run) {
+  std::vector<PvdFile::Frame> frames = PvdFile::continued(run / "run.pvd", std::numeric_limits<double>::infinity()).list();
+  if (frames.empty()) throw InputError(fmt::format("{} has no frames; let its scene write some (output.frames)", run.string()));
+  return frames;
+}
+
+// Returns true if a field goes by this name: that of its array, or its label on the page (report/src/frames.js).
+bool is_called(const FrameArray& field, const std::string& name) {
+  std::string label = field.name;
+  std::replace(label.begin(), label.end(), '_', ' ');
+  if (field.components > 1) label = field.name == "velocity" ? "speed" : label + " (magnitude)";
+  return name == field.name || name == label;
+}
+
+// Throws InputError for a field that the first frame of a run lacks.
+void check_field(const std::string& name, const fs::path& run, const PvdFile::Frame& first) {
+  FrameFile frame = read_frame(run / first.file);
+  std::vector<FrameArray> fields = std::move(frame.vertex_arrays);
+  std::copy_if(frame.cell_arrays.begin(), frame.cell_arrays.end(), std::back_inserter(fields), [](const FrameArray& a) { return a.name != "object"; });
+  if (std::any_of(fields.begin(), fields.end(), [&](const FrameArray& a) { return is_called(a, name); })) return;
+  std::vector<std::string> names;
+  for (const FrameArray& a : fields) names.push_back(a.name);
+  throw InputError(fmt::format("field: '{}' has no '{}'; its frames have {} (output.fields)", run.string(), name, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
+// Prints which frame is drawn for a time [s] that is outside a run.
+void print_frame_outside(double at, const fs::path& run, const std::vector<PvdFile::Frame>& frames) {
+  constexpr double round_off = 1e-9;  // relative
+  const double first = frames.front().time, last = frames.back().time;
+  const auto after = [](double a, double b) { return a - b > round_off * std::max(std::abs(a), std::abs(b)); };
+  if (after(at, last)) fmt::print(stderr, "note: at: {:g} s is after the end of {}; its last frame, at t = {:g} s, is drawn\n", at, run.string(), last);
+  if (after(first, at)) fmt::print(stderr, "note: at: {:g} s is before the start of {}; its first frame, at t = {:g} s, is drawn\n", at, run.string(), first);
 }
 
 void draw_in_browser(const RenderSettings& settings, const Json& view, const ScratchFolder& scratch) {
@@ -112,11 +152,17 @@ void render(const RenderSettings& settings, const RenderView& view) {
   for (const fs::path& folder : settings.folders)
     if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs can be rendered; give the folder of a run", folder.string()));
   settings.with_blender ? check_blender(view) : check_built_in(view);
+  const bool film = ending != ".png" || is_numbered(settings.output);
+  for (const fs::path& folder : settings.folders) {
+    const std::vector<PvdFile::Frame> frames = frames_of(folder);
+    if (view.field) check_field(view.field->name, folder, frames.front());
+    if (view.at && !film && !settings.quiet) print_frame_outside(*view.at, folder, frames);
+  }
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
   const ScratchFolder scratch;
   if (!view.labels.empty() && view.labels.size() != settings.folders.size())
     throw InputError(fmt::format("labels: {} for {} runs; give one for each", view.labels.size(), settings.folders.size()));
-  Json json = json_of(view, ending == ".png" && !is_numbered(settings.output) ? picture_quality : film_quality);
+  Json json = json_of(view, film ? film_quality : picture_quality);
   if (settings.with_blender && view.labels.empty() && settings.folders.size() > 1) json["labels"] = labels_of(settings.folders);
   json["film_coding"] = film_coding(settings.output);
   settings.with_blender ? draw_in_blender(settings, json, scratch) : draw_in_browser(settings, json, scratch);

@@ -171,7 +171,11 @@ const tests = {
   async "the time that is written is that of the frame"() {
     const view = ["--set", "size=[400, 300]", "lights=2"];
     done("render", "out", "-o", "end.png", ...view, "at=0.2s");
-    done("render", "out", "-o", "later.png", ...view, "at=7s");
+    const later = run("render", "out", "-o", "later.png", ...view, "at=7s");
+    assert.equal(later.status, 0);
+    assert.equal(later.stderr, "note: at: 7 s is after the end of out; its last frame, at t = 0.2 s, is drawn\n");
+    assert.equal(run("render", "out", "-o", "later.png", "-q", ...view, "at=7s").stderr, "");
+    assert.equal(run("render", "out", "-o", "within.png", ...view, "at=0.2s").stderr, "");
     done("render", "out", "-o", "earlier.png", ...view, "at=0.18s");
     assert.ok(readFileSync(join(folder, "end.png")).equals(readFileSync(join(folder, "later.png"))));
     assert.ok(!readFileSync(join(folder, "end.png")).equals(readFileSync(join(folder, "earlier.png"))));
@@ -183,6 +187,11 @@ const tests = {
     assert.ok(cube[0] > 150 && cube[1] < 60, `the cube: ${cube}`);
     assert.ok(grey(shade) < 245 && Math.max(...shade) - Math.min(...shade) < 12, `grey shadow: ${shade}`);
     assert.ok(grey(open) > 252, `white far from it: ${open}`);
+    // Few lights, as films have, shade it as smoothly as many.
+    done("render", "out", "-o", "few.png", ...view, "ground={at: 0}", "lights=4");
+    const places = Array.from({ length: 60 }, (_, i) => [0.1 + 0.8 * ((i % 10) / 9), 0.1 + 0.8 * (Math.floor(i / 10) / 5)]);
+    const [many, few] = [(await looked("ground.png", places)).pixels, (await looked("few.png", places)).pixels];
+    many.forEach((pixel, i) => pixel[0] > 200 && pixel[1] < 100 || assert.ok(Math.abs(grey(pixel) - grey(few[i])) < 12, `${places[i]}: ${pixel}, ${few[i]}`));
     done("render", "out", "-o", "green.png", ...view, "ground={at: 0, colour: '#00a000'}");
     const { pixels: [, darker, lit] } = await looked("green.png", [[0.5, 0.5], [0.585, 0.4], [0.05, 0.95]]);
     assert.ok(lit[1] > 90 && lit[1] > lit[0] + 60 && darker[1] < lit[1] - 3, `${lit}, ${darker}`);
@@ -240,6 +249,7 @@ const tests = {
       done("render", "out", "-o", "traced.mp4", "--with", "blender", ...common, "samples=1", "from=0.16");
       assert.ok(statSync(join(folder, "traced.mp4")).size > 500);
     }
+    assert.match(run("render", "out", "-o", "after.png", "--with", "blender", ...common, "samples=1", "at=7s").stderr, /^note: at: 7 s is after the end of out; its last frame, at t = 0\.2 s, is drawn$/m);
     refused(/field is not drawn by Blender/, "render", "out", "--with", "blender", "--set", "field={name: displacement}");
     refused(/no run has an object 'cubo'/, "render", "out", "--with", "blender", "--set", "objects={cubo: {hide: true}}");
     refused(/Blender takes colours as #rrggbb/, "render", "out", "--with", "blender", "--set", "background=tomato");
@@ -289,7 +299,10 @@ const tests = {
     refused(/setup\.jpg: names of pictures end in \.png/, "check", "scene.yaml", "--picture", "setup.jpg");
     refused(/picture\.jpg: names of pictures end in \.png, names of films in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
     refused(/no run has an object 'cubo'; there are plate, cube/, "render", "out", "--set", "objects={cubo: {hide: true}}");
-    refused(/has no 'stress'; its frames have displacement/, "render", "out", "--set", "field={name: stress}");
+    // Before a browser is looked for.
+    const unknown = spawnSync(tack, ["render", "out", "--set", "field={name: stress}"], { encoding: "utf8", cwd: folder, env: { ...process.env, PATH: "/nowhere" } });
+    assert.equal(unknown.status, 2);
+    assert.match(unknown.stderr, /field: 'out' has no 'stress'; its frames have displacement \(output\.fields\)/);
     refused(/unknown key 'colour' in/, "render", "out", "--set", "colour=red");
     refused(/there is no such folder/, "render", "nowhere");
   },
