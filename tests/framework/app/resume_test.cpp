@@ -357,7 +357,8 @@ TEST_CASE("frames begin at output.frames_from") {
     INFO(result.out << result.err);
     REQUIRE(result.exit_code == 0);
     std::vector<double> times;
-    for (const auto& frame : PvdFile::continued(folder.path() / "out/run.pvd", 1).list()) times.push_back(frame.time);
+    const PvdFile frames = PvdFile::continued(folder.path() / "out/run.pvd", 1);
+    for (const auto& frame : frames.list()) times.push_back(frame.time);
     const std::vector<double> every{0, 0.05, 0.06, 0.07, 0.08, 0.09, 0.1}, some{0, 0.05, 0.06, 0.08, 0.1};
     const std::vector<double>& expected = interval == std::string("0") ? every : some;
     REQUIRE(times.size() == expected.size());
