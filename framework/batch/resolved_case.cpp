@@ -29,19 +29,12 @@ ResolvedCase CaseResolver::resolve(Value root, const std::vector<Variant::Settin
   one.resolved = to_value(fields_of(one.loaded.experiment));
   one.scene = yaml_text(one.resolved);
   one.digest = digest_of_text(one.scene);
-  add_files(one.resolved, one.digest);
+  for (const std::string& path : named_paths(one.resolved)) one.digest += digest_of_file(path);
   one.digest += " " + program_;
   return one;
 }
 
-// Adds the files that a scene reads to its digest: the bytes of a file, or the newest checkpoint of
-// an earlier run.
-void CaseResolver::add_files(const Value& value, std::string& digest) {
-  if (value.is_scalar() && value.text.starts_with('/')) digest += digest_of_file(value.text);
-  for (const Value& item : value.items) add_files(item, digest);
-  for (const Value::Entry& entry : value.entries) add_files(entry.value, digest);
-}
-
+// Returns the digest of the bytes of a file, or of the newest checkpoint of an earlier run.
 const std::string& CaseResolver::digest_of_file(const std::string& name) {
   const auto [known, anew] = files_.try_emplace(name);
   if (!anew) return known->second;

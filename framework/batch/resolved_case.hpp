@@ -27,7 +27,6 @@ class CaseResolver {
   ResolvedCase resolve(Value root, const std::vector<Variant::Setting>& set);
 
  private:
-  void add_files(const Value& value, std::string& digest);
   const std::string& digest_of_file(const std::string& name);
 
   std::string program_;

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
-#include <vector>
 
 #include "geometry/checksum.hpp"
 
@@ -12,11 +12,10 @@ namespace {
 
 constexpr std::size_t chunk = std::size_t{1} << 20;  // bytes
 
-void add_digests(const Value& value, std::map<std::string, std::string>& digests) {
-  if (value.is_scalar() && value.text.starts_with('/') && !digests.contains(value.text))
-    if (std::string digest = file_digest(value.text); !digest.empty()) digests[value.text] = std::move(digest);
-  for (const Value& item : value.items) add_digests(item, digests);
-  for (const Value::Entry& entry : value.entries) add_digests(entry.value, digests);
+void add_paths(const Value& value, std::vector<std::string>& paths) {
+  if (value.is_scalar() && value.text.starts_with('/') && std::find(paths.begin(), paths.end(), value.text) == paths.end()) paths.push_back(value.text);
+  for (const Value& item : value.items) add_paths(item, paths);
+  for (const Value::Entry& entry : value.entries) add_paths(entry.value, paths);
 }
 
 }  // namespace
@@ -37,10 +36,18 @@ std::string file_digest(const std::filesystem::path& path) {
   return in.eof() ? fmt::format("{}-{:08x}", size, checksum) : "";
 }
 
+std::vector<std::string> named_paths(const Value& value) {
+  std::vector<std::string> paths;
+  add_paths(value, paths);
+  return paths;
+}
+
 std::map<std::string, std::string> file_digests(const Value& scene) {
   std::map<std::string, std::string> digests;
   for (const Value::Entry& entry : scene.entries)
-    if (entry.key != "start") add_digests(entry.value, digests);
+    if (entry.key != "start")
+      for (const std::string& path : named_paths(entry.value))
+        if (std::string digest = digests.contains(path) ? "" : file_digest(path); !digest.empty()) digests[path] = std::move(digest);
   return digests;
 }
 

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "framework/config/file_digest.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/export/outer_vertices.hpp"
 #include "framework/export/source_faces.hpp"
 #include "framework/output/run_folder.hpp"
-#include "framework/output/summary.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
 
@@ -67,47 +65,13 @@ void add_elements(const FrameFile& frame, const Surface& surface, const std::vec
     if (owner(v) >= 0) objects[owner(v)].points.push_back(local[v]);
 }
 
-// Returns the results folder that `given` names. Throws InputError unless it has frames.
-fs::path folder_with_frames(const fs::path& given) {
+// Returns the files that a scene reads.
+std::vector<fs::path> files_of(const Value& scene) {
+  std::vector<fs::path> files;
   std::error_code none;
-  if (given.filename() == "run.pvd" && fs::exists(given, none)) return given.has_parent_path() ? given.parent_path() : fs::path(".");
-  if (fs::exists(given / "run.pvd", none)) return given;
-  if (!fs::exists(given, none)) throw InputError(fmt::format("{}: there is no such folder; give the results folder of a run", given.string()));
-  if (!fs::is_directory(given, none)) throw InputError(fmt::format("{}: is a file; give the results folder of a run", given.string()));
-  std::vector<std::string> runs;
-  for (const auto& entry : fs::directory_iterator(given, none))
-    if (fs::exists(entry.path() / "run.pvd", none)) runs.push_back(entry.path().string());
-  if (fs::exists(given.parent_path() / "run.pvd", none)) runs.push_back(given.parent_path().string());
-  std::sort(runs.begin(), runs.end());
-  constexpr size_t shown_max = 8;
-  const bool more = runs.size() > shown_max;
-  if (more) runs.resize(shown_max);
-  if (!runs.empty())
-    throw InputError(fmt::format("{}: is no results folder; these are: {}{}", given.string(), fmt::join(runs, ", "), more ? ", ..." : ""));
-  throw InputError(fmt::format("{}: has no frames (run.pvd); give the results folder of a run that writes them (output.frames)", given.string()));
-}
-
-// Throws InputError with the number of the frame and the remedy.
-FrameFile read_frame_of_run(const fs::path& results, const PvdFile::Frame& frame) {
-  const fs::path path = results / frame.file;
-  const auto failed = [&](const std::string& why) {
-    return InputError(fmt::format("{}: the frame at {:.6g} s {}; leave it out by from=... or to=..., or run the scene again", path.string(), frame.time, why));
-  };
-  std::error_code none;
-  if (!fs::exists(path, none)) throw failed("is missing");
-  try {
-    return read_frame(path);
-  } catch (const InputError&) {
-    throw failed("cannot be read, as if it was cut short");
-  }
-}
-
-// Appends the files that a scene names.
-void collect_sources(const Value& value, std::vector<fs::path>& found) {
-  std::error_code none;
-  if (value.is_scalar() && value.text.find('.') != value.text.npos && fs::is_regular_file(value.text, none)) found.emplace_back(value.text);
-  for (const Value& item : value.items) collect_sources(item, found);
-  for (const Value::Entry& entry : value.entries) collect_sources(entry.value, found);
+  for (const std::string& path : named_paths(scene))
+    if (fs::is_regular_file(path, none)) files.emplace_back(path);
+  return files;
 }
 
 std::string unit_of_file(const Value& shape) {
@@ -124,16 +88,14 @@ struct RunShapes::Loaded {
 };
 
 RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, const std::function<void(const std::vector<std::string>&)>& check)
-    : results_(folder_with_frames(results)), fps_(selection.fps) {
-  frames_ = PvdFile::continued(results_ / "run.pvd", std::numeric_limits<double>::infinity()).list();
-  if (frames_.empty()) throw InputError(fmt::format("{}: lists no frame yet; wait for the first", (results_ / "run.pvd").string()));
+    : frames_(results), fps_(selection.fps) {
   choose_times(selection);
-  note_unfinished();
+  if (std::string note = frames_.unfinished_note(); !note.empty()) notes_.push_back(std::move(note));
 
-  const std::string scene = (results_ / "scene.yaml").string();
+  const std::string scene = (folder() / "scene.yaml").string();
   const LoadedExperiment loaded = parse_experiment(read_file(scene, largest_text), scene);
   const Experiment& experiment = loaded.experiment;
-  collect_sources(loaded.root, sources_);
+  sources_ = files_of(loaded.root);
   name_ = RunFolder::default_root(experiment.name).filename();
   if (experiment.gravity.norm() > 0) up_ = -experiment.gravity.normalized();
 
@@ -153,7 +115,7 @@ RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, c
     object.materials = {{object.file_name, linear(palette[i % palette.size()])}};
   }
 
-  const FrameFile first = read_frame_of_run(results_, frames_[0]);
+  const FrameFile first = frames_.read(0);
   const Surface surface = extract_surface(first.mesh);
   const auto outer = outer_vertices(first, surface, static_cast<int>(names.size()));
   std::vector<int> local(first.mesh.vertices.size(), -1);
@@ -171,34 +133,21 @@ RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, c
     }
 }
 
-void RunShapes::note_unfinished() {
-  std::error_code none;
-  const fs::path path = results_ / "summary.json";
-  const double last = frames_.back().time;
-  if (!fs::exists(path, none)) {
-    notes_.push_back(fmt::format("the run has not ended; its frames reach to {:.6g} s", last));
-    return;
-  }
-  const nlohmann::json summary = nlohmann::json::parse(read_file(path.string(), largest_text), nullptr, false);
-  const std::string status = summary.is_object() ? summary.value("status", "") : "";
-  if (status != to_string(RunStatus::done) && status != to_string(RunStatus::expectation_failed))
-    notes_.push_back(fmt::format("the run ended early ({}); its frames reach to {:.6g} s", status, last));
-}
-
 void RunShapes::choose_times(const ShapeSelection& selection) {
+  const std::vector<PvdFile::Frame>& frames = frames_.list();
   if (selection.from && selection.to && *selection.from > *selection.to)
     throw InputError(fmt::format("from: {:.6g} s is after to: {:.6g} s", *selection.from, *selection.to));
-  const double first = selection.from.value_or(frames_.front().time), last = selection.to.value_or(frames_.back().time);
+  const double first = selection.from.value_or(frames.front().time), last = selection.to.value_or(frames.back().time);
   if (!fps_) {
-    for (const PvdFile::Frame& frame : frames_)
+    for (const PvdFile::Frame& frame : frames)
       if (frame.time >= first * (1 - time_tolerance) && frame.time <= last * (1 + time_tolerance)) times_.push_back(frame.time);
   } else {
-    const double begin = std::max(first, frames_.front().time), end = std::min(last, frames_.back().time);
+    const double begin = std::max(first, frames.front().time), end = std::min(last, frames.back().time);
     for (int i = 0; begin + i / *fps_ <= end + time_tolerance / *fps_; ++i) times_.push_back(std::min(begin + i / *fps_, end));
   }
   if (times_.empty())
-    throw InputError(fmt::format("{}: has no frame from {:.6g} to {:.6g} s; its frames are from {:.6g} to {:.6g} s", results_.string(), first, last,
-                                 frames_.front().time, frames_.back().time));
+    throw InputError(fmt::format("{}: has no frame from {:.6g} to {:.6g} s; its frames are from {:.6g} to {:.6g} s", folder().string(), first, last,
+                                 frames.front().time, frames.back().time));
 }
 
 double RunShapes::rate() const {
@@ -217,8 +166,7 @@ struct RunShapes::KnownMesh {
 };
 
 RunShapes::Loaded RunShapes::load(int number, KnownMesh& known) const {
-  const fs::path path = results_ / frames_[number].file;
-  FrameFile frame = read_frame_of_run(results_, frames_[number]);
+  FrameFile frame = frames_.read(number);
   if (!known.has_elements_of(frame.mesh)) {
     known.outer = outer_vertices(frame, extract_surface(frame.mesh), numbers_.empty() ? 0 : numbers_.back() + 1);
     std::vector<Vec3> vertices = std::move(frame.mesh.vertices);
@@ -229,7 +177,7 @@ RunShapes::Loaded RunShapes::load(int number, KnownMesh& known) const {
   for (size_t k = 0; k < objects_.size(); ++k) {
     const std::vector<int>& vertices = known.outer[numbers_[k]];
     if (static_cast<int>(vertices.size()) != objects_[k].vertices)
-      throw InputError(fmt::format("{}: object '{}' has {} outer vertices, and {} in the first frame; run the scene again", path.string(), objects_[k].name,
+      throw InputError(fmt::format("{}: object '{}' has {} outer vertices, and {} in the first frame; run the scene again", frames_.path_of(number).string(), objects_[k].name,
                                    vertices.size(), objects_[k].vertices));
     loaded.positions.push_back(picked(frame.mesh.vertices, vertices));
   }
@@ -237,16 +185,17 @@ RunShapes::Loaded RunShapes::load(int number, KnownMesh& known) const {
 }
 
 void RunShapes::visit(const std::function<void(int, const ObjectPositions&)>& visit) const {
+  const std::vector<PvdFile::Frame>& frames = frames_.list();
   Loaded before, after;
   KnownMesh known;
   int next = 0;  // first frame that is not before the sample
   for (size_t i = 0; i < times_.size(); ++i) {
-    while (next + 1 < static_cast<int>(frames_.size()) && frames_[next].time < times_[i]) ++next;
+    while (next + 1 < static_cast<int>(frames.size()) && frames[next].time < times_[i]) ++next;
     if (after.frame != next) {
       if (after.frame == next - 1) before = std::move(after);
       after = load(next, known);
     }
-    const double end = frames_[next].time, begin = next > 0 ? frames_[next - 1].time : end;
+    const double end = frames[next].time, begin = next > 0 ? frames[next - 1].time : end;
     if (!(times_[i] < end) || next == 0) {
       visit(static_cast<int>(i), after.positions);
       continue;

@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/output/pvd.hpp"
-#include "geometry/io/frame_file.hpp"
+#include "framework/export/run_frames.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -68,7 +67,7 @@ class RunShapes {
   RunShapes(const std::filesystem::path& results, const ShapeSelection& selection,
             const std::function<void(const std::vector<std::string>&)>& check);
 
-  const std::filesystem::path& folder() const { return results_; }  // of the results
+  const std::filesystem::path& folder() const { return frames_.folder(); }  // of the results
   const std::vector<std::filesystem::path>& sources() const {
     return sources_;
   }                                                  // files that the scene reads
@@ -88,13 +87,11 @@ class RunShapes {
   struct Loaded;
   struct KnownMesh;
   void choose_times(const ShapeSelection& selection);
-  void note_unfinished();
   Loaded load(int frame, KnownMesh& known) const;
 
-  std::filesystem::path results_;
+  RunFrames frames_;
   std::vector<std::filesystem::path> sources_;
   std::string name_;
-  std::vector<PvdFile::Frame> frames_;
   std::vector<ExportedObject> objects_;
   std::vector<int> numbers_;  // of the objects in the scene
   std::vector<double> times_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "framework/config/read_file.hpp"
+#include "framework/output/recorded_status.hpp"
 #include "framework/report/frame_series.hpp"
 #include "framework/report/packing.hpp"
 #include "framework/report/scene_data.hpp"
@@ -100,9 +101,9 @@ Json run_data(const fs::path& folder, const std::string& label, int frames, Page
     for (const std::string& note : series.notes) notes.push_back(note);
     return series.times.empty() ? Json() : frame_data(series, page, true);
   });
-  const std::string status = summary.is_object() ? summary.value("status", "") : "";
+  std::string status = recorded_status(summary);
   return {{"label", label},
-          {"status", status.empty() ? "unfinished" : status},
+          {"status", std::move(status)},
           {"notes", std::move(notes)},
           {"summary", std::move(summary)},
           {"scene", std::move(scene)},

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "framework/config/read_file.hpp"
+#include "framework/output/recorded_status.hpp"
 #include "framework/report/run_data.hpp"
 #include "framework/report/table_data.hpp"
 #include "geometry/errors.hpp"
@@ -77,8 +78,8 @@ Json RunNews::since(const Known& known, bool running) {
   if (Json frames = frames_since(known.frames); !frames.is_null()) news["frames"] = std::move(frames);
   if (running || known.end) return news;
   Json summary = json_or_null(folder_ / "summary.json", [](const fs::path& path) { return Json::parse(read_file(path, largest_text)); });
-  const std::string status = summary.is_object() ? summary.value("status", "") : "";
-  news["end"] = {{"status", status.empty() ? "unfinished" : status}, {"summary", std::move(summary)},
+  std::string status = recorded_status(summary);
+  news["end"] = {{"status", std::move(status)}, {"summary", std::move(summary)},
                  {"laws", json_or_null(folder_ / "laws.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); })}};
   return news;
 }
