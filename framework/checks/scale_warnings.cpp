@@ -9,6 +9,7 @@
 #include "framework/scene/copied_lines.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/setup/dynamic_pressure.hpp"
+#include "framework/world/body_mass.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
@@ -22,12 +23,6 @@ constexpr double least_distance_part = 3e-5;
 constexpr double smallest_doubted = 1;
 // Extent over that of the largest other body, above which a warning is printed: the second study in the header.
 constexpr double largest_ratio = 30;
-
-double mass_of(const World& world, int body) {
-  double mass = 0;
-  for (const int v : world.vertices_of(body)) mass += world.gravitational_mass(v);  // scalar dofs have none
-  return mass;
-}
 
 // The second of the three: rods and sheets may be long.
 double middle_side(const Eigen::AlignedBox3d& box) {
@@ -85,7 +80,7 @@ std::string size_text(const World& world, int body) {
   double speed = 0;
   for (int v = b.first_vertex; v < b.first_vertex + b.vertex_count; ++v) speed = std::max(speed, vertex(world.start.v, v).norm());
   std::string text = lengths_text({box.sizes().x(), box.sizes().y(), box.sizes().z()});
-  if (const double mass = mass_of(world, body); mass > 0) text += fmt::format(", {:.4g} kg", mass);
+  if (const double mass = body_mass(world, body); mass > 0) text += fmt::format(", {:.4g} kg", mass);
   if (speed > 0) text += fmt::format(", {:.4g} m/s", speed);
   return text;
 }
@@ -106,7 +101,7 @@ std::vector<BodyScale> body_scales(const SceneConfig& scene, const World& world)
     BodyScale scale{static_cast<int>(i), middle_side(box)};
     if (scene.contact) scale.distance = scene.contact->contact_distance / scale.side;
     const double young = softest_young(scene.objects[i]);
-    if (!body.tets.empty() && young > 0) scale.sag = mass_of(world, scale.body) * world.gravity.norm() * height(box, world) / (box.volume() * young);
+    if (!body.tets.empty() && young > 0) scale.sag = body_mass(world, scale.body) * world.gravity.norm() * height(box, world) / (box.volume() * young);
     scales.push_back(scale);
   }
   return scales;

@@ -6,6 +6,7 @@
 
 #include "framework/body/extent.hpp"
 #include "framework/setup/dynamic_pressure.hpp"
+#include "framework/world/body_mass.hpp"
 #include "geometry/mesh/quality.hpp"
 
 namespace tack {
@@ -32,8 +33,8 @@ std::optional<double> wave_time(const Experiment& experiment, const World& world
   const Body& b = world.bodies[static_cast<size_t>(body)];
   if (!experiment.time.integrator->inertia() || static_cast<size_t>(body) >= experiment.objects.size() || b.tets.empty()) return std::nullopt;
   const double young = softest_young(experiment.objects[static_cast<size_t>(body)]);
-  double mass = 0, volume = 0;
-  for (const int v : world.vertices_of(body)) mass += world.mass(v);
+  const double mass = body_mass(world, body);
+  double volume = 0;
   for (const Tet& t : b.tets) volume += tet_volume(vertex(world.rest, t[0]), vertex(world.rest, t[1]), vertex(world.rest, t[2]), vertex(world.rest, t[3]));
   if (!(young > 0 && mass > 0 && volume > 0)) return std::nullopt;
   return extent_of(b, world.start.x).sizes().maxCoeff() * std::sqrt(mass / volume / young);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/world/body_mass.hpp"
 #include "geometry/mesh/quality.hpp"
 
 namespace tack {
@@ -67,8 +68,7 @@ std::vector<double> resting_pressures(const SceneConfig& scene, const World& wor
   for (size_t i = 0; i < forces.size(); ++i) {
     const Body& body = world.bodies[i];
     if (!body.movable) continue;
-    double mass = 0;
-    for (const int v : world.vertices_of(static_cast<int>(i))) mass += world.gravitational_mass(v);
+    const double mass = body_mass(world, static_cast<int>(i));
     if (const double area = mean_projected_area(body, world.rest); area > 0)
       pressures[i] = to_two_digits((forces[i] + mass * scene.gravity.norm()) / area);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/world/body_mass.hpp"
+
 namespace tack {
 
 std::vector<double> abrupt_times(const World& world, double duration) {
@@ -25,8 +27,7 @@ std::vector<double> abrupt_times(const World& world, double duration) {
 StepErrors::StepErrors(const World& world, double tolerance) : world_(world), tolerance_(tolerance) {
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     WeightedVertices body{world.vertices_of(static_cast<int>(i)), {}};
-    double mass = 0;
-    for (const int v : body.vertices) mass += world.gravitational_mass(v);
+    const double mass = body_mass(world, static_cast<int>(i));
     for (const int v : body.vertices) body.weights.push_back(mass > 0 ? world.gravitational_mass(v) : world.is_scalar_dof(v) ? 0 : 1);
     bodies_.push_back(std::move(body));
   }

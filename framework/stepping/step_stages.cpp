@@ -13,21 +13,13 @@
 #include "framework/load/following_load.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/friction_account.hpp"
+#include "framework/world/body_mass.hpp"
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
 
 namespace tack {
 namespace {
-
-std::vector<double> masses_of_bodies(const World& world) {
-  std::vector<double> masses;
-  for (size_t i = 0; i < world.bodies.size(); ++i) {
-    masses.push_back(0);
-    for (const int v : world.vertices_of(static_cast<int>(i))) masses.back() += world.mass(v);
-  }
-  return masses;
-}
 
 // Throws SimulationError, with the exception that is being handled nested in it.
 [[noreturn]] void throw_failed(const State& state, const Minimizer& solver,
@@ -50,7 +42,7 @@ StepStages::StepStages(World& world, const SceneConfig& scene, const TimeConfig&
   if (without_history) begin_without_history();
   world_.participants.load_history(state_.history);
   if (world_.friction && scene.contact->lagging.iterations == 1 && !world_.records.replaced(*world_.friction))
-    impulses_.emplace(*world_.friction, masses_of_bodies(world), solver.velocity_tolerance());
+    impulses_.emplace(*world_.friction, body_masses(world), solver.velocity_tolerance());
   fix_vertices(state_.step_size.h_next > 0 ? state_.step_size.h_next : time.step);
   if (without_history) {
     std::vector<int> free;
