@@ -20,6 +20,7 @@
 #include "framework/batch/batch_progress.hpp"
 #include "framework/batch/resolved_case.hpp"
 #include "framework/batch/slurm.hpp"
+#include "framework/batch/slurm_tasks.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/config/words.hpp"
 #include "framework/output/progress.hpp"
@@ -130,7 +131,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
     // The failed cases run again: without their states, their tasks do not skip them.
     std::filesystem::remove(folder.state(one->name));
   }
-  SlurmJobs jobs = submit(this_program(), folder, config.slurm, d.limits, tasks, !options.no_wait);
+  SlurmJobs jobs = submit(this_program(), folder, config.slurm, d, tasks, !options.no_wait);
   const std::string later = fmt::format("the table is made by `tack batch --collect {}`", folder.root.string());
   if (options.no_wait) {
     fmt::print("{} submitted: {}; {}\n", jobs.names(), counted(open.size(), "case"), later);
@@ -180,16 +181,14 @@ void requeue(int requeues, const BatchFolder& folder, const BatchCase& one) {
 // Runs one case, as a task of a job array.
 int run_task(const BatchOptions& options) {
   const BatchFolder folder = BatchFolder::found(options.output);
-  BatchDescription d = read_description(folder);
-  if (*options.task < 0 || *options.task >= static_cast<int>(d.plan.cases.size()))
-    throw InputError(fmt::format("--task {}: the batch has {}, counted from 0", *options.task, counted(d.plan.cases.size(), "case")));
-  BatchCase& one = d.plan.cases[static_cast<size_t>(*options.task)];
+  SlurmTask task = read_task(folder, *options.task);
+  BatchCase& one = task.one;
   if (!one.digest.ends_with(" " + program_digest()))
     throw InputError(fmt::format("{}: was planned by another build of tack; call `tack batch` again", folder.description().string()));
   one.scene = read_file(folder.scene(one.name), std::uintmax_t{1} << 30);
   if (finished(state_of(folder, one).status)) return exit_done;
   if (options.requeues > 0) std::signal(SIGUSR1, end_at_time_limit);
-  run_cases(this_program(), folder, d.limits, {&one}, {});
+  run_cases(this_program(), folder, task.limits, {&one}, {});
   const CaseState state = state_of(folder, one);
   fmt::print("{}: {} {}\n", one.name, to_string(state.status), state.error);
   if (time_limit_reached && state.status == CaseStatus::interrupted) requeue(options.requeues, folder, one);

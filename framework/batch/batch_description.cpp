@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "framework/batch/optional_json.hpp"
 #include "framework/output/provenance_json.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
@@ -15,12 +16,6 @@ namespace tack {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json optional(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
-
-std::optional<double> optional(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
-}
 
 Json json_of(const std::optional<Quantity>& bound) { return bound ? Json(bound->si) : Json(); }
 
@@ -112,8 +107,8 @@ std::vector<CaseState> states_of(const BatchFolder& folder, const BatchPlan& pla
 
 void write_description(const BatchFolder& folder, const BatchDescription& d, const std::vector<CaseState>& states) {
   Json json{{"name", d.plan.name}, {"about", d.plan.about}, {"file", d.file}, {"provenance", Json::parse(d.provenance)},
-            {"threads", d.limits.threads}, {"jobs", d.limits.jobs}, {"memory", optional(d.limits.memory)},
-            {"time_limit", optional(d.limits.time_limit)}, {"keys", d.plan.columns},
+            {"threads", d.limits.threads}, {"jobs", d.limits.jobs}, {"memory", optional_json(d.limits.memory)},
+            {"time_limit", optional_json(d.limits.time_limit)}, {"keys", d.plan.columns},
             {"units", d.plan.units}, {"table", d.table == BatchTable::hdf5 ? "hdf5" : "csv"}, {"statistics", Json::array()}, {"plots", Json::array()}, {"cases", Json::array()}};
   for (const BatchStatistic& s : d.plan.statistics) json["statistics"].push_back(json_of(s));
   for (const BatchPlot& p : d.plan.plots) json["plots"].push_back(json_of(p));
@@ -146,7 +141,7 @@ BatchDescription read_description(const BatchFolder& folder) {
     d.plan.about = json.at("about");
     d.file = json.at("file");
     d.provenance = json.at("provenance").dump();
-    d.limits = {json.at("threads"), json.at("jobs"), optional(json.at("memory")), optional(json.at("time_limit"))};
+    d.limits = {json.at("threads"), json.at("jobs"), optional_number(json.at("memory")), optional_number(json.at("time_limit"))};
     d.plan.columns = json.at("keys").get<std::vector<std::string>>();
     if (json.contains("units")) d.plan.units = json["units"].get<std::map<std::string, std::string>>();
     if (json.value("table", "csv") == "hdf5") d.table = BatchTable::hdf5;

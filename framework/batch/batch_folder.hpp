@@ -29,6 +29,7 @@ struct BatchFolder {
     return root / "output" / (name + ".txt");
   }
   std::filesystem::path job_script() const { return root / "slurm.sh"; }
+  std::filesystem::path tasks() const { return root / "tasks.jsonl"; }
 
   // Opens an existing batch, to read it or to run one of its cases. Throws InputError if the folder
   // has none.

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <thread>
 
+#include "framework/batch/slurm_tasks.hpp"
 #include "framework/output/provenance.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
@@ -146,9 +147,10 @@ std::string SlurmJobs::names() const { return fmt::format("{} {}", ids.size() ==
 
 std::string SlurmJobs::cancel() const { return fmt::format("scancel {}", fmt::join(ids, " ")); }
 
-SlurmJobs submit(const std::string& program, const BatchFolder& folder, const SlurmConfig& slurm, const BatchLimits& limits,
+SlurmJobs submit(const std::string& program, const BatchFolder& folder, const SlurmConfig& slurm, const BatchDescription& batch,
                  const std::vector<size_t>& cases, bool wait) {
-  replace_file(folder.job_script(), job_script(program, folder, slurm, limits));
+  write_tasks(folder, batch.plan.cases, batch.limits);
+  replace_file(folder.job_script(), job_script(program, folder, slurm, batch.limits));
   const auto size = slurm.max_array_size > 0 ? static_cast<size_t>(slurm.max_array_size) : max_array_size(folder);
   SlurmJobs jobs;
   for (const JobArray& array : job_arrays(cases, size)) {

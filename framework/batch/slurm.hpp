@@ -30,11 +30,12 @@ struct SlurmJobs {
   std::string cancel() const;  // the command that ends them
 };
 
-// Writes the script of the folder and submits it for `cases`, with several arrays where there are
-// more cases than an array has tasks. With `wait`, processes wait for the arrays. Throws InputError
-// with the message of sbatch.
+// Writes the script of the folder and its tasks (slurm_tasks.hpp), and submits the script for
+// `cases` (ascending indices in the plan), with several arrays where there are more cases than an
+// array has tasks. With `wait`, processes wait for the arrays. Throws InputError with the message
+// of sbatch.
 SlurmJobs submit(const std::string& program, const BatchFolder& folder, const SlurmConfig& slurm,
-                 const BatchLimits& limits, const std::vector<size_t>& cases, bool wait);
+                 const BatchDescription& batch, const std::vector<size_t>& cases, bool wait);
 
 // Asks Slurm to queue the job of this process again. Throws InputError with the message of
 // scontrol.

@@ -130,7 +130,7 @@ void CaseEvaluator::run_array(const std::vector<const BatchCase*>& new_cases) {
   }
   write_tables();
   std::sort(tasks.begin(), tasks.end());
-  SlurmJobs jobs = submit(settings_.program, folder, *settings_.slurm, settings_.description.limits, tasks, true);
+  SlurmJobs jobs = submit(settings_.program, folder, *settings_.slurm, settings_.description, tasks, true);
   while (!jobs.ended() && !interrupt_requested) {
     if (settings_.on_tick) settings_.on_tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(200));

@@ -6,6 +6,10 @@
 #include <numeric>
 #include <sstream>
 
+#include "framework/batch/slurm_tasks.hpp"
+#include "geometry/errors.hpp"
+#include "tests/support/program.hpp"
+
 namespace tack {
 namespace {
 
@@ -37,6 +41,28 @@ TEST_CASE("job arrays run each case once, with indices below the cluster's limit
   CHECK(job_arrays({0, 1, 2, 5}, 100).front().tasks == "0-2,5");
   CHECK(job_arrays(all, 1001).size() == 3);
   CHECK(job_arrays({}, 10).empty());
+}
+
+TEST_CASE("a task reads the line of its case", "[batch]") {
+  const TemporaryFolder folder;
+  const BatchFolder batch{folder.path(), nullptr};
+  std::vector<BatchCase> cases(120);
+  for (size_t i = 0; i < cases.size(); ++i) cases[i].name = std::string(i % 7, 'x') + std::to_string(i), cases[i].digest = "12-\xc3\xa4 " + std::string(i % 3, '"');
+  const BatchLimits limits{3, 8, 1.5, std::nullopt};
+  CHECK_THROWS_WITH(read_task(batch, 0), Catch::Contains("tasks.jsonl: cannot be read; submit the cases again with --slurm"));
+  write_tasks(batch, cases, limits);
+  for (size_t i = 0; i < cases.size(); ++i) {
+    const SlurmTask task = read_task(batch, static_cast<int>(i));
+    CHECK(task.one.name == cases[i].name);
+    CHECK(task.one.digest == cases[i].digest);
+    CHECK(task.limits.threads == 3);
+    CHECK(task.limits.memory == 1.5);
+    CHECK_FALSE(task.limits.time_limit);
+  }
+  for (const int none : {-1, 120}) CHECK_THROWS_WITH(read_task(batch, none), Catch::Contains("the batch has 120 cases, counted from 0"));
+  std::filesystem::resize_file(batch.tasks(), std::filesystem::file_size(batch.tasks()) - 40);
+  CHECK_THROWS_AS(read_task(batch, 119), InputError);
+  CHECK(read_task(batch, 118).one.name == cases[118].name);
 }
 
 }  // namespace
