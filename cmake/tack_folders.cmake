@@ -38,7 +38,7 @@ set(TACK_UNITY_FOLDERS
 # would move others of their folder to another group, whose rounding depends on what is inlined there.
 set(TACK_UNITY_EXCEPT
     geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp geometry/meshing/triangulate.cpp geometry/meshing/distance_grid.cpp
-    framework/assembly/psd_projection.cpp framework/view/http_server.cpp
+    framework/assembly/psd_projection.cpp framework/bond/bond_term_changes.cpp framework/bond/bond_term_forces.cpp framework/view/http_server.cpp
     framework/output/provenance.cpp
     energies/shell/strain_limit.cpp energies/shell/dihedral_plasticity.cpp energies/shell/fan_plasticity.cpp)
 

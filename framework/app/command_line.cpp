@@ -1,5 +1,4 @@
-// Commands, options and help texts: with help_formatter.hpp, number_options.hpp and scene_file_options.hpp, all that includes
-// CLI11.
+// Commands, options and help texts.
 #include "framework/app/command_line.hpp"
 
 #include <fmt/format.h>
@@ -8,17 +7,13 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "framework/app/command_set.hpp"
 #include "framework/app/commands.hpp"
+#include "framework/app/described_commands.hpp"
 #include "framework/app/help_formatter.hpp"
+#include "framework/app/misspelt_word.hpp"
 #include "framework/app/number_options.hpp"
 #include "framework/app/scene_file_options.hpp"
 #include "framework/app/version_text.hpp"
-#include "framework/catalogue/scene_templates.hpp"
-#include "framework/config/nearest.hpp"
-#include "framework/contact/adhesion_law.hpp"
-#include "framework/meshing/mesh_operation.hpp"
-#include "framework/output/output_format.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
 #include "geometry/own_library.hpp"
@@ -68,7 +63,7 @@ class CommandLine {
     try {
       app_.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
-      if (const std::string what = misspelt({argv + 1, argv + argc}); error.get_exit_code() != 0 && !what.empty()) throw InputError(what);
+      if (const std::string what = misspelt_word(app_, {argv + 1, argv + argc}); error.get_exit_code() != 0 && !what.empty()) throw InputError(what);
       return app_.exit(error) == 0 ? exit_done : exit_bad_input;
     }
     return exit_code_;
@@ -82,42 +77,6 @@ class CommandLine {
     words.erase(words.begin());
     words.emplace_back("--help");
     return words;
-  }
-
-  // Returns the first misspelt command or option of a command line, with the nearest known name; ""
-  // if there is none.
-  std::string misspelt(const std::vector<std::string>& words) const {
-    const CLI::App* command = nullptr;
-    for (const std::string& word : words) {
-      if (!command && !word.starts_with('-')) {
-        std::vector<std::string> names;
-        for (const CLI::App* one : app_.get_subcommands({})) {
-          names.push_back(one->get_name());
-          if (one->get_name() == word) command = one;
-        }
-        if (!command) return fmt::format("unknown command '{}'{}", word, suggestion(word, names, "commands"));
-      }
-      if (word.size() < 2 || !word.starts_with('-') || std::isdigit(static_cast<unsigned char>(word[1]))) continue;
-      std::vector<std::string> names;
-      for (const CLI::Option* option : (command ? *command : app_).get_options()) {
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-      }
-      const std::string name = word.substr(0, word.find('='));
-      const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& n) {
-        return n == name || (n.size() == 2 && !name.starts_with("--") && name.starts_with(n));  // -oDIR
-      });
-      if (!known && name == "--plugin")
-        return fmt::format(
-            "`tack{}` takes no --plugin: the file names the library under `plugins`, or --set "
-            "plugins=[LIBRARY] does",
-            command ? " " + command->get_name() : "");
-      if (!known)
-        return fmt::format("unknown option '{}' of `tack{}`{}", name,
-                           command ? " " + command->get_name() : "",
-                           suggestion(name, names, "options"));
-    }
-    return "";
   }
 
   void add_new() {
@@ -338,7 +297,7 @@ class CommandLine {
         ->type_name("LIBRARY")->take_all()->allow_extra_args(false);
     list->add_option("--man", man_, "write the manual page (roff, for man) to a file")->type_name("FILE");
     list->callback([this] {
-      if (!man_.empty()) replace_file(man_, man_page(described()));
+      if (!man_.empty()) replace_file(man_, man_page(command_set_of(app_)));
       exit_code_ = man_.empty() || list_.writes_files() ? list_command(list_) : exit_done;
     });
   }
@@ -379,55 +338,7 @@ class CommandLine {
   void add_completion() {
     CLI::App* completion = app_.add_subcommand("completion", "Print a completion script for a shell: commands, options and files");
     completion->add_option("shell", shell_, "bash, zsh or fish: source <(tack completion bash)")->required();
-    completion->callback([this] { fmt::print("{}", completion_script(described(), shell_)); });
-  }
-
-  static CommandOption described(const CLI::Option& option) {
-    CommandOption o;
-    for (const std::string& name : option.get_snames()) o.names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames()) o.names.push_back("--" + name);
-    o.word = option.get_positional() ? option.get_name(true) : "";
-    o.about = option.get_description();
-    if (option.get_items_expected_max() > 0) o.value = option.get_type_name().substr(0, option.get_type_name().find(':'));  // without its range
-    o.required = option.get_required() || o.word == file_word;
-    o.repeatable = option.get_items_expected_max() > 1;
-    return o;
-  }
-
-  // Returns the names that the value of an option may take; empty: any value.
-  static std::vector<std::string> choices_of(const std::string& command, const CommandOption& o) {
-    const auto is = [&](const char* of, const std::string& which) { return command == of && (o.names.empty() ? o.word : o.names.back()) == which; };
-    std::vector<std::string> names;
-    if (is("completion", "shell")) names = {"bash", "zsh", "fish"};
-    if (is("new", "template"))
-      for (const SceneTemplate& t : scene_templates(template_folder())) names.push_back(t.name);
-    if (is("list", "kind")) {
-      for (const Kind* kind : registered_kinds()) names.push_back(kind->name());
-      if (std::find(names.begin(), names.end(), study_kind) == names.end()) names.emplace_back(study_kind);
-    }
-    if (is("law", "--type")) names = Registry<AdhesionLaw>::kind().names();
-    if (is("export", "--to")) names = Registry<OutputFormat>::kind().names();
-    if (is("mesh", "operation")) {
-      names = Registry<MeshOperation>::kind().names();
-      names.insert(names.end(), {"convert", "info", "sdf"});
-    }
-    return names;
-  }
-
-  static std::vector<CommandOption> options_of(const CLI::App& app) {
-    std::vector<CommandOption> options;
-    for (const CLI::Option* option : app.get_options()) {
-      CommandOption& o = options.emplace_back(described(*option));
-      o.choices = choices_of(app.get_name(), o);
-    }
-    return options;
-  }
-
-  CommandSet described() const {
-    CommandSet set{app_.get_name(), app_.get_description(), this_build().version, options_of(app_), {}};
-    if (set.about.starts_with("tack: ")) set.about.erase(0, 6);
-    for (const CLI::App* command : app_.get_subcommands({})) set.commands.push_back({command->get_name(), command->get_description(), options_of(*command)});
-    return set;
+    completion->callback([this] { fmt::print("{}", completion_script(command_set_of(app_), shell_)); });
   }
 
   static void add_run_options(CLI::App& command, RunOptions& options) {

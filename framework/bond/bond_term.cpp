@@ -6,19 +6,16 @@
 #include <cmath>
 #include <map>
 
-#include "framework/bond/bond_attachment.hpp"
 #include "framework/bond/bond_fields.hpp"
 #include "framework/bond/bond_sites.hpp"
+#include "framework/bond/bond_traction.hpp"
 #include "framework/contact/contact_potential.hpp"
-#include "framework/contact/surface/lagged_surface.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
 
-// The gradient by r and the Hessian, per area.
-Vec3 traction(const BondSample& s, const Bond& bond, const Opening& o) { return s.by_d * bond.normal + 2 * s.by_s * o.u; }
-
+// Returns the Hessian by r, per area.
 Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projection projection) {
   const Vec3& n = bond.normal;
   const double slip = std::sqrt(o.s), across = projected(2 * s.by_s, projection);
@@ -37,12 +34,7 @@ Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projecti
          across * (Mat3::Identity() - n * n.transpose());
 }
 
-// Components of the interface frame of a site as columns: normal and tangents.
-Mat3 frame_of(const Bond& bond, const SiteState& site) { return (Mat3() << bond.normal, site.tangents[0], site.tangents[1]).finished(); }
-
-// Gradient and Hessian by r of a directed law, per area.
-Vec3 traction(const DirectedSample& s, const Mat3& frame) { return frame * s.gradient; }
-
+// Returns the Hessian by r of a directed law, per area.
 Mat3 curvature(const DirectedSample& s, const Mat3& frame, Projection projection) {
   if (projection == Projection::none) return frame * s.hessian * frame.transpose();
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(s.hessian);
@@ -282,22 +274,6 @@ void BondTerm::find_sites(const VecX& x) const {
     if (law_of(i).sees_site()) sites_[i] = site_at(list_.bonds()[i], end_time_, x);
 }
 
-// Sets what the change of time and temperature adds to the stored energy of each bond at the start x of a step.
-void BondTerm::find_environment_work(const VecX& x) {
-  if (!sees_sites_) return;
-  environment_work_.assign(list_.size(), 0);
-  for (int i = 0; i < list_.size(); ++i) {
-    if (!law_of(i).sees_site()) continue;
-    const Bond& bond = list_.bonds()[i];
-    const Opening o = opening_of(bond, x);
-    const SiteState before = site_at(bond, start_time_, x);
-    BondState at{o.d, o.s, 0, 0, sites_[i], jump_of(i, o).tail<2>()};
-    environment_work_[i] = bond.area * law_of(i).stored(at, list_.variables(i));
-    at.site = before;
-    environment_work_[i] -= bond.area * law_of(i).stored(at, list_.variables(i));
-  }
-}
-
 std::vector<Opening> BondTerm::openings(const VecX& x) const {
   ensure_frames(x);
   std::vector<Opening> openings;
@@ -378,63 +354,6 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
   });
 }
 
-BondState BondTerm::state_of(int i, const VecX& x) const {
-  const Bond& bond = list_.bonds()[i];
-  const Opening o = opening_of(bond, x);
-  const BondRule& rule = table_.rules()[bond.rule];
-  double pressure = pressures_.empty() ? std::max(0.0, -rule.barrier.at(o.d + bond.rest).slope) : pressures_[i];
-  if (o.d < 0) pressure -= law_of(i).directed() ? directed_sample(i, o).gradient[0] : rule.law->at(o.d, o.s, list_.variables(i), step_of(i)).by_d;
-  BondState state{o.d, o.s, h_, pressure};
-  if (const SiteState* site = this->site(i)) {
-    state.site = *site;
-    state.slip = jump_of(i, o).tail<2>();
-  }
-  return state;
-}
-
-BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& variables) const {
-  variables.assign(list_.variables(bond), list_.variables(bond) + law_of(bond).width());
-  BondState at = state_of(bond, x);
-  BondChange change = law_of(bond).advance(at, variables.data());
-  if (!change.gone && slid_off(list_.bonds()[bond], x)) {
-    change.gone = true;
-    if (at.d > 0) at.d *= change.kept;
-    at.s *= change.kept * change.kept;
-    at.slip *= change.kept;
-    change.dissipated += law_of(bond).stored(at, variables.data());
-  }
-  return change;
-}
-
-// Returns whether the site has slid off the opposite surface and no longer faces it. Slips up to the
-// width of the bond's area are not examined.
-bool BondTerm::slid_off(const Bond& bond, const VecX& x) const {
-  if (opening_of(bond, x).s <= bond.area) return false;
-  return !facing_triangle(system_.lagged_surface().topology(), system_.surface().mesh, x, bond.opposite_triangle, site_position(bond, x));
-}
-
-BondTerm::Changes BondTerm::changes(const VecX& x) const {
-  Changes sum;
-  std::vector<double> variables;
-  for (int i = 0; i < list_.size(); ++i) {
-    const double area = list_.bonds()[i].area;
-    const BondChange change = advance(i, x, variables);
-    sum.dissipated += area * change.dissipated;
-    sum.healed += area * change.healed;
-    if (!environment_work_.empty()) sum.environment += environment_work_[i];
-  }
-  return sum;
-}
-
-void BondTerm::visit_changes(const VecX& x, const EnergyVisitor& visit) const {
-  std::vector<double> variables;
-  for (int i = 0; i < list_.size(); ++i) {
-    const Bond& bond = list_.bonds()[i];
-    const BondChange change = advance(i, x, variables);
-    visit(std::span(bond.vertices).first(bond.count()), bond.area * (change.dissipated + change.healed) - (environment_work_.empty() ? 0 : environment_work_[i]));
-  }
-}
-
 bool BondTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
   ensure_frames(x);
   for (int i = 0; i < list_.size(); ++i) {
@@ -448,81 +367,11 @@ bool BondTerm::visit_energies(const VecX& x, const EnergyVisitor& visit) const {
   return true;
 }
 
-void BondTerm::commit(const VecX& x, History& history) const {
-  state_time_ = end_time_;
-  BondList remaining = list_.none();
-  std::vector<double> variables;
-  for (int i = 0; i < list_.size(); ++i) {
-    const BondChange change = advance(i, x, variables);
-    if (change.gone) continue;
-    Bond bond = list_.bonds()[i];
-    if (change.kept < 1) {
-      lag_frame(bond, x);
-      move_attachment(bond, system_.lagged_surface().topology(), system_.surface().mesh, x, change.kept);
-    }
-    remaining.add(bond, variables.data());
-  }
-  remaining.write(history);
-  if (once_) write_bonded_once(history);
-}
-
 std::vector<double> BondTerm::abrupt_times() const {
   std::vector<double> times;
   for (const BondRule& rule : table_.rules())
     for (const double t : rule.law->abrupt_times()) times.push_back(t);
   return times;
-}
-
-std::vector<Vec3> BondTerm::site_forces(const VecX& x, LawTerm term) const {
-  ensure_frames(x);
-  std::vector<Vec3> pulls(list_.size());
-  for_each(list_.size(), [&](int i) {
-    const Bond& bond = list_.bonds()[i];
-    const Opening o = opening_of(bond, x);
-    Vec3 all;
-    double along;  // the normal
-    if (law_of(i).directed()) {
-      const DirectedSample sample = directed_sample(i, o);
-      all = traction(sample, frame_of(bond, sites_[i])), along = sample.gradient[0];
-    } else {
-      const BondSample sample = law_of(i).at(o.d, o.s, list_.variables(i), step_of(i));
-      all = traction(sample, bond, o), along = sample.by_d;
-    }
-    const Vec3 pressing = o.d < 0 ? Vec3(along * bond.normal) : Vec3(Vec3::Zero());
-    pulls[i] = -bond.area * (term == LawTerm::all ? all : term == LawTerm::barrier ? pressing : Vec3(all - pressing));
-  });
-  return pulls;
-}
-
-VecX BondTerm::forces(const VecX& x, LawTerm term, std::optional<ObjectPair> only) const {
-  VecX force = VecX::Zero(x.size());
-  const std::vector<Vec3> pulled = site_forces(x, term);
-  for (int k = 0; k < list_.size(); ++k) {
-    const Bond& b = list_.bonds()[k];
-    if (only && !b.between(only->a, only->b)) continue;
-    for_each_vertex(b, opening_of(b, x), pulled[k], [&](int i, const Vec3& of_vertex) { vertex(force, b.vertices[i]) += of_vertex; });
-  }
-  return force;
-}
-
-VecX BondTerm::compressions(const VecX& x, LawTerm term) const {
-  VecX pressed = VecX::Zero(x.size());
-  const std::vector<Vec3> pulled = site_forces(x, term);
-  for (int k = 0; k < list_.size(); ++k) {
-    const Bond& b = list_.bonds()[k];
-    for (int i = 0; i < b.count(); ++i) pressed(3 * b.vertices[i]) += (i < b.site_count ? b.c[i] : -b.c[i]) * pulled[k].dot(b.normal);
-  }
-  return pressed;
-}
-
-Vec3 BondTerm::force_between(const VecX& x, LawTerm term, ObjectPair pair) const {
-  Vec3 sum = Vec3::Zero();
-  const std::vector<Vec3> pulled = site_forces(x, term);
-  for (int k = 0; k < list_.size(); ++k) {
-    const Bond& b = list_.bonds()[k];
-    if (b.between(pair.a, pair.b)) sum += b.a == pair.a ? pulled[k] : Vec3(-pulled[k]);
-  }
-  return sum;
 }
 
 }  // namespace tack
