@@ -13,7 +13,7 @@ install(FILES ${CMAKE_BINARY_DIR}/generated/framework/plugin/headers_digest.hpp 
 install(DIRECTORY experiments docs DESTINATION share/tack COMPONENT share PATTERN results EXCLUDE PATTERN docs/site EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/share/report.html ${CMAKE_BINARY_DIR}/share/film.html ${CMAKE_BINARY_DIR}/share/render.mjs DESTINATION share/tack COMPONENT share OPTIONAL)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/report/node_modules/playwright-core DESTINATION share/tack/node_modules COMPONENT share OPTIONAL)
-install(FILES report/blender.py README.md LICENSE DESTINATION share/tack COMPONENT share)
+install(FILES report/blender.py report/blender_runs.py README.md LICENSE DESTINATION share/tack COMPONENT share)
 # Completions of shells and the manual page, written by the program.
 foreach(SHELL_FILE bash=bash-completion/completions/tack zsh=zsh/site-functions/_tack fish=fish/vendor_completions.d/tack.fish)
   string(REGEX MATCH "^(.*)=(.*)/(.*)$" UNUSED ${SHELL_FILE})

@@ -23,7 +23,9 @@ function(tack_report_page)
   set(MODULES ${CMAKE_BINARY_DIR}/report)
   set(PAGE ${CMAKE_BINARY_DIR}/share/report.html)
   set(SOURCE ${CMAKE_SOURCE_DIR}/report)
-  configure_file(${SOURCE}/blender.py ${CMAKE_BINARY_DIR}/share/blender.py COPYONLY)
+  foreach(SCRIPT blender blender_runs)
+    configure_file(${SOURCE}/${SCRIPT}.py ${CMAKE_BINARY_DIR}/share/${SCRIPT}.py COPYONLY)
+  endforeach()
   file(GLOB SOURCES CONFIGURE_DEPENDS ${SOURCE}/src/*)
   add_custom_command(OUTPUT ${MODULES}/fetched VERBATIM DEPENDS ${SOURCE}/package.json ${SOURCE}/package-lock.json
     COMMAND ${CMAKE_COMMAND} -E make_directory ${MODULES}
