@@ -20,6 +20,8 @@
 namespace tack {
 namespace {
 
+constexpr int could_not_start = 127;  // exit code of a child without a program, and of the dynamic linker
+
 namespace fs = std::filesystem;
 
 constexpr double heartbeat = 0.5;  // s between updates of the state of a running case
@@ -176,7 +178,9 @@ void CaseRun::settle() {
     state_.status = CaseStatus::interrupted;
   } else {
     state_.status = CaseStatus::crashed;
-    state_.error = signal ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal)) : fmt::format("ended with code {}", code);
+    state_.error = signal ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal))
+                   : code == could_not_start ? "the program could not be started: it or one of its libraries was replaced or removed meanwhile; start again"
+                                             : fmt::format("ended with code {}", code);
     state_.error += memory_error();
   }
 }

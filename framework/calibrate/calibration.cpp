@@ -12,6 +12,12 @@ namespace {
 
 std::string unit_text(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
 
+// Returns the remedy for data of which the run reaches less than half.
+std::string far_off(const std::vector<double>& x) {
+  const auto [least, largest] = std::minmax_element(x.begin(), x.end());
+  return fmt::format("they go from {:.4g} to {:.4g} in SI: check the unit and the sign of that column, and what the run reaches", *least, *largest);
+}
+
 }  // namespace
 
 std::vector<Warning> warnings_about(const SearchResult& search, const std::vector<MeasuredPoints>& measured) {
@@ -20,9 +26,9 @@ std::vector<Warning> warnings_about(const SearchResult& search, const std::vecto
   for (size_t i = 0; i < measured.size(); ++i)
     if (const int missed = search.best.beyond[i]; missed > 0)
       warnings.emplace_back(WarningKind::missed_points,
-                            fmt::format("the best run does not reach {} of {} points of {} ({} over {}), and is compared there at its nearest sample; exclude the points with "
-                                        "from and to, or extend the run",
-                                        missed, measured[i].curve.size(), measured[i].curve.path, measured[i].y, measured[i].x));
+                            fmt::format("the best run does not reach {} of {} points of {} ({} over {}), and is compared there at its nearest sample; {}", missed,
+                                        measured[i].curve.size(), measured[i].curve.path, measured[i].y, measured[i].x,
+                                        2 * missed > static_cast<int>(measured[i].curve.size()) && measured[i].curve.size() > 0 ? far_off(measured[i].curve.x) : "exclude the points with from and to, or extend the run"));
   const auto failed = std::count_if(search.rows.begin(), search.rows.end(), [](const SearchRow& row) { return !row.evaluation.good; });
   if (failed > 0)
     warnings.emplace_back(WarningKind::failed_points, fmt::format("{} of {} evaluations failed; evaluations.csv has the reasons", failed, search.rows.size()));

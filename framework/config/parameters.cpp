@@ -118,6 +118,19 @@ std::optional<int> exponent_of(const Formula& formula, const std::vector<double>
   return found;
 }
 
+// Builds the formula of an expression, in which numbers with units have become variables. Messages
+// show the expression as it is written.
+Formula formula_of(const std::string& expression, const std::string& text, const std::vector<std::string>& variables) {
+  try {
+    return Formula(text, variables);
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    if (const size_t at = message.find("'" + text + "'"); at != message.npos) message.replace(at + 1, text.size(), expression);
+    if (message.find("_number_") != message.npos) message.resize(std::min(message.find("; variables: "), message.size()));
+    throw InputError(message);
+  }
+}
+
 std::string text_of(double si, const std::map<std::string, int>& dimension) {
   std::string text = Value::number(si).text;
   for (const auto& [base, exponent] : dimension)
@@ -164,7 +177,7 @@ Parameters::Number Parameters::number_of(const std::string& expression) const {
       throw InputError(fmt::format("'{}' is no parameter{}", token.text, suggestion(token.text, names(), "parameters")));
     else text += token.text;
   }
-  const Formula formula(text, variables);
+  const Formula formula = formula_of(expression, text, variables);
   Number number{formula(values), {}};
   if (!std::isfinite(number.si)) throw InputError(fmt::format("'{}' is {}", expression, number.si));
 

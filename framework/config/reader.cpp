@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <tuple>
 
 #include "framework/config/field.hpp"
@@ -18,6 +19,12 @@
 namespace tack {
 
 namespace {
+
+bool is_bare_number(const std::string& text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  return std::from_chars(text.data(), end, number).ptr == end;
+}
 
 bool begins_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])); }
 
@@ -36,6 +43,22 @@ std::string map_hint(const Value& value, const Fields& fields) {
     }
   }
   return "";
+}
+
+// Returns an expression for messages, with its parameters that have no unit: "'2 * width', where
+// width has no unit".
+std::string with_unitless_names(const std::string& expression, const Parameters& parameters) {
+  std::vector<std::string> names;
+  for (size_t at = 0; at < expression.size();) {
+    size_t end = at;
+    while (end < expression.size() && (std::isalnum(static_cast<unsigned char>(expression[end])) || expression[end] == '_')) ++end;
+    const std::string name = expression.substr(at, end - at);
+    at = std::max(end, at + 1);
+    if (name.empty() || begins_number(name) || !parameters.named_in(name) || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (is_bare_number(parameters.evaluated(name))) names.push_back(name);
+  }
+  if (names.empty()) return fmt::format("'{}'", expression);
+  return fmt::format("'{}', where {} {} no unit", expression, fmt::join(names, " and "), names.size() > 1 ? "have" : "has");
 }
 
 // Returns the entry of a field, under its present or a retired name; nullptr if there is none.
@@ -133,6 +156,7 @@ Value Reader::with_numbers(const Value& value, const Shape& shape, std::string_v
       if (!value.is_scalar() || !parameters_.named_in(value.text)) break;
       try {
         out.text = parameters_.evaluated(value.text);
+        out.comment = with_unitless_names(value.text, parameters_);
       } catch (const InputError& e) {
         error(value.mark, fmt::format("{}: {}", key, e.what()));
       }

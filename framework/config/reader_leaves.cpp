@@ -35,12 +35,13 @@ bool Reader::number(const Value& value, const Unit& unit, const Bounds& bounds,
   try {
     number = to_si(value.text, unit);
   } catch (const InputError& e) {
-    error(value.mark, fmt::format("{}: {}", key, e.what()));
+    error(value.mark, fmt::format("{}: {}{}", key, e.what(), value.comment.empty() ? "" : "; it is " + value.comment));
     return false;
   }
   if (!bounds.contains(number)) {
-    error(value.mark,
-          fmt::format("{}: {} must be {}", key, with_unit(value.text, unit), bounds.text()));
+    // An expression of scene parameters is shown as it is written, with its value in SI.
+    const std::string shown = value.comment.empty() ? with_unit(value.text, unit) : fmt::format("{} ({})", value.comment, with_unit(Value::number(number).text, unit));
+    error(value.mark, fmt::format("{}: {} must be {}", key, shown, bounds.text()));
     return false;
   }
   out = number;

@@ -89,7 +89,8 @@ const Kind::Entry& Kind::entry(std::string_view name) const {
                            ? ""
                            : "; a component of a plugin needs its library under `plugins` of the "
                              "file (--set plugins=[LIBRARY])";
-  throw InputError(fmt::format("unknown {} '{}'{}{}", name_, name, similar, plugin));
+  const std::string search = *plugin ? fmt::format("; `tack list {}` searches for a word of the field", name) : "";
+  throw InputError(fmt::format("unknown {} '{}'{}{}{}", name_, name, similar, search, plugin));
 }
 
 void Kind::complete() const {

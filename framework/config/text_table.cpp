@@ -71,8 +71,26 @@ size_t count_names(const std::vector<std::string>& cells, const std::vector<std:
   }));
 }
 
+bool begins_like_number(std::string_view cell) {
+  if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
+  return !cell.empty() && std::isdigit(static_cast<unsigned char>(cell.front())) != 0;
+}
+
+// Returns the line that seems to name the columns: the one above the first row of numbers, or above
+// its row of units.
+size_t line_above_numbers(const std::vector<Line>& lines) {
+  const auto all = [&](size_t i, const auto& holds) {
+    const auto cells = cells_of(lines[i].text, separator_of(lines[i].text));
+    return cells && cells->size() > 1 && std::all_of(cells->begin(), cells->end(), holds);
+  };
+  const auto bracketed = [](const std::string& cell) { return cell.starts_with('(') || cell.starts_with('['); };
+  for (size_t i = 1; i < std::min(lines.size(), title_lines_max); ++i)
+    if (all(i, begins_like_number)) return all(i - 1, begins_like_number) ? 0 : i >= 2 && all(i - 1, bracketed) ? i - 2 : i - 1;
+  return 0;
+}
+
 size_t header_among(const std::vector<Line>& lines, const std::vector<std::string>& names) {
-  size_t best = 0, most = 0;
+  size_t best = line_above_numbers(lines), most = 0;
   for (size_t i = 0; i < std::min(lines.size(), title_lines_max) && most < names.size(); ++i) {
     const auto cells = cells_of(lines[i].text, separator_of(lines[i].text));
     const size_t found = cells ? count_names(*cells, names) : 0;

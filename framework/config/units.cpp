@@ -199,7 +199,8 @@ double convert(double number, std::string_view unit_text, std::string_view text,
   if (!from) fail(text, unit, fmt::format("; '{}' is no known unit{}", unit_text, meant_by(unit_text)));
   const UnitPtr to = unit.si.empty() ? coherent(from.get()) : parse_unit(unit.si);
   if (!to || !same_dimension(from.get(), to.get())) {
-    fail(text, unit, ", which is " + with_article(dimension_name(from.get())));
+    const bool weighed = dimension_name(from.get()) == "mass" && unit.si == units::force.si;
+    fail(text, unit, ", which is " + with_article(dimension_name(from.get())) + (weighed ? "; grams and kilograms of force are gf and kgf" : ""));
   }
   const ConverterPtr converter(ut_get_converter(from.get(), to.get()));
   if (!converter) fail(text, unit, fmt::format("; '{}' cannot be converted", unit_text));

@@ -20,6 +20,9 @@ TEST_CASE("a calibration warns of missing derivatives, missed points and failed 
   CHECK_THAT(first_text(warnings, WarningKind::no_intervals), Contains("the runs beside the best one failed"));
   CHECK_THAT(first_text(warnings, WarningKind::missed_points), Contains("2 of 0 points of pull.csv"));
   CHECK_THAT(first_text(warnings, WarningKind::failed_points), Contains("1 of 3 "));
+  // Most points are out of reach, as with millimetres in a column without a unit.
+  measured[1].curve.x = {0, 0.2, 0.6};
+  CHECK_THAT(first_text(warnings_about(search, measured), WarningKind::missed_points), Contains("they go from 0 to 0.6 in SI: check the unit and the sign"));
 }
 
 TEST_CASE("a calibration that found everything is silent", "[calibrate]") {

@@ -71,6 +71,9 @@ TEST_CASE("commas that may mean two things are refused", "[config]") {
   CHECK_THAT(error("gap [um];traction [Pa]\n1;1.234,5\n"), Contains("law.csv:2: traction '1.234,5' is no number"));
   CHECK_THAT(error("gap [um],traction [kPa]\n1,0,3,0\n"), Contains("law.csv:2: 4 cells, where line 1 names 2; if its commas are decimal ones, separate columns by semicolons"));
   CHECK_THAT(error("Specimen;7\ngap;force\n1;2\n"), Contains("law.csv:2: there is no column 'traction' among 'gap', 'force'"));
+  // None of the names is known: the line above the numbers, or above their units, has them.
+  CHECK_THAT(error("Specimen;7\n\nway;load\n1;2\n"), Contains("law.csv:3: there is no column 'gap' among 'way', 'load'"));
+  CHECK_THAT(error("Specimen;7\nTest speed;1,5;mm/s\nway;load\n(mm);(N)\n0,00;-1,5\n"), Contains("law.csv:3: there is no column 'gap' among 'way', 'load'"));
 }
 
 TEST_CASE("rows know their lines", "[config]") {
