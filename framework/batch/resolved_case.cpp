@@ -8,6 +8,7 @@
 #include "framework/config/file_digest.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/yaml_text.hpp"
+#include "framework/experiment/kept_expressions.hpp"
 #include "framework/output/checkpoints.hpp"
 #include "geometry/checksum.hpp"
 #include "geometry/own_library.hpp"
@@ -26,7 +27,7 @@ std::string digest_of_text(const std::string& text) {
 ResolvedCase CaseResolver::resolve(Value root, const std::vector<Variant::Setting>& set) {
   for (const Variant::Setting& s : set) set_at(root, s.key, s.value);
   ResolvedCase one{bound_experiment(std::move(root)), {}, {}, {}};
-  one.resolved = to_value(fields_of(one.loaded.experiment));
+  one.resolved = resolved_scene(one.loaded.root, one.loaded.experiment);
   one.scene = yaml_text(one.resolved);
   one.digest = digest_of_text(one.scene);
   for (const std::string& path : named_paths(one.resolved)) one.digest += digest_of_file(path);

@@ -8,6 +8,8 @@
 #include "framework/config/describe.hpp"
 #include "framework/config/file_digest.hpp"
 #include "framework/config/words.hpp"
+#include "framework/config/yaml_text.hpp"
+#include "framework/experiment/kept_expressions.hpp"
 #include "framework/experiment/retired_key_warnings.hpp"
 #include "framework/output/laws_csv.hpp"
 #include "framework/output/measured_csv.hpp"
@@ -61,7 +63,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   if (checkpoint_ && !checkpoint_->flowed.empty()) monitors_.emplace(simulation_.built());
   summary_.flows = EnergyFlows(world().records);
   if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings, summary_.linear_solver = checkpoint_->linear_solver, summary_.remeshings = checkpoint_->remeshings;
-  else replace_file(folder_.scene(), to_yaml(fields_of(experiment_)) + comments_of(used_stiffness(world()))), write_laws(folder_.laws(), world());
+  else replace_file(folder_.scene(), yaml_text(resolved_scene(simulation_.built().root(), experiment_)) + comments_of(used_stiffness(world()))), write_laws(folder_.laws(), world());
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
   summary_.provenance = provenance;
@@ -174,7 +176,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
     if (gradients_) begin_gradients(*recorder);
   }
   next_checkpoint_ = next_checkpoint_after(simulation_.state().time);
-  progress_.begin(simulation_.state().time, experiment_.time.duration);
+  progress_.begin(simulation_.state().time, experiment_.time.duration, !experiment_.protocols.empty());
   if (settings_.control) settings_.control->begin(simulation_.state().time, experiment_.time.duration, simulation_.state().step);
   report_stages();
   while (!simulation_.finished() && (settings_.steps == 0 || summary_.steps < settings_.steps)) {

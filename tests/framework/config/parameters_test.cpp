@@ -6,6 +6,8 @@
 #include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/units.hpp"
+#include "framework/config/yaml_text.hpp"
+#include "framework/experiment/kept_expressions.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "geometry/errors.hpp"
 #include "tests/framework/config/toy.hpp"
@@ -71,6 +73,30 @@ TEST_CASE("expressions whose parts do not fit have none") {
   CHECK(message_of([&] { p.evaluated("width / (speed - 4 mm/s)"); }).find("is inf") != std::string::npos);
   CHECK(message_of([&] { p.evaluated("2 * widht"); }) == "'widht' is no parameter; did you mean 'width'? (parameters: speed, width)");
   CHECK(message_of([&] { number(p, "2 * width", units::time); }).find("which is a length") != std::string::npos);
+}
+
+TEST_CASE("errors of expressions show them as they are written, with their parameters without units") {
+  CHECK(message_of([] { parameters_of("{speed: \"0,1 mm/s\"}"); }) ==
+        "scene.yaml:1:21: parameters: speed: formula '0,1 mm/s': a comma makes 2 formulas of it; write numbers with a point, as 0.02");
+  const auto error = [](const std::string& override) { return message_of([&] { loaded(override); }); };
+  CHECK(error("height=0 mm").find("size: 'height' (0 m) must be positive") != std::string::npos);
+  CHECK(error("stiffness=-1 MPa").find("young: 'stiffness / 2' (-500000 Pa) must be positive") != std::string::npos);
+  const std::string bare = error("width=20");
+  INFO(bare);
+  CHECK(bare.find("; it is 'width / speed / 100', where width has no unit") != std::string::npos);
+}
+
+// In a batch or a calibration, each case runs its resolved scene.
+TEST_CASE("the resolved scene of a run with sensitivities keeps expressions of parameters") {
+  const LoadedExperiment numbers = loaded(), asked = loaded("output.gradients=[{key: stiffness}]");
+  CHECK(value_at(resolved_scene(numbers.root, numbers.experiment), "objects.block.energies.0.young")->text == "500000");
+  const std::string text = yaml_text(resolved_scene(asked.root, asked.experiment));
+  const auto bound = [&](const std::vector<std::string>& overrides) { return parse_experiment(text, "kept.yaml", overrides); };
+  CHECK(to_yaml(fields_of(bound({}).experiment)) == to_yaml(fields_of(asked.experiment)));
+  const Value stiff = to_value(fields_of(bound({"stiffness=4 MPa", "width=40 mm"}).experiment));
+  CHECK(value_at(stiff, "objects.block.energies.0.young")->text == "2000000");
+  CHECK(value_at(stiff, "parameters.height")->text == "0.02 m");  // itself an expression
+  CHECK(value_at(stiff, "probes.part.of")->text == "height_now / (0.04)");
 }
 
 TEST_CASE("names are found, and only names") {
