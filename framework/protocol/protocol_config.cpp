@@ -61,7 +61,7 @@ void DriveAction::fields(Fields& f) {
 }
 
 void EndCondition::fields(Fields& f) {
-  f.optional_number("time", time, units::time, "time since the stage began").positive();
+  f.optional_number("time", time, units::time, "time since the stage began; 0: the stage is passed over").nonnegative();
   f.text("probe", probe, "probe (column of probes.csv), with one of above, below, rate_below and drop");
   f.optional_quantity("above", above, "the stage ends when the probe rises to this value");
   f.optional_quantity("below", below, "the stage ends when the probe falls to this value");
@@ -100,6 +100,11 @@ void StageConfig::fields(Fields& f) {
   f.optional_integer("repeat", repeat, "how often `next` is gone to before the stage below follows; always unless given").at_least(1);
   f.check("name", [this] { return name == "end" ? std::string("'end' means the end of the protocol; choose another name") : name_error(name); });
   f.check("repeat", [this]() -> std::string { return repeat && next.empty() ? "needs `next`, the stage to go back to" : ""; });
+  f.check("next", [this]() -> std::string {
+    const std::vector<EndCondition> all = ends();
+    const bool passed_over = std::any_of(all.begin(), all.end(), [](const EndCondition& end) { return end.time == 0.0; });
+    return passed_over && !next.empty() && next != "end" ? "a stage of 0 s goes to the stage below; take `next` away, or let it last" : "";
+  });
   f.check("until", [this]() -> std::string {
     return until || (!longest && next.empty()) ? "" : "a stage with next, repeat or longest needs an end";
   });

@@ -21,6 +21,14 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 std::string history_name(const ProtocolConfig& protocol) { return "protocol/" + protocol.name; }
 
+// Returns the index of an end after 0 s, as of the dwell of a series over dwell times; -1: none. No
+// step has that size: such a stage is passed over.
+template <class End>
+int end_at_once(const std::vector<End>& ends) {
+  const auto at = std::find_if(ends.begin(), ends.end(), [](const End& end) { return end.config.time == 0.0; });
+  return at == ends.end() ? -1 : static_cast<int>(at - ends.begin());
+}
+
 }  // namespace
 
 ProtocolRun::ProtocolRun(BuiltExperiment& built)
@@ -35,6 +43,7 @@ void ProtocolRun::start(State& state) {
   for (Protocol& p : protocols_) {
     p.begin = state.time;
     begin_values(p);
+    if (const int at_once = end_at_once(ends(p)); at_once >= 0) end_stage(p, at_once, state.time);
   }
   store(state.history);
 }
@@ -290,6 +299,8 @@ void ProtocolRun::begin_stage(Protocol& p, int stage, double t) {
   for (Drive& drive : world_.drives.all())
     if (&drive.protocol() == p.config) drive.begin_stage(p.over ? -1 : stage, t);
   begin_values(p);
+  if (p.over) return;
+  if (const int at_once = end_at_once(ends(p)); at_once >= 0) end_stage(p, at_once, t);
 }
 
 void ProtocolRun::begin_values(Protocol& p) {
@@ -335,7 +346,7 @@ std::string ProtocolRun::fault(double t, bool over) const {
     if (!too_long && !over) continue;
     return fmt::format("protocol '{}': stage '{}' began at {:.6g} s and has not ended {}: {}; {}", p.config->name, stage.name, p.begin,
                        too_long ? fmt::format("within {:.6g} s (longest)", *stage.longest) : fmt::format("when the run ends, at {:.6g} s", t), missed(p),
-                       too_long ? "change its `until`, or raise `longest`" : "change its `until`, or raise time.duration");
+                       too_long ? "change its `until` or the direction of its drives, or raise `longest`" : "change its `until` or the direction of its drives, or raise time.duration");
   }
   return "";
 }

@@ -102,6 +102,22 @@ TEST_CASE("a rate and a drop end stages", "[protocol]") {
   CHECK(drop.state().time == Approx(150.0 / 360).epsilon(0.005));
 }
 
+TEST_CASE("a stage of 0 s is passed over", "[protocol]") {
+  const std::string press = stage("name: load, " + down + ", until: {time: 0.1 s}"), dwell = stage("name: dwell, until: {time: 0 s}"),
+                    back = stage("name: back, drive: {head: {velocity: 1 mm/s}}, until: {time: 0.1 s}");
+  TestRun run(block(dwell + press + stage("name: rest, until: {time: 0 s}") + back)), without(block(press + back));
+  run_through(run);
+  run_through(without);
+  CHECK(run.state().x == without.state().x);
+  const std::vector<StageVisit> all = visits(run);
+  REQUIRE(all.size() == 4);
+  CHECK(all[0].end == 0);
+  CHECK(all[2].stage == "rest");
+  CHECK(all[2].begin == all[2].end);
+  CHECK(all[2].ended_by == "0 s");
+  CHECK(all[3].begin == Approx(0.1).epsilon(1e-9));
+}
+
 TEST_CASE("each kind of action does what it says", "[protocol]") {
   TestRun run(block(stage("name: a, drive: {head: {position: -0.3 mm, speed: 2 mm/s}}, until: {time: 0.3 s}") +
                     stage("name: b, drive: {head: {formula: 1e-4 * sin(pi * t)}}, until: {time: 0.5 s}") + stage("name: c, until: {time: 0.1 s}") +
@@ -311,6 +327,7 @@ TEST_CASE("what is wrong with a protocol is said before the run", "[protocol]") 
   says(stage("name: a, " + down) + stage("name: b" + until), "stage 'a' has no `until`");
   says(stage("name: a, " + down + until + ", next: c") + stage("name: b" + until), "goes on to 'c', which is no stage");
   says(stage("name: a, " + down + until + ", repeat: 2"), "needs `next`");
+  says(stage("name: a, " + down + ", until: {time: 0 s}, next: a, repeat: 2"), "a stage of 0 s goes to the stage below");
   says(stage("name: a, " + down + until) + stage("name: a" + until), "two stages are named 'a'");
   CHECK_THAT(error_of<TestRun>(block(stage("name: a, " + down + until), "integrator: quasi_static", "expect: [{probe: force, statistic: max, stage: b, at_least: 0}]")),
              Catch::Contains("no protocol has a stage 'b'"));
