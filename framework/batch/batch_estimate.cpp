@@ -56,7 +56,10 @@ BatchEstimate estimate_of(const std::string& program, const BatchFolder& folder,
     mean += (state.wall_seconds - mean) / ++known[one.base];
   }
   for (const BatchCase* one : open) {
-    if (!estimate.of_case.contains(one->base)) estimate.of_case[one->base] = trial_of(program, *one, limits, trial);
+    if (!estimate.of_case.contains(one->base)) {
+      estimate.of_case[one->base] = trial_of(program, *one, limits, trial);
+      estimate.at_most = estimate.at_most || (one->may_end_early && estimate.of_case[one->base] > trial);
+    }
     estimate.seconds += estimate.of_case[one->base];
   }
   estimate.seconds /= std::min<double>(limits.jobs, std::max<size_t>(1, open.size()));

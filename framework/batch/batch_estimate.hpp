@@ -11,6 +11,8 @@ namespace tack {
 struct BatchEstimate {
   double seconds = 0;                     // of all open cases, side by side
   std::map<std::string, double> of_case;  // s per case, by base
+  // A trial was extended to the whole duration of a case that may end earlier, with its protocols.
+  bool at_most = false;
 };
 
 // Estimates the duration. For each base without a finished case, one case runs for at most `trial`

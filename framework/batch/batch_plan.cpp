@@ -152,6 +152,7 @@ class Planner {
       ResolvedCase made = resolver_.resolve(std::move(root), variant.set);
       const Experiment& experiment = made.loaded.experiment;
       one.duration = experiment.time.duration;
+      one.may_end_early = !experiment.protocols.empty();
       one.checkpoints = experiment.output.checkpoint_interval.has_value();
       if (plan_.cases.empty() || plan_.cases.back().base != base.name) {
         add_units(column_units(experiment, made.resolved, variant, config_.statistics));

@@ -19,8 +19,9 @@ struct BatchCase {
   std::string scene;                          // resolved, as YAML
   // Checksum of the scene, the files that it reads and the program.
   std::string digest;
-  double duration = 0;       // s, simulated
-  bool checkpoints = false;  // the case writes checkpoints that keep the bits of a run
+  double duration = 0;         // s, simulated
+  bool may_end_early = false;  // with its protocols, before the duration
+  bool checkpoints = false;    // the case writes checkpoints that keep the bits of a run
 };
 
 struct BatchPlan {

@@ -189,6 +189,7 @@ BatchCase FittedScenes::case_of(int run, const DesignPoint& values, bool derivat
   one.scene = std::move(resolved_case.scene);
   one.digest = std::move(resolved_case.digest);
   one.duration = resolved_case.loaded.experiment.time.duration;
+  one.may_end_early = !resolved_case.loaded.experiment.protocols.empty();
   return one;
 }
 

@@ -40,9 +40,10 @@ Progress::Progress(std::ostream& out, std::ostream* log, ProgressOptions options
 
 Progress::~Progress() { finish(); }
 
-void Progress::begin(double start, double end) {
+void Progress::begin(double start, double end, bool end_is_limit) {
   start_ = start;
   end_ = end;
+  end_is_limit_ = end_is_limit;
   start_clock_ = options_.clock();
   last_live_line_ = -1;
   printed_twentieths_ = 0;
@@ -54,7 +55,8 @@ double Progress::fraction(double time) const {
 
 std::string Progress::time_left(const StepReport& report, double now) const {
   const double done = fraction(report.time);
-  return done > 0 ? duration_text((now - start_clock_) * (1 - done) / done) + " left" : "";
+  if (!(done > 0)) return "";
+  return fmt::format("{}{} left", end_is_limit_ ? "at most " : "", duration_text((now - start_clock_) * (1 - done) / done));
 }
 
 std::string Progress::line_of(const StepReport& r, double now) const {

@@ -38,7 +38,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   // Begins a run from `start` to `end` [s]. Estimates of the remaining time count from here.
-  void begin(double start, double end);
+  // end_is_limit: the run may end earlier, with its protocols.
+  void begin(double start, double end, bool end_is_limit = false);
   void step(const StepReport& report);
   // Shows an iteration of the present step if nothing was shown for a while. residual: in units of
   // the tolerance.
@@ -65,6 +66,7 @@ class Progress {
   std::ostream* log_;
   ProgressOptions options_;
   double start_ = 0, end_ = 0;  // s, simulated
+  bool end_is_limit_ = false;
   double start_clock_ = 0;      // s, on the clock
   double last_output_ = 0;      // s, time of the last output
   double last_live_line_ = -1;  // s, time of the last live line; negative: never

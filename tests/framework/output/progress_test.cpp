@@ -68,6 +68,14 @@ TEST_CASE("progress shows the self-distance of an object if no other object is n
   CHECK(reported.out.str() == "step 1  t 0 s (0%)  4 iterations  310 contacts  self-distance 1e-05 m\n");
 }
 
+TEST_CASE("the remaining time of a run that its protocols may end is a limit") {
+  Told reported(Verbosity::verbose);
+  reported.progress.begin(0, 10, true);
+  reported.now += 60;
+  reported.progress.step(report(120, 4));
+  CHECK_THAT(reported.out.str(), Catch::EndsWith("  at most 1m30s left\n"));
+}
+
 TEST_CASE("the remaining time is shown in suitable units") {
   Told reported(Verbosity::verbose);
   reported.now += 4;
