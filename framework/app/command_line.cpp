@@ -286,7 +286,7 @@ class CommandLine {
   void add_list() {
     CLI::App* list = app_.add_subcommand("list", "List the kinds and components that a scene may name, with their parameters, or search them and the documents");
     list->add_option("kind", list_.kind, "kind (energy, adhesion, minimizer, ...), name of a component, or any word to search for: 'cohesive zone'");
-    list->add_option("name", list_.name, "component, to list its parameters");
+    list->add_option("name", list_.names, "component, to list its parameters; or further words of a search")->type_name("TEXT");
     list->add_option("--reference", list_.reference, "write the reference (Markdown): a page per kind into a folder, or one page if the path ends in .md")->type_name("FOLDER");
     list->add_option("--schema", list_.schema, "write the JSON schema of scenes (for editors) to a file")->type_name("FILE");
     list->add_option("--compare-schema", list_.compare_schema, "write the JSON schema of files of `tack compare` to a file")->type_name("FILE");

@@ -191,7 +191,8 @@ int check_command(const CheckOptions& options);
 int picture_command(const CheckOptions& options);
 
 struct ListOptions {
-  std::string kind, name;  // empty: all
+  std::string kind;                // empty: all
+  std::vector<std::string> names;  // a component of the kind, or further words of a search
   // Files to write instead of the list.
   std::string reference, schema, compare_schema, batch_schema, calibrate_schema, plot_schema;
   // Components of these are listed too.

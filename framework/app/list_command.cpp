@@ -34,6 +34,26 @@ std::string named(const std::string& name) {
   return text;
 }
 
+// Returns the text of a component of a kind. The kind's name may also be the first word of a search:
+// "probe tack".
+std::string component_or_found(const std::string& kind, const std::string& name) {
+  try {
+    return list_component(kind, name);
+  } catch (const InputError& error) {
+    const bool misspelt = std::string(error.what()).find("did you mean") != std::string::npos;
+    const std::string text = misspelt ? "" : found(kind + " " + name);
+    if (text.empty()) throw;
+    return text;
+  }
+}
+
+// Returns what a search finds, or the text of a component whose kind is misspelt.
+std::string found_or_component(const std::string& kind, const std::string& name, const std::string& both) {
+  const std::string text = found(both);
+  if (!text.empty()) return text;
+  return list_named(name).empty() ? named(both) : list_component(kind, name);
+}
+
 }  // namespace
 
 int list_command(const ListOptions& o) {
@@ -42,12 +62,11 @@ int list_command(const ListOptions& o) {
   if (o.kind == study_kind && !is_kind(o.kind)) throw InStudies{};
   if (o.kind.empty()) {
     fmt::print("{}{}", list_kinds(), is_kind(study_kind) ? "" : fmt::format("of batches: tack list {}\n", study_kind));
-  } else if (o.name.empty()) {
+  } else if (o.names.empty()) {
     fmt::print("{}", is_kind(o.kind) ? list_kind(o.kind) : named(o.kind));
   } else {
-    const std::string both = is_kind(o.kind) ? "" : found(o.kind + " " + o.name);
-    const bool names_component = is_kind(o.kind) || !list_named(o.name).empty();  // of a kind that may be misspelt
-    fmt::print("{}", !both.empty() ? both : names_component ? list_component(o.kind, o.name) : named(o.kind + " " + o.name));
+    const std::string name = fmt::format("{}", fmt::join(o.names, " ")), both = o.kind + " " + name;
+    fmt::print("{}", is_kind(o.kind) ? component_or_found(o.kind, name) : found_or_component(o.kind, name, both));
   }
   return exit_done;
 }

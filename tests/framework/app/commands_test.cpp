@@ -169,6 +169,16 @@ TEST_CASE("tack list names kinds, components and their parameters") {
   CHECK(contains(fang, "critical_strain"));
 }
 
+TEST_CASE("tack list searches for several words, also if the first one is a kind") {
+  const TemporaryFolder folder;
+  const auto tack = [&](const Arguments& arguments) { return run_tack(folder.path(), arguments); };
+  CHECK(contains(tack({"list", "probe", "tack"}).out, "docs/protocols.md#a-probe-tack-test-in-five-steps"));
+  CHECK(contains(tack({"list", "work", "of", "debonding"}).out, "docs/protocols.md#the-numbers-of-a-curve"));
+  CHECK(contains(tack({"list", "spherical", "probe"}).out, "shape sector"));
+  CHECK(contains(tack({"list", "energy", "neohookean"}).err, "did you mean 'neo_hookean'?"));
+  CHECK(contains(tack({"list", "energy", "gel"}).err, "`tack list gel` searches for a word of the field"));
+}
+
 TEST_CASE("tack mesh info reports the contents of a file") {
   const TemporaryFolder folder;
   const ProgramResult result =
