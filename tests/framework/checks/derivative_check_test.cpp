@@ -171,6 +171,23 @@ TEST_CASE("a term that is zero is inactive; half a term is wrong", "[scene]") {
   CHECK(half(0, 1).wrong());
 }
 
+TEST_CASE("a term that constraints leave no motion is inactive", "[scene]") {
+  const std::string joint = GENERATE("{type: slider, object: ball, at: [0, 0.001, 0], axis: [0, 1, 0]}", "{type: slider, object: ball, at: [0.02, 0, 0.01], axis: [1, 2, 3]}");
+  TestScene scene(R"(time: {step: 5 ms}
+objects:
+  - name: ball
+    shape: {type: box, size: [0.01, 0.003, 0.001]}
+    place: {translate: [0.001, 0.2, 0]}
+    body: {type: affine, density: 7800, stiffness: 1e9}
+interactions:
+  - )" + joint + "\n");
+  for (const DerivativeCheck& c : checks_of(scene)) {
+    INFO(c.term);
+    CHECK_FALSE(c.wrong());
+    if (c.term == "affine") CHECK_FALSE(c.active());
+  }
+}
+
 TEST_CASE("tack check reports a term that is zero as inactive", "[scene][app]") {
   const TemporaryFolder folder;
   write_file(folder.path() / "far.yaml", tiny_scene_with("[0, 0.1006, 0]", "[0, 0.3, 0]"));
