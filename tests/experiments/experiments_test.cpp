@@ -54,6 +54,7 @@ void check_experiment(const std::string& file) {
 }
 
 TEST_CASE("experiment protocols/probe_tack") { check_experiment("protocols/probe_tack.yaml"); }
+TEST_CASE("experiment protocols/ball_tack") { check_experiment("protocols/ball_tack.yaml"); }
 TEST_CASE("experiment protocols/loop_tack") { check_experiment("protocols/loop_tack.yaml"); }
 TEST_CASE("experiment protocols/peel_90") { check_experiment("protocols/peel_90.yaml"); }
 TEST_CASE("experiment protocols/lap_shear_creep") { check_experiment("protocols/lap_shear_creep.yaml"); }
