@@ -8,6 +8,7 @@
 #include "framework/app/commands.hpp"
 #include "framework/catalogue/search.hpp"
 #include "framework/config/describe.hpp"
+#include "framework/config/registry.hpp"
 #include "framework/experiment/experiment.hpp"
 #include "framework/plugin/plugins.hpp"
 #include "geometry/errors.hpp"
@@ -34,9 +35,19 @@ std::string named(const std::string& name) {
   return text;
 }
 
+// Returns whether a kind has a component of that name, loaded or not.
+bool is_component(const std::string& kind_name, const std::string& name) {
+  const auto kinds = registered_kinds();
+  return std::any_of(kinds.begin(), kinds.end(), [&](const Kind* kind) {
+    const std::vector<std::string> names = kind->names();
+    return kind->name() == kind_name && std::find(names.begin(), names.end(), name) != names.end();
+  });
+}
+
 // Returns the text of a component of a kind. The kind's name may also be the first word of a search:
 // "probe tack".
 std::string component_or_found(const std::string& kind, const std::string& name) {
+  if (is_component(kind, name)) return list_component(kind, name);
   try {
     return list_component(kind, name);
   } catch (const InputError& error) {

@@ -317,7 +317,7 @@ TEST_CASE("a run is compared with measured data in a file beside its scene") {
   CHECK(off.exit_code == 0);
   CHECK(contains(off.out, "pass  data"));
   CHECK(contains(off.out, "2 points, on average -"));
-  CHECK(place.summary()["expect"][1]["value"].get<double>() == Approx(0.5 / 11).epsilon(0.02));
+  CHECK(place.summary()["expect"][1]["value"].get<double>() == Approx(0.5 / 11).epsilon(0.05));  // the block has 0.16 mm to fall at the first point
   const CsvTexts points = read_csv_texts(place.path("results/tiny/measured.csv"));
   REQUIRE(points.rows.size() == 2);
   CHECK(points.columns == std::vector<std::string>{"probe", "along", "x", "measured", "computed"});
