@@ -1,6 +1,8 @@
 // A run from an embedding program: no command line, no exit codes.
 #include "framework/run/recorded_run.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -37,10 +39,8 @@ TEST_CASE("a run is recorded without the command line", "[run]") {
 }
 
 TEST_CASE("warnings of a run are in its summary, also after a resume", "[run]") {
-  // With so few iterations that steps at the impact are halved.
-  std::string text = tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:");
-  text += "output: {checkpoint_interval: 0.02 s}\nsolver: {type: projected_newton, max_iterations: 8}\n";
   const TemporaryFolder folder;
+  std::string text;
   const auto recorded = [&](RunSettings settings) {
     settings.output = (folder.path() / "results").string();
     std::ostringstream printed;
@@ -48,11 +48,24 @@ TEST_CASE("warnings of a run are in its summary, also after a resume", "[run]") 
     run.execute();
     return printed.str();
   };
-  const std::string printed = recorded({});
+  const auto lines_with = [](const std::string& printed, const std::string& part) {
+    int lines = 0;
+    for (size_t at = 0; (at = printed.find(part, at)) != printed.npos; ++at) ++lines;
+    return lines;
+  };
+  // With so few iterations that the step of the impact is halved more than once. The speed at which
+  // it is depends on the last bits, and so on the processor.
+  std::string printed;
+  for (const char* speed : {"0.8", "0.9", "2", "1", "1.8", "0.7"}) {
+    text = tiny_scene_with("energies:", fmt::format("velocity: [0, -{}, 0]\n    energies:", speed));
+    text += "output: {checkpoint_interval: 0.02 s}\nsolver: {type: projected_newton, max_iterations: 8}\n";
+    printed = recorded({});
+    if (contains(printed, "done: ") && lines_with(printed, "rolled back") > 1) break;
+  }
   INFO(printed);
   const auto summary = read_json(folder.path() / "results/summary.json"), whole = summary["warnings"], energy = summary["energy"];
-  int lines = 0, counted = 0;
-  for (size_t at = 0; (at = printed.find("warning: ", at)) != printed.npos; ++at) ++lines;
+  const int lines = lines_with(printed, "warning: ");
+  int counted = 0;
   for (const auto& w : whole) {
     CHECK(contains(printed, "warning: " + w["text"].get<std::string>()));
     CHECK(warning_kind_of(w["kind"].get<std::string>()));
@@ -60,7 +73,7 @@ TEST_CASE("warnings of a run are in its summary, also after a resume", "[run]") 
   }
   CHECK(counted == lines);
   CHECK(whole.size() > 0);
-  CHECK(counted > static_cast<int>(whole.size()));  // more than one step was halved
+  CHECK(counted > static_cast<int>(whole.size()));  // a step was halved more than once
   CHECK(contains(printed, std::to_string(whole.size()) + " warning"));
   // At its end, of the impact.
   CHECK(whole.back()["kind"] == entry_of(WarningKind::energy_integration).key);
