@@ -111,6 +111,22 @@ class Calibrations(Scratch):
             self.assertGreaterEqual(near.mean(), 0.9)  # but for points where a bond begins to soften
         np.testing.assert_allclose(fit.scaled.jacobian(fit.scaled.u(x)), jacobian * [1.2e4, 6.9 / 3])
 
+    def test_scene_parameters_have_the_jacobian_of_the_keys_that_they_set(self):
+        scene = (shipped / "pull.yaml").read_text(encoding="utf-8")
+        for value, expression in [("peak_traction: 10 kPa", "peak_traction: strength"), ("work_of_adhesion: 1 J/m^2", "work_of_adhesion: 2 * toughness")]:
+            self.assertIn(value, scene)
+            scene = scene.replace(value, expression)
+        base, file = self.folder / "named.yaml", self.folder / "named_fit.yaml"
+        base.write_text(scene + "parameters: {strength: 10 kPa, toughness: 0.5 J/m^2}\n", encoding="utf-8")
+        file.write_text(f"name: named\nexperiments:\n  - {{base: {base}, data: {shipped / 'pull.csv'}, x: way, y: force, noise: 2%}}\n"
+                        "fit:\n  strength: {from: 2 kPa, to: 90 kPa, start: 12 kPa}\n  toughness: {from: 0.05 J/m^2, to: 4 J/m^2, start: 0.4 J/m^2, scale: linear}\n", encoding="utf-8")
+        fit = tack.Calibration(file, output=self.folder / "named", jobs=2, threads=1)
+        self.addCleanup(fit.close)
+        expected = self.calibration().jacobian(np.array([1.2e4, 0.8])) * [1, 2]
+        largest = np.abs(expected).max(axis=0)
+        self.assertGreater(largest.min(), 0)
+        np.testing.assert_allclose(fit.jacobian(np.array([1.2e4, 0.4])) / largest, expected / largest, atol=1e-5)
+
     def test_least_squares_finds_the_values(self):
         fit = self.calibration()
         u = fit.scaled
