@@ -17,4 +17,8 @@ struct ProgramStreams {
 // Ctrl-C ends it.
 int run_program(std::vector<std::string> words, const ProgramStreams& streams = {});
 
+// Returns true for the exit code of a program that is missing, or lacks a library: -1, or 127 of
+// shells, of children without a program, and of the dynamic linker.
+inline bool could_not_start(int code) { return code < 0 || code == 127; }
+
 }  // namespace tack

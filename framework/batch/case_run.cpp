@@ -16,11 +16,10 @@
 #include "framework/output/folder_lock.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
+#include "geometry/run_program.hpp"
 
 namespace tack {
 namespace {
-
-constexpr int could_not_start = 127;  // exit code of a child without a program, and of the dynamic linker
 
 namespace fs = std::filesystem;
 
@@ -179,7 +178,7 @@ void CaseRun::settle() {
   } else {
     state_.status = CaseStatus::crashed;
     state_.error = signal ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal))
-                   : code == could_not_start ? "the program could not be started: it or one of its libraries was replaced or removed meanwhile; start again"
+                   : could_not_start(code) ? "the program could not be started: it or one of its libraries was replaced or removed meanwhile; start again"
                                              : fmt::format("ended with code {}", code);
     state_.error += memory_error();
   }

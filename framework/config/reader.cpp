@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <tuple>
 
 #include "framework/config/field.hpp"
 #include "framework/config/nearest.hpp"
+#include "framework/config/number_text.hpp"
 #include "framework/config/registry.hpp"
 #include "framework/config/retired_keys.hpp"
 #include "framework/config/units.hpp"
@@ -19,12 +19,6 @@
 namespace tack {
 
 namespace {
-
-bool is_bare_number(const std::string& text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  return std::from_chars(text.data(), end, number).ptr == end;
-}
 
 bool begins_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])); }
 
@@ -55,7 +49,7 @@ std::string with_unitless_names(const std::string& expression, const Parameters&
     const std::string name = expression.substr(at, end - at);
     at = std::max(end, at + 1);
     if (name.empty() || begins_number(name) || !parameters.named_in(name) || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    if (is_bare_number(parameters.evaluated(name))) names.push_back(name);
+    if (const std::string number = parameters.evaluated(name); number_text(number).length == number.size()) names.push_back(name);
   }
   if (names.empty()) return fmt::format("'{}'", expression);
   return fmt::format("'{}', where {} {} no unit", expression, fmt::join(names, " and "), names.size() > 1 ? "have" : "has");

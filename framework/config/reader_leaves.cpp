@@ -7,6 +7,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/config/nearest.hpp"
+#include "framework/config/number_text.hpp"
 #include "framework/config/reader.hpp"
 #include "geometry/errors.hpp"
 
@@ -15,9 +16,7 @@ namespace {
 
 // Returns "-3 kg/m^3", whether or not the unit was written.
 std::string with_unit(const std::string& text, const Unit& unit) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const bool bare = std::from_chars(text.data(), end, number).ptr == end;
+  const bool bare = number_text(text).length == text.size();
   return bare && !unit.plain() ? fmt::format("{} {}", text, unit.si) : text;
 }
 

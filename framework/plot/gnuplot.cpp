@@ -355,7 +355,7 @@ std::string draw_script(const fs::path& folder, const std::string& name) {
     fs::remove(messages);
     return "";
   }
-  if (code < 0 || code == 127)
+  if (could_not_start(code))
     return fmt::format("{}: no pictures, as gnuplot is missing; install it (Debian: gnuplot-nox) and run "
                        "`gnuplot {}` in {}",
                        name, script, folder.string());

@@ -57,7 +57,7 @@ std::vector<std::string> film_coding(const fs::path& output) {
 // Throws InputError if a program that was run is missing or failed.
 void check_exit(int code, const char* program, const char* package, const fs::path& output) {
   const char* script = is_installed() ? "" : ", or run `./tack render`, which installs it";
-  if (code < 0 || code == 127) throw InputError(fmt::format("{} is missing; install it (Debian: {}){}", program, package, script));
+  if (could_not_start(code)) throw InputError(fmt::format("{} is missing; install it (Debian: {}){}", program, package, script));
   if (code != 0) throw InputError(fmt::format("{} was not drawn", output.string()));
 }
 
@@ -132,7 +132,7 @@ void draw_in_blender(const RenderSettings& settings, const Json& view, const Scr
   std::vector<std::string> command{"blender", "-b", "--factory-startup", "-P", shared_file("blender.py").string(), "--", view_file.string(), pictures.string()};
   command.insert(command.end(), shapes.begin(), shapes.end());
   const int code = run_program(command, {{}, log, true});
-  if (code > 0 && code != 127) fmt::print(stderr, "{}\n", last_lines(log));
+  if (code != 0 && !could_not_start(code)) fmt::print(stderr, "{}\n", last_lines(log));
   check_exit(code, "blender", "blender", settings.output);
   if (!film) return;
   std::vector<std::string> words{"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:g}", view["fps"].get<double>()), "-i", pictures.string()};

@@ -265,8 +265,7 @@ Mesh unite_crossing_components(const Mesh& mesh, Notes& notes) {
 
 // Returns true if the triangles of an open component cross those of another component. Which of the pieces to keep there is a decision of the modeller: CGAL's
 // repair would cut the sheets and fill the cuts with new triangles.
-bool sheets_cross(const Mesh& mesh) {
-  const SurfaceDefects defects = find_defects(mesh);
+bool sheets_cross(const Mesh& mesh, const SurfaceDefects& defects) {
   const std::vector<int> component = components_by_vertices(mesh);
   std::set<int> open;
   for (const OpenEdge& e : defects.open_edges) open.insert(component[e.triangle]);
@@ -277,8 +276,7 @@ bool sheets_cross(const Mesh& mesh) {
 }
 
 // Replaces triangles of a component that cross each other. Returns the mesh as it was if that fails for a surface with borders: it would have others then.
-Mesh without_crossings(const Mesh& mesh, Notes& notes) {
-  const SurfaceDefects before = find_defects(mesh);
+Mesh without_crossings(const Mesh& mesh, const SurfaceDefects& before, Notes& notes) {
   CgalMesh m = to_cgal(mesh);
   pmp::experimental::remove_self_intersections(m, CGAL::parameters::preserve_genus(false));
   m.collect_garbage();
@@ -368,8 +366,9 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   if (result.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
   if (o.holes == Holes::fill) refuse_flat_components(result, name);
   result = unite_crossing_components(result, notes);
-  const bool apart = !sheets_cross(result);
-  if (apart && !find_defects(result).crossings.empty()) result = without_crossings(result, notes);
+  const SurfaceDefects united = find_defects(result);
+  const bool apart = !sheets_cross(result, united);
+  if (apart && !united.crossings.empty()) result = without_crossings(result, united, notes);
   m = to_cgal(result);
   if (find_defects(result).crossings.empty()) orient_outwards(m, notes);
   result = from_cgal(m);
