@@ -201,6 +201,17 @@ Parameters::Number Parameters::number_of(const std::string& expression) const {
   return number;
 }
 
+std::vector<std::string> Parameters::unitless_in(const std::string& expression) const {
+  std::vector<std::string> found;
+  const auto known = [this](const std::string& name) { return numbers_.contains(name); };
+  for (const Token& token : tokens_of(expression, known)) {
+    if (token.kind != Token::name || !known(token.text) || std::find(found.begin(), found.end(), token.text) != found.end()) continue;
+    const auto& dimension = numbers_.at(token.text).dimension;
+    if (std::all_of(dimension.begin(), dimension.end(), [](const auto& of_base) { return of_base.second == 0; })) found.push_back(token.text);
+  }
+  return found;
+}
+
 std::vector<std::string> Parameters::names() const {
   std::vector<std::string> all;
   for (const auto& [name, number] : numbers_) all.push_back(name);

@@ -24,6 +24,8 @@ class Parameters {
   bool empty() const { return numbers_.empty(); }
   // Returns true if `text` contains the name of a parameter.
   bool named_in(const std::string& text) const;
+  // Returns the parameters in an expression that have no unit, each once, in their order.
+  std::vector<std::string> unitless_in(const std::string& expression) const;
   // Evaluates an expression to a number in SI with its unit: "0.04 m". Throws InputError, without a
   // source location, for inconsistent dimensions (a length plus a time) or a result that is not
   // finite.

@@ -9,7 +9,6 @@
 
 #include "framework/config/field.hpp"
 #include "framework/config/nearest.hpp"
-#include "framework/config/number_text.hpp"
 #include "framework/config/registry.hpp"
 #include "framework/config/retired_keys.hpp"
 #include "framework/config/units.hpp"
@@ -42,15 +41,7 @@ std::string map_hint(const Value& value, const Fields& fields) {
 // Returns an expression for messages, with its parameters that have no unit: "'2 * width', where
 // width has no unit".
 std::string with_unitless_names(const std::string& expression, const Parameters& parameters) {
-  std::vector<std::string> names;
-  for (size_t at = 0; at < expression.size();) {
-    size_t end = at;
-    while (end < expression.size() && (std::isalnum(static_cast<unsigned char>(expression[end])) || expression[end] == '_')) ++end;
-    const std::string name = expression.substr(at, end - at);
-    at = std::max(end, at + 1);
-    if (name.empty() || begins_number(name) || !parameters.named_in(name) || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    if (const std::string number = parameters.evaluated(name); number_text(number).length == number.size()) names.push_back(name);
-  }
+  const std::vector<std::string> names = parameters.unitless_in(expression);
   if (names.empty()) return fmt::format("'{}'", expression);
   return fmt::format("'{}', where {} {} no unit", expression, fmt::join(names, " and "), names.size() > 1 ? "have" : "has");
 }
