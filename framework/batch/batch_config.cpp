@@ -35,7 +35,7 @@ void BatchStatistic::fields(Fields& f) {
   SpecifiedStatistic::fields(f);
 }
 
-std::string BatchStatistic::column() const { return name.empty() ? description(resolved()) : name; }
+std::string BatchStatistic::column() const { return name.empty() ? description() : name; }
 
 void SlurmConfig::fields(Fields& f) {
   f.text("partition", partition, "partition; the cluster's default unless given").line();

@@ -38,6 +38,7 @@ Json json_of(const BatchStatistic& s) {
   const StatisticQuery q = s.resolved();
   Json json{{"name", s.column()}, {"probe", q.probe}, {"statistic", to_string(q.statistic)}, {"along", q.along}, {"where", q.where}, {"over", q.over}};
   if (q.follows) json["follows"] = json_of(*q.follows);
+  if (!s.stage.empty()) json["stage"] = s.stage;
   return json;
 }
 
@@ -48,6 +49,7 @@ BatchStatistic statistic_of(const Json& json) {
   s.query.along = json.at("along");
   s.query.where = json.at("where");
   s.query.over = json.at("over").get<std::vector<double>>();
+  s.stage = json.value("stage", "");
   if (const auto follows = json.find("follows"); follows != json.end()) s.query.follows = data_of(*follows);
   for (const Statistic statistic : all_statistics)
     if (to_string(statistic) == json.at("statistic")) s.query.statistic = statistic;

@@ -222,6 +222,7 @@ void check_case(const BatchPlan& plan, const BatchCase& one) {
   std::vector<std::string> columns{"time"};
   columns.insert(columns.end(), probes.columns().begin(), probes.columns().end());
   for (const BatchStatistic& s : plan.statistics) try {
+      if (!s.stage.empty()) need_stage(built.experiment().protocols, s.stage);
       evaluate(s.resolved(), ProbeSeries{columns, {}});
     } catch (const InputError& error) {
       throw InputError(fmt::format("statistic '{}': {}", s.column(), error.what()));

@@ -61,9 +61,11 @@ void add_expectations(Cells& cells, size_t row, const Json& summary) {
   }
 }
 
-void add_statistics(Cells& cells, size_t row, const BatchPlan& plan, const std::filesystem::path& probes) {
-  const ProbeSeries series = read_csv(probes);
-  for (const BatchStatistic& s : plan.statistics) cells.set(row, s.column(), evaluate(s.resolved(), series).value);
+void add_statistics(Cells& cells, size_t row, const BatchPlan& plan, const std::filesystem::path& run) {
+  const ProbeSeries series = read_csv(run / "probes.csv");
+  const bool staged = std::any_of(plan.statistics.begin(), plan.statistics.end(), [](const BatchStatistic& s) { return !s.stage.empty(); });
+  const std::vector<StageVisit> visits = staged ? read_stages(run / "stages.csv") : std::vector<StageVisit>();
+  for (const BatchStatistic& s : plan.statistics) cells.set(row, s.column(), s.value(series, visits).value);
   if (!plan.statistics.empty()) return;
   for (const std::string& column : series.columns) {
     if (column == "time") continue;
@@ -121,7 +123,7 @@ ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan, const 
         add_seconds(costs, row, summary);
         if (state.status == CaseStatus::done || state.status == CaseStatus::expectation_failed) {
           add_expectations(expectations, row, summary);
-          add_statistics(statistics, row, plan, folder.run(one.name) / "probes.csv");
+          add_statistics(statistics, row, plan, folder.run(one.name));
         }
       } catch (const Json::exception& error) {
         states.set(row, "error", fmt::format("summary.json is damaged ({})", error.what()));

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "framework/config/nearest.hpp"
 #include "framework/experiment/read_initial_state.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/protocol/stage_metrics.hpp"
@@ -25,14 +22,11 @@ void check_damping(const Experiment& e, const Value& root) {
 
 // Throws InputError at an expectation of a stage that no protocol has.
 void check_stages(const Experiment& e, const Value& root) {
-  for (size_t i = 0; i < e.expect.size(); ++i) {
-    const std::string& stage = e.expect[i].stage;
-    std::vector<std::string> names;
-    for (const ProtocolConfig& protocol : e.protocols)
-      for (const StageConfig& one : protocol.stages) names.push_back(one.name);
-    if (stage.empty() || std::find(names.begin(), names.end(), stage) != names.end()) continue;
-    throw InputError(fmt::format("{}expectation '{}': no protocol has a stage '{}'{}", source_location(root, "expect", i), name_of(e.expect[i]), stage, suggestion(stage, names, "stages")));
-  }
+  for (size_t i = 0; i < e.expect.size(); ++i) try {
+      if (!e.expect[i].stage.empty()) need_stage(e.protocols, e.expect[i].stage);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}expectation '{}': {}", source_location(root, "expect", i), name_of(e.expect[i]), error.what()));
+    }
 }
 
 }  // namespace

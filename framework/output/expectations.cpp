@@ -67,13 +67,12 @@ void Expectation::fields(Fields& f) {
   f.raw("within", within, "tolerance of the target: a number of the same kind, or a percentage of the target");
   f.optional_quantity("at_least", at_least, "smallest value accepted, in a unit of the target's kind");
   f.optional_quantity("at_most", at_most, "largest value accepted, in a unit of the target's kind");
-  f.text("stage", stage, "stage of a protocol: the statistic is that of the samples in this stage, every time that it is run through");
   f.check("target", [this] { return check_criterion(*this); });
   f.check("within", [this] { return check_tolerance(*this); });
 }
 
 std::string name_of(const Expectation& e) {
-  return e.name.empty() ? description(e.resolved()) : e.name;
+  return e.name.empty() ? e.description() : e.name;
 }
 
 double tolerance_of(const Value& within, double target) {
@@ -128,13 +127,13 @@ void check_units(const Expectation& e, const std::vector<std::string>& columns, 
   check("within", [&] { if (absolute) to_si(e.within.text, unit); });
 }
 
-ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& series) {
+ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& series, const std::vector<StageVisit>& visits) {
   ExpectationResult result;
   result.name = name_of(expectation);
   set_interval(result, expectation);
   StatisticValue found;
   try {
-    found = evaluate(expectation.resolved(), series);
+    found = expectation.value(series, visits);
   } catch (const InputError& error) {
     throw InputError(fmt::format("expectation '{}': {}", result.name, error.what()));
   }

@@ -26,7 +26,6 @@ struct Expectation : SpecifiedStatistic {
   Value within;  // as written: "5%" or a number
   std::optional<Quantity> at_least;
   std::optional<Quantity> at_most;
-  std::string stage;  // of a protocol: samples in that stage alone; empty: of the whole run
 
   void fields(Fields& f);
 };
@@ -57,7 +56,9 @@ void check_columns(const Expectation& expectation, const std::vector<std::string
 void check_units(const Expectation& expectation, const std::vector<std::string>& columns,
                  const std::vector<Unit>& units);
 
-// Evaluates an expectation; a value that is not finite never passes. Throws as check_columns does.
-ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& series);
+// Evaluates an expectation; a value that is not finite never passes. visits: the run's stages.
+// Throws as check_columns does.
+ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& series,
+                           const std::vector<StageVisit>& visits = {});
 
 }  // namespace tack

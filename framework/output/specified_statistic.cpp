@@ -54,6 +54,7 @@ void SpecifiedStatistic::fields(Fields& f) {
   f.text("along", query.along, "column to integrate over, in which to find `where`, or over which data were measured");
   f.optional_quantity("where", where, "value of the column `along`, for 'at', in a unit of that column's kind");
   f.optional_object("follows", query.follows, "measured curve for deviations; its abscissa is the column `along`");
+  f.text("stage", stage, "stage of a protocol: the statistic is that of the samples in this stage, every time that it is run through");
   f.check("over", [this] { return check_window(query.over); });
   f.check("along", [this] { return check_along(*this); });
   f.check("where", [this] { return check_abscissa(*this); });
@@ -64,6 +65,15 @@ StatisticQuery SpecifiedStatistic::resolved() const {
   StatisticQuery resolved = query;
   if (where) resolved.where = *where;
   return resolved;
+}
+
+std::string SpecifiedStatistic::description() const {
+  const std::string text = tack::description(resolved());
+  return stage.empty() ? text : fmt::format("{} in stage {}", text, stage);
+}
+
+StatisticValue SpecifiedStatistic::value(const ProbeSeries& series, const std::vector<StageVisit>& visits) const {
+  return evaluate(resolved(), stage.empty() ? series : rows_of_stage(series, visits, stage));
 }
 
 }  // namespace tack

@@ -145,4 +145,12 @@ int ProtocolConfig::index_of(const std::string& stage) const {
   return found == stages.end() ? -1 : static_cast<int>(found - stages.begin());
 }
 
+void need_stage(const std::vector<ProtocolConfig>& protocols, const std::string& stage) {
+  std::vector<std::string> names;
+  for (const ProtocolConfig& protocol : protocols)
+    for (const StageConfig& one : protocol.stages) names.push_back(one.name);
+  if (std::find(names.begin(), names.end(), stage) == names.end())
+    throw InputError(fmt::format("no protocol has a stage '{}'{}", stage, suggestion(stage, names, "stages")));
+}
+
 }  // namespace tack

@@ -76,4 +76,7 @@ struct ProtocolConfig {
   int index_of(const std::string& stage) const;
 };
 
+// Throws InputError, with the nearest name, if no protocol has the stage.
+void need_stage(const std::vector<ProtocolConfig>& protocols, const std::string& stage);
+
 }  // namespace tack

@@ -339,7 +339,7 @@ void RecordedRun::finish(const ProbeSeries* series) {
   const bool complete = series && summary_.status == RunStatus::done && settings_.steps == 0;
   if (complete) {
     for (const Expectation& expectation : experiment_.expect) {
-      summary_.expect.push_back(evaluate(expectation, expectation.stage.empty() ? *series : rows_of_stage(*series, summary_.stages, expectation.stage)));
+      summary_.expect.push_back(evaluate(expectation, *series, summary_.stages));
       if (!summary_.expect.back().pass) summary_.status = RunStatus::expectation_failed;
     }
     write_measured(folder_.measured(), experiment_.expect, *series);
