@@ -106,7 +106,7 @@ int check_gradient_of(const CheckOptions& options) {
     throw InputError("--gradient: expects PROBE:KEY, as in force:objects.tape.energies.0.young; got '" + options.gradient + "'");
   const std::string probe = options.gradient.substr(0, colon), key = options.gradient.substr(colon + 1);
   const ThreadLimit threads(options.threads);
-  const GradientCheck c = check_gradient(load_experiment(options.file, options.overrides), probe, key, options.gradient_step);
+  const GradientCheck c = check_gradient(loaded_scene(options), probe, key, options.gradient_step);
   fmt::print("d({})/d({}), and finite differences of runs with {:.6g} -+ {:.3g}, all in SI\n", probe, key, c.number, c.step);
   print_warnings(c.warnings);
   if (c.times.empty()) {
@@ -132,15 +132,8 @@ int check_gradient_of(const CheckOptions& options) {
 }  // namespace
 
 int check_command(const CheckOptions& options) {
-  if (!options.plugins.empty()) {
-    CheckOptions named = options;
-    named.overrides = overrides_with_plugins(options);
-    named.plugins.clear();
-    return check_command(named);
-  }
-  if (!options.picture.empty()) return picture_command(options);
   if (!options.gradient.empty()) return check_gradient_of(options);
-  BuiltExperiment built(load_experiment(options.file, options.overrides));
+  BuiltExperiment built(loaded_scene(options));
   const Experiment& experiment = built.experiment();
   World& world = built.world();
   if (built.experiment().protocols.empty()) probes_of(built);

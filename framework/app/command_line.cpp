@@ -279,7 +279,7 @@ class CommandLine {
     check->add_option("--picture", check_.picture, "draw the initial state of the scene to a file (.png)")->type_name("PICTURE");
     check->callback([this] {
       settle(check_);
-      exit_code_ = check_command(check_);
+      exit_code_ = check_.picture.empty() ? check_command(check_) : picture_command(check_);
     });
   }
 

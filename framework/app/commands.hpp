@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/experiment/load_experiment.hpp"
 #include "framework/run/recorded_run.hpp"
 
 namespace tack {
@@ -28,6 +29,8 @@ struct SceneOptions {
 // run keeps then names them, so that it can be repeated and resumed. Throws InputError for a plugin
 // that cannot be loaded.
 std::vector<std::string> overrides_with_plugins(const SceneOptions& options);
+// Returns the scene with its overrides and plugins. Throws InputError.
+LoadedExperiment loaded_scene(const SceneOptions& options);
 
 // With `profile`, no frames are written unless overrides ask for them.
 struct RunOptions : RunSettings {
@@ -187,7 +190,7 @@ struct CheckOptions : SceneOptions {
 // Validates an experiment without running it: keys, meshes, pairs, the initial state, and the
 // derivatives of the incremental potential at the initial state.
 int check_command(const CheckOptions& options);
-// Calls check_command without the picture, then draws the picture.
+// Calls check_command, then draws the picture.
 int picture_command(const CheckOptions& options);
 
 struct ListOptions {

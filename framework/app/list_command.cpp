@@ -8,6 +8,7 @@
 #include "framework/app/commands.hpp"
 #include "framework/catalogue/search.hpp"
 #include "framework/config/describe.hpp"
+#include "framework/config/nearest.hpp"
 #include "framework/config/registry.hpp"
 #include "framework/experiment/experiment.hpp"
 #include "framework/plugin/plugins.hpp"
@@ -16,9 +17,11 @@
 namespace tack {
 namespace {
 
-bool is_kind(const std::string& name) {
-  const std::vector<const Kind*> kinds = registered_kinds();
-  return std::any_of(kinds.begin(), kinds.end(), [&](const Kind* kind) { return kind->name() == name; });
+// Returns the kind of that name; nullptr if there is none.
+const Kind* kind_named(const std::string& name) {
+  for (const Kind* kind : registered_kinds())
+    if (kind->name() == name) return kind;
+  return nullptr;
 }
 
 std::string found(const std::string& query) {
@@ -35,27 +38,11 @@ std::string named(const std::string& name) {
   return text;
 }
 
-// Returns whether a kind has a component of that name, loaded or not.
-bool is_component(const std::string& kind_name, const std::string& name) {
-  const auto kinds = registered_kinds();
-  return std::any_of(kinds.begin(), kinds.end(), [&](const Kind* kind) {
-    const std::vector<std::string> names = kind->names();
-    return kind->name() == kind_name && std::find(names.begin(), names.end(), name) != names.end();
-  });
-}
-
 // Returns the text of a component of a kind. The kind's name may also be the first word of a search:
-// "probe tack".
-std::string component_or_found(const std::string& kind, const std::string& name) {
-  if (is_component(kind, name)) return list_component(kind, name);
-  try {
-    return list_component(kind, name);
-  } catch (const InputError& error) {
-    const bool misspelt = std::string(error.what()).find("did you mean") != std::string::npos;
-    const std::string text = misspelt ? "" : found(kind + " " + name);
-    if (text.empty()) throw;
-    return text;
-  }
+// "probe tack". Throws InputError for a name that is neither.
+std::string component_or_found(const Kind& kind, const std::string& name) {
+  const std::string text = nearest(name, kind.names()).empty() ? found(kind.name() + " " + name) : "";
+  return text.empty() ? list_component(kind.name(), name) : text;
 }
 
 // Returns what a search finds, or the text of a component whose kind is misspelt.
@@ -70,14 +57,15 @@ std::string found_or_component(const std::string& kind, const std::string& name,
 int list_command(const ListOptions& o) {
   for (const std::string& plugin : o.plugins) load_plugin(std::filesystem::absolute(plugin).string());
   if (o.writes_files()) return describe_command(o);
-  if (o.kind == study_kind && !is_kind(o.kind)) throw InStudies{};
+  const Kind* kind = kind_named(o.kind);
+  if (o.kind == study_kind && !kind) throw InStudies{};
   if (o.kind.empty()) {
-    fmt::print("{}{}", list_kinds(), is_kind(study_kind) ? "" : fmt::format("of batches: tack list {}\n", study_kind));
+    fmt::print("{}{}", list_kinds(), kind_named(study_kind) ? "" : fmt::format("of batches: tack list {}\n", study_kind));
   } else if (o.names.empty()) {
-    fmt::print("{}", is_kind(o.kind) ? list_kind(o.kind) : named(o.kind));
+    fmt::print("{}", kind ? list_kind(o.kind) : named(o.kind));
   } else {
     const std::string name = fmt::format("{}", fmt::join(o.names, " ")), both = o.kind + " " + name;
-    fmt::print("{}", is_kind(o.kind) ? component_or_found(o.kind, name) : found_or_component(o.kind, name, both));
+    fmt::print("{}", kind ? component_or_found(*kind, name) : found_or_component(o.kind, name, both));
   }
   return exit_done;
 }

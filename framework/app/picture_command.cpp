@@ -11,10 +11,8 @@ namespace tack {
 
 int picture_command(const CheckOptions& options) {
   if (std::filesystem::path(options.picture).extension() != ".png") throw InputError(fmt::format("{}: names of pictures end in .png", options.picture));
-  CheckOptions check = options;
-  check.picture.clear();
-  const int code = check_command(check);
-  draw_setup(load_experiment(options.file, options.overrides), options.picture);
+  const int code = check_command(options);
+  draw_setup(loaded_scene(options), options.picture);
   fmt::print("{}\n", options.picture);
   return code;
 }

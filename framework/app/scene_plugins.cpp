@@ -38,4 +38,6 @@ std::vector<std::string> overrides_with_plugins(const SceneOptions& options) {
   return overrides;
 }
 
+LoadedExperiment loaded_scene(const SceneOptions& options) { return load_experiment(options.file, overrides_with_plugins(options)); }
+
 }  // namespace tack

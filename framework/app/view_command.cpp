@@ -134,7 +134,7 @@ int run_and_show(const ViewOptions& options) {
   RunControl control;
   RunSettings settings = options;
   settings.control = &control;
-  RecordedRun run(load_experiment(options.scene.file, overrides_with_plugins(options.scene)), settings, provenance_of(options.command_line, threads.count()), std::cout,
+  RecordedRun run(loaded_scene(options.scene), settings, provenance_of(options.command_line, threads.count()), std::cout,
                   progress_options(options));
   RunView view(run.folder(), this_build().version, this_build().revision(), &control);
   const HttpServer server([&](const HttpRequest& request) { return view.answer(request); });
