@@ -96,9 +96,8 @@ void show_plan(const BatchFolder& folder, const BatchDescription& d, const std::
              d.limits.jobs, counted(d.limits.threads, "thread"));
   if (open.empty()) return;
   const BatchEstimate estimate = estimate_of(this_program(), folder, d.plan, d.limits, open, trial_seconds_max);
-  const char* about = estimate.at_most ? "at most about" : "about";
-  for (const auto& [base, seconds] : estimate.of_case) fmt::print("a case of {} takes {} {}\n", base, about, short_duration(seconds));
-  fmt::print("{} {} in all{}; nothing was run yet\n", about, short_duration(estimate.seconds), estimate.at_most ? ", if protocols last until time.duration" : "");
+  for (const auto& [base, seconds] : estimate.of_case) fmt::print("a case of {} takes {} {}\n", base, estimate.about(), short_duration(seconds));
+  fmt::print("{} {} in all{}; nothing was run yet\n", estimate.about(), short_duration(estimate.seconds), estimate.condition());
 }
 
 // Follows the states that the tasks of the job array write, until all tasks have ended.

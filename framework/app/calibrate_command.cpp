@@ -89,11 +89,11 @@ void show_plan(const CalibrateConfig& config, FittedScenes& scenes, BatchDescrip
   const BatchEstimate estimate = estimate_of(fs::read_symlink("/proc/self/exe").string(), BatchFolder{}, d.plan, d.limits, open, longest_trial_seconds);
   double of_point = 0;
   for (const auto& [base, seconds] : estimate.of_case) {
-    fmt::print("a run of {} takes about {}\n", base, short_duration(seconds));
+    fmt::print("a run of {} takes {} {}\n", base, estimate.about(), short_duration(seconds));
     of_point += seconds;
   }
-  fmt::print("about {} evaluations of {} each, {} concurrent: about {} in total; nothing was run yet\n", points, counted(scenes.runs(), "run"), d.limits.jobs,
-             short_duration(of_point * points / d.limits.jobs));
+  fmt::print("about {} evaluations of {} each, {} concurrent: {} {} in total{}; nothing was run yet\n", points, counted(scenes.runs(), "run"), d.limits.jobs,
+             estimate.about(), short_duration(of_point * points / d.limits.jobs), estimate.condition());
 }
 
 }  // namespace

@@ -13,6 +13,9 @@ struct BatchEstimate {
   std::map<std::string, double> of_case;  // s per case, by base
   // A trial was extended to the whole duration of a case that may end earlier, with its protocols.
   bool at_most = false;
+  // Words before and after a time: "at most about", ", if protocols last until time.duration".
+  const char* about() const { return at_most ? "at most about" : "about"; }
+  const char* condition() const { return at_most ? ", if protocols last until time.duration" : ""; }
 };
 
 // Estimates the duration. For each base without a finished case, one case runs for at most `trial`

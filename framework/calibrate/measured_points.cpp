@@ -35,6 +35,9 @@ double noise_of(const Value& noise, const Unit& unit, double peak) {
   const bool relative = noise.text.find('%') != std::string::npos;
   const double s = relative ? to_si(noise.text, units::none) * peak : to_si(noise.text, unit);
   if (!(s > 0)) throw InputError(fmt::format("noise: '{}' must be above zero", noise.text));
+  if (s >= peak)
+    throw InputError(fmt::format("noise: '{}' is {:.4g}{}{}, and the largest measured value is {:.4g}: nothing would be left of the curve; a fraction of it is written with %, as 2%",
+                                 noise.text, s, unit.plain() ? "" : " ", unit.plain() ? "" : unit.si, peak));
   return s;
 }
 

@@ -17,6 +17,8 @@
 #include "framework/core/term_gradient.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/scene/scene_config.hpp"
+#include "framework/setup/adhesion_lengths.hpp"
+#include "framework/setup/dynamic_pressure.hpp"
 #include "framework/world/world.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/thickness.hpp"
@@ -76,12 +78,6 @@ double element_size(const Body& body, const VecX& rest) {
   return std::sqrt(2 * area / static_cast<double>(std::max<size_t>(body.triangles.size(), 1)));
 }
 
-double young_of(const ObjectConfig& object) {
-  for (const auto& energy : object.energies)
-    if (const auto young = energy->young()) return *young;
-  return 0;
-}
-
 // Two objects that press on each other at the start are squeezed if this fraction of their forces
 // is balanced by others of the pair, and the forces exceed the weight of the lighter one. They are
 // thrown apart if the energy of the barrier lifts the lighter one by that many contact distances;
@@ -135,20 +131,20 @@ class Warnings {
   void interface(const AdhesionSummary& adhesion, int a, int b) {
     double young = 0;
     for (const int i : {a, b})
-      if (const double own = young_of(scene_.objects[i]); own > 0) young = young > 0 ? std::min(young, own) : own;
-    const double zone = young * adhesion.work_of_adhesion / (adhesion.peak_traction * adhesion.peak_traction);
+      if (const double own = softest_young(scene_.objects[i]); own > 0) young = young > 0 ? std::min(young, own) : own;
+    const double zone = process_zone(young, adhesion.work_of_adhesion, adhesion.peak_traction);
     const double range = world_.contact->pairs().point(a, b, adhesion.region_pair).range - world_.contact->pairs().offset(a, b);
     for (const int i : a == b ? std::vector{a} : std::vector{a, b}) {
       const SurfaceMeasure& m = measures_[i];
       const std::string& name = world_.bodies[i].name;
       const double size = world_.bodies[i].surface_triangles.empty() ? m.size : element_size(world_.bodies[i], world_.rest);
-      if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, WarningKind::process_zone))
+      if (softest_young(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, WarningKind::process_zone))
         warn(i, WarningKind::process_zone, fmt::format(
             "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
             "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, zone, name));
-      const double length = std::pow(bending_stiffness(i) * 2 * adhesion.work_of_adhesion / std::pow(adhesion.peak_traction, 2), 0.25);
-      if (length > 0 && size > (1 + 1e-6) * length / 2 && first_time(i, WarningKind::bending_length))
+      const double length = bending_length(bending_stiffness(scene_.objects[i], world_.bodies[i]), adhesion.work_of_adhesion, adhesion.peak_traction);
+      if (length > 0 && size > (1 + 1e-6) * largest_per_bending_length * length && first_time(i, WarningKind::bending_length))
         warn(i, WarningKind::bending_length, fmt::format(
             "elements of '{}' ({:.3g} m) are larger than a half of the length over which it bends where its adhesion '{}' - '{}' "
             "lets go ((2 B W / sigma^2)^(1/4) = {:.3g} m, B its bending stiffness per width): the force of peeling is not "
@@ -160,15 +156,6 @@ class Warnings {
             "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",
             name, world_.bodies[a].name, world_.bodies[b].name, m.size, m.gap_change, range, name));
     }
-  }
-
-  // Returns the bending stiffness of a sheet or a rod in its softest direction, per width [N m]; 0
-  // for objects that do not resist bending.
-  double bending_stiffness(int i) const {
-    double least = 0;
-    for (const auto& energy : scene_.objects[i].energies)
-      if (const double own = energy->bending_stiffness(world_.bodies[i]); own > 0) least = least > 0 ? std::min(least, own) : own;
-    return least;
   }
 
   void body(int i) {

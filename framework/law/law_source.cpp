@@ -12,17 +12,23 @@
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/file_kind.hpp"
 #include "framework/plugin/plugins.hpp"
+#include "framework/setup/adhesion_lengths.hpp"
+#include "framework/setup/dynamic_pressure.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
-double softer_young(const SceneConfig& scene, const std::array<int, 2>& pair) {
-  double softer = 0;
-  for (const int i : pair)
-    for (const auto& energy : scene.objects[i].energies)
-      if (const auto own = energy->young(); own && *own > 0) softer = softer > 0 ? std::min(softer, *own) : *own;
-  return softer;
+// Sets the stiffness of the softer solid and of the softer sheet or rod of a pair.
+void set_stiffness(StudiedLaw& law, const SceneConfig& scene, const World& world, const std::array<int, 2>& pair) {
+  const auto lower = [](double& least, double own) {
+    if (own > 0) least = least > 0 ? std::min(least, own) : own;
+  };
+  for (const int i : pair) {
+    const double bending = bending_stiffness(scene.objects[i], world.bodies[i]);
+    lower(law.bending_stiffness, bending);
+    if (bending == 0) lower(law.young, softest_young(scene.objects[i]));
+  }
 }
 
 // Returns the law at a temperature [K].
@@ -52,7 +58,8 @@ std::vector<StudiedLaw> laws_of_scene(Value root, const LawSource& source) {
       law.bond = at_temperature(*law.bond, built.experiment().environment->temperature(0, world.rest.reshaped(3, world.rest.size() / 3).rowwise().mean()));
     law.name = fmt::format("{} of {}", law.law().type(), adhesion.names());
     law.contact_distance = built.experiment().contact->contact_distance;
-    law.young = source.young.value_or(softer_young(built.experiment(), adhesion.kinds.front()));
+    set_stiffness(law, built.experiment(), world, adhesion.kinds.front());
+    law.young = source.young.value_or(law.young);
     laws.push_back(std::move(law));
   }
   if (laws.empty())

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "framework/plot/axis_unit.hpp"
+#include "framework/setup/adhesion_lengths.hpp"
 
 namespace tack {
 namespace {
 
 constexpr double softening_start = 0.9, softening_end = 0.1;  // tractions, of the peak
-constexpr double mesh_size_per_zone = 1.0 / 3;
 constexpr double step_per_softening = 0.1;  // displacement per step over the softening range
 // Largest change of the gap across an element, in ranges (framework/checks/resolution.hpp).
 constexpr double gap_change_per_range = 0.25;
@@ -36,14 +36,18 @@ SofteningRange softening_range(const std::vector<std::pair<double, double>>& tra
 void add_scene_requirements(const StudiedLaw& studied, const StudySettings& settings, const SofteningRange& softening, const SofteningRange& at_speed, std::vector<KeyQuantity>& quantities) {
   const double peak = studied.law().peak_traction(), work = studied.law().work_of_adhesion();
   if (peak > 0 && work > 0 && std::isfinite(work)) {
-    const double per_young = work / (peak * peak);
     if (studied.young > 0) {
-      const double zone = studied.young * per_young;
+      const double zone = process_zone(studied.young, work, peak);
       quantities.push_back({"process zone", zone, "m", fmt::format("E W / sigma^2 with E = {}", with_axis_unit(studied.young, "Pa"))});
       quantities.push_back({"mesh size", mesh_size_per_zone * zone, "m", "for peeling and tearing: a third of the process zone; at most all of it"});
-    } else {
-      quantities.push_back({"process zone per modulus", per_young, "m/Pa", "W / sigma^2; with --young the process zone and the mesh size"});
     }
+    if (studied.bending_stiffness > 0) {
+      const double length = bending_length(studied.bending_stiffness, work, peak);
+      quantities.push_back({"bending length", length, "m", fmt::format("(2 B W / sigma^2)^(1/4) with B = {} per width", with_axis_unit(studied.bending_stiffness, "N m"))});
+      quantities.push_back({"mesh size of a sheet or a rod", largest_per_bending_length * length, "m", "for peeling: at most a half of the bending length"});
+    }
+    if (studied.young == 0 && studied.bending_stiffness == 0)
+      quantities.push_back({"process zone per modulus", process_zone(1, work, peak), "m/Pa", "W / sigma^2; with --young the process zone and the mesh size"});
   }
   if (studied.gap)
     quantities.push_back({"gap change across an element", gap_change_per_range * studied.gap->range(), "m",

@@ -15,9 +15,9 @@ struct SofteningRange {
 // traction: pairs of opening [m] and traction [Pa], openings ascending.
 SofteningRange softening_range(const std::vector<std::pair<double, double>>& traction);
 
-// Appends the process zone (Hillerborg et al. 1976), which sets the mesh size, and the displacement
-// of surfaces per step, which sets the step size. softening: under slow loading. at_speed: at the
-// speed of the settings; empty if unknown.
+// Appends the process zone of solids and the bending length of sheets and rods, which set the mesh
+// size, and the displacement of surfaces per step, which sets the step size. softening: under slow
+// loading. at_speed: at the speed of the settings; empty if unknown.
 void add_scene_requirements(const StudiedLaw& studied, const StudySettings& settings,
                             const SofteningRange& softening, const SofteningRange& at_speed,
                             std::vector<KeyQuantity>& quantities);

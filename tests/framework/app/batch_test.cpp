@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "framework/output/checkpoints.hpp"
-#include "framework/output/csv.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
@@ -318,61 +317,6 @@ TEST_CASE("another batch in the same folder leaves the first one's table", "[bat
   CHECK(file_text(files.path / "b.1" / "results.csv") == longer);
   CHECK(contains(longer, table.substr(table.find('\n') + 1, 10)));
   CHECK(rows_of(files.path / "b").size() == 2);
-}
-
-TEST_CASE("names that spreadsheets take for formulas are none in the table", "[batch]") {
-  const Files files("name: formulas\nbase: tiny.yaml\nset: [output.frames=false, probes.0.name='=1+1', 'expect=[]']\n"
-                    "vary: [{type: cases, cases: [{name: \"=cmd|'/C calc'!A0\"}, {name: '+b'}]}]\n");
-  const ProgramResult result = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
-  INFO(result.out << result.err);
-  REQUIRE(result.exit_code == 0);
-  const auto rows = rows_of(files.path / "b");
-  REQUIRE(rows.size() == 3);
-  CHECK(contains(rows[0], ",'=1+1.final,"));
-  CHECK(contains(rows[1], ",'=cmd|'/C calc'!A0,done"));
-  CHECK(contains(rows[2], ",'+b,done"));
-  const ProgramResult picture = run_tack(files.path, {"plot", "b", "--x", "steps", "--y", "=1+1.final"});
-  INFO(picture.out << picture.err);
-  CHECK(picture.exit_code != 2);  // it knows the column
-}
-
-TEST_CASE("the table is made again from the folder alone", "[batch]") {
-  const Files files(steps_batch + "statistics: [{name: lowest, probe: height, statistic: min}, {probe: stickiness_y, statistic: final}]\n");
-  REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--set", "vary.0.keys={time.step: [0.01 s]}"}).exit_code == 0);
-  const std::string table = file_text(files.path / "b" / "results.csv");
-  CHECK(contains(table, ",lowest,stickiness_y: final,"));
-  fs::remove(files.path / "b" / "results.csv");
-  fs::remove(files.path / "batch.yaml");
-  CHECK(run_tack(files.path, {"batch", "--collect", "b"}).exit_code == 0);
-  CHECK(file_text(files.path / "b" / "results.csv") == table);
-  // tests/python/test_labelled.py reads the contents of such a file.
-  CHECK_FALSE(fs::exists(files.path / "b" / "results.h5"));
-  CHECK(run_tack(files.path, {"batch", "--collect", "b", "--table", "hdf5"}).exit_code == 0);
-  CHECK(file_text(files.path / "b" / "results.h5").starts_with("\x89HDF\r\n"));
-  CHECK(file_text(files.path / "b" / "results.csv") == table);
-  CHECK(run_tack(files.path, {"batch", "--collect", "b"}).exit_code == 0);
-  CHECK(fs::exists(files.path / "b" / "results.h5"));  // the folder keeps the choice
-  CHECK(run_tack(files.path, {"batch", "--collect", "b", "--table", "csv"}).exit_code == 0);
-  CHECK_FALSE(fs::exists(files.path / "b" / "results.h5"));
-  const ProgramResult nothing = run_tack(files.path, {"batch", "--collect", "."});
-  CHECK(nothing.exit_code == 2);
-  CHECK(contains(nothing.err, "holds no batch"));
-}
-
-TEST_CASE("a column may be how far cases are from a measured curve", "[batch]") {
-  const Files files(steps_batch + "statistics: [{name: off, probe: height, statistic: deviation, along: time, follows: {file: height.csv, to: 0.15 s, relative_to: peak}}]\n");
-  write_file(files.path / "height.csv", "time [s], height [mm]\n0.05, 50\n0.1, 200\n0.2, 300\n");
-  const ProgramResult result = run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--set", "vary.0.keys={time.step: [0.01 s]}"});
-  INFO(result.out << result.err);
-  REQUIRE(result.exit_code == 0);
-  const CsvTexts table = read_csv_texts(files.path / "b" / "results.csv");
-  const auto off = std::find(table.columns.begin(), table.columns.end(), "off") - table.columns.begin();
-  REQUIRE(off < static_cast<long>(table.columns.size()));
-  CHECK(csv_number(table.rows.at(0).at(static_cast<size_t>(off))).value() == Approx((0.05 + 0.1) / 0.4).epsilon(0.02));  // its centre lies at 0.1 m
-  const std::string text = file_text(files.path / "b" / "results.csv");
-  fs::remove(files.path / "b" / "results.csv");
-  CHECK(run_tack(files.path, {"batch", "--collect", "b"}).exit_code == 0);
-  CHECK(file_text(files.path / "b" / "results.csv") == text);
 }
 
 TEST_CASE("a dry run shows the plan and writes nothing", "[batch]") {

@@ -56,6 +56,18 @@ TEST_CASE("key quantities of Fang's law agree with its closed form", "[law]") {
     if (p.gap < 1.5e-3) CHECK(p.traction == Approx(2e4 * p.gap / 1.5e-3));
 }
 
+TEST_CASE("sheets need elements by the length over which they bend", "[law]") {
+  StudiedLaw fang = law("fang", {"young=2 MPa", "critical_strain=0.01", "peak_distance=1.5 mm", "range=4 mm"}, 0);
+  CHECK(has(study_gap_law(fang, {}).quantities, "process zone per modulus"));
+  fang.bending_stiffness = 1e-5;
+  const auto quantities = study_gap_law(fang, {}).quantities;
+  const double length = std::pow(2 * 1e-5 * 40 / 4e8, 0.25);  // W = 40 J/m^2, a peak of 20 kPa
+  CHECK(quantity_of(quantities, "bending length") == Approx(length));
+  CHECK(quantity_of(quantities, "mesh size of a sheet or a rod") == Approx(length / 2));
+  CHECK_FALSE(has(quantities, "process zone"));
+  CHECK_FALSE(has(quantities, "process zone per modulus"));
+}
+
 TEST_CASE("key quantities of RCC agree with its closed form in each direction", "[law]") {
   constexpr double stiffness = 3e8, across = 1e8, work = 2;  // C_N, C_T, W
   const BondStudy study = study_bond_law(law("rcc", {"normal_stiffness=3e8", "tangential_stiffness=1e8", "work_of_adhesion=2"}), {});

@@ -1,0 +1,19 @@
+#include "framework/setup/adhesion_lengths.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tack {
+
+double process_zone(double young, double work, double peak) { return young * work / (peak * peak); }
+
+double bending_length(double stiffness, double work, double peak) { return std::pow(2 * stiffness * work / (peak * peak), 0.25); }
+
+double bending_stiffness(const ObjectConfig& object, const Body& body) {
+  double least = 0;
+  for (const auto& energy : object.energies)
+    if (const double own = energy->bending_stiffness(body); own > 0) least = least > 0 ? std::min(least, own) : own;
+  return least;
+}
+
+}  // namespace tack
