@@ -9,7 +9,7 @@ import {
 const pixels = 1024; // along an edge of the texture
 const reach = 3; // half of the texture's edge, in radii of what is shown
 const fadePixels = 64; // of the map that fades the shade out towards the edge
-const lightDepth = 0.9; // depths of the lights are between - lightDepth and lightDepth
+const lightDepth = 0.9; // depths of the lights are between - lightDepth and lightDepth, within the clip space, which ends at 1
 
 // Returns a texture that is 1 in the middle and falls to 0 from 0.7 of the way to the edge on.
 function fading() {
