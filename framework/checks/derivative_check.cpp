@@ -50,6 +50,17 @@ VecX centred(const VecX& q) {
   return q - mean.replicate(q.size() / 3, 1);
 }
 
+// Returns the Hessian without the multiples of the identity that stand for fixed directions.
+BlockMatrix of_free_directions(BlockMatrix hessian, const DofMap& dofs) {
+  for (const DofMap::PartlyFixedBlock& h : dofs.partly_fixed_blocks())
+    for (int k = hessian.column_start[h.block]; k < hessian.column_start[h.block + 1]; ++k) {
+      if (hessian.row[k] != h.block) continue;
+      const Mat3 free = Mat3::Identity() - h.projection;
+      hessian.block(k) = (free * hessian.block(k) * free).eval();
+    }
+  return hessian;
+}
+
 // One term as a function of the unknowns.
 class TermStudy {
  public:
@@ -61,7 +72,7 @@ class TermStudy {
 
   void examine(const VecX& q, const VecX& direction) {
     potential_.move_to(q);
-    const BlockMatrix& hessian = potential_.hessian({Projection::none});
+    const BlockMatrix hessian = of_free_directions(potential_.hessian({Projection::none}), potential_.dofs());
     const VecX gradient = potential_.gradient();
     const VecX rows = absolute_product(hessian, direction);
     const VecX gradient_round_off = std::numeric_limits<double>::epsilon() * absolute_product(hessian, centred(q));

@@ -188,6 +188,33 @@ interactions:
   }
 }
 
+TEST_CASE("directions that are fixed give inactive terms no Hessian", "[scene]") {
+  // Planes of symmetry at an angle, as of a sector; the ball on the slider has no strain.
+  TestScene scene(R"(time: {step: 5 ms}
+objects:
+  - name: layer
+    shape: {type: box, size: [0.01, 0.003, 0.01], cells: [2, 1, 2]}
+    energies: [{type: neo_hookean, young: 50 kPa, poisson: 0.3, density: 1000}]
+    motion: [{type: fixed, along: [0.6, 0, 0.8], select: {type: face, direction: [1, 0, 0]}}]
+  - name: ball
+    shape: {type: box, size: [0.01, 0.003, 0.001]}
+    place: {translate: [0.001, 0.2, 0]}
+    body: {type: affine, density: 7800, stiffness: 1e9}
+interactions:
+  - {type: slider, object: ball, at: [0, 0.001, 0], axis: [0, 1, 0]}
+  - {type: spring, from: {object: ball, select: {type: formula, where: x < 0 && y < 0.2 && z < 0}}, to: {object: layer, select: {type: formula, where: x < 0 && y > 0 && z < 0}}, stiffness: 30}
+contact: {distance: 1 mm}
+)");
+  int active = 0;
+  for (const DerivativeCheck& c : checks_of(scene)) {
+    INFO(c.term);
+    CHECK_FALSE(c.wrong());
+    CHECK(c.active() == (c.term == "neo_hookean" || c.term == "springs"));
+    active += c.active();
+  }
+  CHECK(active == 2);
+}
+
 TEST_CASE("tack check reports a term that is zero as inactive", "[scene][app]") {
   const TemporaryFolder folder;
   write_file(folder.path() / "far.yaml", tiny_scene_with("[0, 0.1006, 0]", "[0, 0.3, 0]"));
