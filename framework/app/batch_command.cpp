@@ -143,7 +143,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
     follow(jobs, folder, open, progress);
   }
   if (interrupt_requested) {
-    fmt::print("{} go on (`{}` ends them); {}\n", jobs.names(), jobs.cancel(), later);
+    fmt::print("{}; {}\n", jobs.left(), later);
     return exit_interrupted;
   }
   return report(folder, d, options.quiet, options.only);

@@ -11,6 +11,7 @@
 #include "framework/law/law_plots.hpp"
 #include "framework/law/law_source.hpp"
 #include "framework/law/law_tables.hpp"
+#include "framework/output/file_names.hpp"
 #include "framework/plot/axis_unit.hpp"
 #include "framework/plot/gnuplot.hpp"
 #include "framework/plugin/plugins.hpp"
@@ -154,7 +155,7 @@ int law_command(const LawOptions& o) {
   std::set<std::string> prefixes;
   bool right = true;
   for (const StudiedLaw& law : laws) {
-    std::string prefix = laws.size() > 1 ? picture_name(law.name) + "_" : "";
+    std::string prefix = laws.size() > 1 ? file_name(law.name) + "_" : "";
     while (!prefixes.insert(prefix).second) prefix += "_";
     fmt::print("{}: a law of {}. {}.\n", law.name, law.gap ? "the gap" : "bonds", law.law().traits_text());
     if (law.gap) {

@@ -10,6 +10,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/measured/measured_curve.hpp"
+#include "framework/output/file_names.hpp"
 #include "framework/plot/gnuplot.hpp"
 #include "framework/plot/run_plots.hpp"
 #include "framework/plot/table_plots.hpp"
@@ -113,7 +114,7 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
     if (what.by.empty())
       for (const std::string& key : batch.plan.columns)
         if (key != what.x && key != "repeat") what.by.push_back(key);
-    pictures.draw(chosen(table_plot(table, what, batch.plan.units), options), picture_name(options.y) + "_by_" + picture_name(options.x));
+    pictures.draw(chosen(table_plot(table, what, batch.plan.units), options), file_name(options.y) + "_by_" + file_name(options.x));
     return pictures.exit_code();
   }
   for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what, batch.plan.units), name);
@@ -125,51 +126,50 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
       by_case[one.name] = runs.back();
     }
   pictures.draw_runs(runs);
+  FileNames names;
   for (const BatchPlot& what : batch.plan.plots) try {
-      if (what.bars.empty()) pictures.draw(curves_of(what, batch.plan, by_case), picture_name(what.name));
-      else pictures.draw(bars_of(what, batch.plan, table), picture_name(what.name));
+      if (what.bars.empty()) pictures.draw(curves_of(what, batch.plan, by_case), names.of(what.name));
+      else pictures.draw(bars_of(what, batch.plan, table), names.of(what.name));
     } catch (const InputError& error) {
       pictures.report(error.what(), what.name);
     }
   return pictures.exit_code();
 }
 
-// Draws the pictures of a comparison again, from the scripts that `tack compare` left there.
-int plot_comparison(const fs::path& folder) {
-  Pictures pictures(folder / "plots");
-  for (const char* name : {"work_precision", "performance_profile", "convergence"})
-    if (fs::exists(folder / "plots" / (std::string(name) + ".gp"))) pictures.report(draw_script(folder / "plots", name), name);
-  return pictures.exit_code();
-}
-
-// Draws the pictures of a calibration again, from the scripts that `tack calibrate` left there.
-int plot_calibration(const fs::path& folder) {
-  Pictures pictures(folder / "plots");
+// Draws the pictures of a comparison or a calibration again, from the scripts in its folder `plots`. output: empty: there.
+int plot_again(const fs::path& folder, const fs::path& output) {
+  const fs::path scripts = folder / "plots";
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder / "plots"))
+  for (const auto& entry : fs::directory_iterator(scripts))
     if (entry.path().extension() == ".gp") names.push_back(entry.path().stem());
   std::sort(names.begin(), names.end());
-  for (const std::string& name : names) pictures.report(draw_script(folder / "plots", name), name);
+  const fs::path drawn = output.empty() ? scripts : output;
+  Pictures pictures(drawn);
+  for (const std::string& name : names) {
+    const fs::path script = name + ".gp";
+    if (!fs::equivalent(scripts, drawn)) fs::copy_file(scripts / script, drawn / script, fs::copy_options::overwrite_existing);
+    pictures.report(draw_script(drawn, name), name);
+  }
   return pictures.exit_code();
 }
 
 }  // namespace
 
 int plot_command(const PlotOptions& options) {
+  if (options.x_range.size() == 2 && !(options.x_range[0] < options.x_range[1]))
+    throw InputError(fmt::format("--x-range: expects the smallest x and then the largest, got {:g} {:g}", options.x_range[0], options.x_range[1]));
   const fs::path first = options.folders.front();
-  if (fs::exists(first / "calibration.json")) {
-    if (options.folders.size() > 1 || !options.x.empty())
-      throw InputError(fmt::format("{}: is a calibration; draw it by itself, and columns of its points by its folder evaluations", first.string()));
-    return plot_calibration(first);
-  }
-  const bool batch = fs::exists(first / "batch.json"), comparison = fs::exists(first / "compare.csv");
+  const bool calibration = fs::exists(first / "calibration.json"), batch = !calibration && fs::exists(first / "batch.json"),
+             comparison = !calibration && !batch && fs::exists(first / "compare.csv");
+  if (calibration && (options.folders.size() > 1 || !options.x.empty()))
+    throw InputError(fmt::format("{}: is a calibration; draw it by itself, and columns of its points by its folder evaluations", first.string()));
   if ((batch || comparison) && options.folders.size() > 1)
     throw InputError(fmt::format("{}: is a {}; draw it by itself", first.string(), batch ? "batch" : "comparison"));
-  if (comparison && !batch && (!options.style.empty() || !options.overrides.empty()))
-    throw InputError(fmt::format("{}: pictures of a comparison are drawn as they were made; change the scripts in its folder plots", first.string()));
-  if (comparison && !batch && !options.x.empty()) throw InputError(fmt::format("{}: --x and --y are for runs and batches", first.string()));
+  if ((comparison || calibration) && (!options.style.empty() || !options.overrides.empty()))
+    throw InputError(fmt::format("{}: pictures of a {} are drawn as they were made; change the scripts in its folder plots", first.string(), calibration ? "calibration" : "comparison"));
+  if (comparison && !options.x.empty()) throw InputError(fmt::format("{}: --x and --y are for runs and batches", first.string()));
   if (!batch && !options.by.empty()) throw InputError(fmt::format("{}: --by is for the table of a batch", first.string()));
-  if (comparison && !batch) return plot_comparison(first);
+  if (comparison || calibration) return plot_again(first, options.output);
   fs::path output = options.output;
   if (output.empty()) output = options.folders.size() == 1 ? first / "plots" : fs::path("plots");
   if (batch) return plot_batch(options, BatchFolder::found(first), output);
@@ -180,7 +180,7 @@ int plot_command(const PlotOptions& options) {
   }
   Pictures pictures(output, look_of(options));
   if (options.x.empty()) pictures.draw_runs(runs);
-  else pictures.draw(chosen(probe_curves(runs, options.x, options.y), options), picture_name(options.y) + "_over_" + picture_name(options.x));
+  else pictures.draw(chosen(probe_curves(runs, options.x, options.y), options), file_name(options.y) + "_over_" + file_name(options.x));
   return pictures.exit_code();
 }
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <thread>
 
 #include "framework/output/csv.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
 #include "geometry/io/replace_file.hpp"
 
 namespace tack {
@@ -32,7 +34,11 @@ double trial_of(const std::string& program, const BatchCase& one, const BatchLim
   if (limits.memory) arguments.insert(arguments.end(), {"--memory", fmt::format("{}", *limits.memory)});
   arguments.insert(arguments.end(), {"--set", "output.frames=false", fmt::format("time.wall_limit={} s", trial)});
   ChildProcess process(arguments, scratch.path / "output.txt");
-  while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  while (!process.ended()) {
+    if (interrupt_requested) process.send(SIGTERM);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  if (interrupt_requested) throw Interrupted{};
   try {
     const CsvTable steps = read_csv(scratch.path / "run" / "steps.csv");
     const auto time = steps.column("time");

@@ -10,6 +10,7 @@
 #include "framework/batch/results_table.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/retired_keys.hpp"
+#include "framework/config/short_key.hpp"
 #include "framework/config/units.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "geometry/errors.hpp"
@@ -28,17 +29,6 @@ std::string cell_text(const std::string& text) {
   } catch (const InputError&) {
     return text;
   }
-}
-
-// Returns the shortest end of a key that no other column has: "young" of
-// "objects.cube.energies.0.young".
-std::string short_column(const std::string& column, const std::vector<std::string>& columns) {
-  for (size_t dot = column.rfind('.'); dot != column.npos && dot > 0; dot = column.rfind('.', dot - 1)) {
-    const std::string tail = column.substr(dot);
-    const auto same = [&](const std::string& other) { return other.ends_with(tail) || "." + other == tail; };
-    if (std::count_if(columns.begin(), columns.end(), same) == 1) return tail.substr(1);
-  }
-  return column;
 }
 
 std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts, int number) {
@@ -88,11 +78,14 @@ void refuse_columns_twice(const Variant& variant) {
                                      variant.shown[i].column));
 }
 
-// Throws for columns whose names are fixed columns of results.csv.
-void refuse_taken_columns(const std::vector<std::string>& columns) {
-  for (const std::string& column : columns)
+// Throws for columns whose names are fixed columns of results.csv, or those of statistics.
+void refuse_taken_columns(const std::vector<std::string>& columns, const std::vector<BatchStatistic>& statistics) {
+  for (const std::string& column : columns) {
     if (is_reserved_column(column))
       throw InputError(fmt::format("vary: results.csv has a column '{}' already; name this one otherwise with `as`", column));
+    if (std::any_of(statistics.begin(), statistics.end(), [&](const BatchStatistic& s) { return s.column() == column; }))
+      throw InputError(fmt::format("vary: a statistic and a varied key would both be the column '{}'; give the statistic another `name`, or the key another one with `as`", column));
+  }
 }
 
 class Planner {
@@ -101,7 +94,7 @@ class Planner {
       : config_(config), progress_(progress), variants_(all_variants(config)), resolver_(program) {
     refuse_columns_twice(variants_.front());
     for (const Variant::Shown& s : variants_.front().shown) columns_.push_back(s.column);
-    refuse_taken_columns(columns_);
+    refuse_taken_columns(columns_, config.statistics);
     plan_.name = config.name;
     plan_.about = config.about;
     plan_.statistics = config.statistics;
@@ -144,7 +137,7 @@ class Planner {
     }
     for (const Variant::Shown& s : variant.shown) {
       one.values[s.column] = cell_text(s.text);
-      parts.push_back({short_column(s.column, columns_), s.text});
+      parts.push_back({short_key(s.column, columns_), s.text});
     }
     one.base = base.name;
     one.name = names_.free(name_of(parts, static_cast<int>(plan_.cases.size()) + 1));

@@ -31,6 +31,17 @@ std::string ranges(const std::vector<size_t>& numbers) {
   return text;
 }
 
+// Returns the number in the output of `sbatch --parsable`, "12" or "12;cluster" in a line that may
+// follow messages; "" while there is none.
+std::string job_number(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    const std::string number = line.substr(0, line.find(';'));
+    if (!in.eof() && !number.empty() && std::all_of(number.begin(), number.end(), [](unsigned char c) { return std::isdigit(c); })) return number;
+  }
+  return "";
+}
+
 std::string first_line(const std::filesystem::path& path) {
   std::ifstream in(path);
   std::string line;
@@ -38,12 +49,14 @@ std::string first_line(const std::filesystem::path& path) {
   return line;
 }
 
-InputError refusal(const std::filesystem::path& output, int code) {
+// submitted: before the refusal.
+InputError refusal(const std::filesystem::path& output, int code, const SlurmJobs& submitted) {
   std::ifstream in(output);
   std::string text{std::istreambuf_iterator<char>(in), {}};
   while (!text.empty() && text.back() == '\n') text.pop_back();
   if (code == 127) text = "sbatch is not there; run the batch without --slurm, or on a machine of the cluster";
-  return InputError(fmt::format("Slurm does not take the batch: {}", text));
+  if (submitted.ids.empty()) return InputError(fmt::format("Slurm does not take the batch: {}", text));
+  return InputError(fmt::format("Slurm does not take all of the batch: {}\n{}; submit the other cases when they have ended", text, submitted.left()));
 }
 
 // Waits until the process ends; returns its exit code.
@@ -91,8 +104,6 @@ std::string in_pattern(const std::string& folder) {
   for (const char c : folder) text += c == '%' ? "%%" : std::string(1, c);
   return text;
 }
-
-std::string number_of(const std::string& line) { return line.substr(0, line.find(';')); }
 
 }  // namespace
 
@@ -143,6 +154,8 @@ bool SlurmJobs::ended() {
   return std::all_of(waiting.begin(), waiting.end(), [](ChildProcess& p) { return p.ended(); });
 }
 
+std::string SlurmJobs::left() const { return fmt::format("{} {} on (`{}` ends {})", names(), ids.size() == 1 ? "goes" : "go", cancel(), ids.size() == 1 ? "it" : "them"); }
+
 std::string SlurmJobs::names() const { return fmt::format("{} {}", ids.size() == 1 ? "job" : "jobs", fmt::join(ids, ", ")); }
 
 std::string SlurmJobs::cancel() const { return fmt::format("scancel {}", fmt::join(ids, " ")); }
@@ -160,10 +173,14 @@ SlurmJobs submit(const std::string& program, const BatchFolder& folder, const Sl
     if (slurm.at_once > 0 && !jobs.ids.empty()) options.push_back("--dependency=afterany:" + jobs.ids.back());
     const auto output = folder.root / "output" / fmt::format("sbatch{}.txt", array.offset > 0 ? fmt::format("_{}", array.offset) : "");
     ChildProcess process = sbatch(folder, options, array.offset, output);
-    // sbatch prints the number first; with --wait, it ends when all tasks have ended.
-    while (first_line(output).empty() && !process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    const std::string id = number_of(first_line(output));
-    if (process.ended() && (id.empty() || !std::isdigit(static_cast<unsigned char>(id.front())))) throw refusal(output, process.exit_code());
+    // With --wait, sbatch ends when all tasks have ended.
+    bool ended = false;
+    while (job_number(output).empty() && !ended) {
+      ended = process.ended();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    const std::string id = job_number(output);
+    if (id.empty()) throw refusal(output, process.exit_code(), jobs);
     jobs.ids.push_back(id);
     jobs.waiting.push_back(std::move(process));
   }

@@ -28,6 +28,7 @@ struct SlurmJobs {
   bool ended();
   std::string names() const;   // "job 12", "jobs 12, 13"
   std::string cancel() const;  // the command that ends them
+  std::string left() const;    // "job 12 goes on (`scancel 12` ends it)"
 };
 
 // Writes the script of the folder and its tasks (slurm_tasks.hpp), and submits the script for

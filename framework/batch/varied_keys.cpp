@@ -69,6 +69,8 @@ VariedRange range_of(const Value::Entry& e) {
   if (unit_to != range.unit)
     refuse(e.value.mark, fmt::format("'from' is in '{}', 'to' in '{}'; write both in one unit", range.unit, unit_to));
   if (!(range.from < range.to)) refuse(e.value.mark, fmt::format("'from' ({}) must be below 'to' ({})", range.from, range.to));
+  if (range.whole && (range.from != std::floor(range.from) || range.to != std::floor(range.to)))
+    refuse(e.value.mark, fmt::format("whole: true needs 'from' and 'to' that are whole numbers, not {} and {}", range.from, range.to));
   if (range.log && range.from <= 0) refuse(e.value.mark, "scale: log needs 'from' above zero");
   return range;
 }

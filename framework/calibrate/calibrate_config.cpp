@@ -3,21 +3,27 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <set>
 
+#include "framework/batch/batch_plan.hpp"
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/experiment/file_kind.hpp"
+#include "framework/output/file_names.hpp"
 
 namespace tack {
 namespace {
 
 std::string name_of(const MeasuredExperiment& e) { return e.name.empty() ? std::filesystem::path(e.data).stem().string() : e.name; }
 
+// Returns an error message for names that are equal, or equal as names of files and cases.
 std::string check_names(const std::vector<MeasuredExperiment>& experiments) {
-  std::set<std::string> names;
-  for (const MeasuredExperiment& e : experiments)
-    if (!names.insert(name_of(e)).second) return fmt::format("two experiments are named '{}'; give each its own `name`", name_of(e));
+  for (size_t i = 0; i < experiments.size(); ++i)
+    for (size_t k = 0; k < i; ++k) {
+      const std::string one = name_of(experiments[k]), other = name_of(experiments[i]);
+      if (one == other) return fmt::format("two experiments are named '{}'; give each its own `name`", one);
+      if (file_name(one) == file_name(other) || case_name({{"base", one}}) == case_name({{"base", other}}))
+        return fmt::format("the files of the experiments '{}' and '{}' would have the same names; let the names differ in letters from a to z, digits, -, + or .", one, other);
+    }
   return "";
 }
 

@@ -54,7 +54,9 @@ CalibrationRun run_calibration(const CalibrateConfig& config, FittedScenes& scen
     });
   } catch (const Interrupted&) {
     evaluator.write_tables();
-    print(fmt::format("interrupted: call it again to continue; finished runs are kept in {}", run.folder.evaluations.root.string()));
+    const std::string& jobs = evaluator.jobs_left();
+    print(fmt::format("interrupted: {}call it again{} to continue; finished runs are kept in {}", jobs.empty() ? "" : jobs + "; ", jobs.empty() ? "" : " when that has ended",
+                      run.folder.evaluations.root.string()));
     throw;
   } catch (const SimulationError&) {
     evaluator.write_tables();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/output/csv.hpp"
+#include "framework/output/file_names.hpp"
 #include "framework/output/provenance_json.hpp"
 #include "geometry/io/replace_file.hpp"
 

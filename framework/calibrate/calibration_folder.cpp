@@ -40,11 +40,4 @@ CalibrationFolder CalibrationFolder::opened(const fs::path& root, const std::str
   return folder;
 }
 
-std::string file_name(const std::string& name) {
-  std::string text = name;
-  for (char& c : text)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && std::string_view("-_.").find(c) == std::string_view::npos) c = '_';
-  return text;
-}
-
 }  // namespace tack

@@ -39,7 +39,4 @@ struct CalibrationFolder {
   static CalibrationFolder opened(const std::filesystem::path& root, const std::string& name);
 };
 
-// Returns the name with characters replaced that are unsafe in shells and file systems.
-std::string file_name(const std::string& name);
-
 }  // namespace tack

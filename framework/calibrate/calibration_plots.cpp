@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "framework/calibrate/calibration_files.hpp"
+#include "framework/output/file_names.hpp"
 #include "framework/plot/gnuplot.hpp"
 
 namespace tack {

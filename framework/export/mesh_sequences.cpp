@@ -31,7 +31,9 @@ class MeshSequence : public ShapeFormat {
       begin(files, folder, object);
       files.commit();
     }
+    int last = -1;
     run.visit([&](int sample, const ObjectPositions& x) {
+      last = sample;
       DraftFiles files;
       for (size_t k = 0; k < x.size(); ++k) {
         const ExportedObject& object = run.objects()[k];
@@ -41,9 +43,22 @@ class MeshSequence : public ShapeFormat {
       }
       files.commit();
     });
+    for (const ExportedObject& object : run.objects()) remove_after(last, folder, object.file_name);
   }
 
  private:
+  // Removes the files of an object that an earlier, longer sequence left there: programs that read sequences would take them for its end.
+  void remove_after(int last, const fs::path& folder, const std::string& name) const {
+    std::vector<fs::path> stale;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const std::string file = entry.path().filename();
+      if (!file.starts_with(name + "_") || entry.path().extension() != "." + extension_) continue;
+      const std::string number = entry.path().stem().string().substr(name.size() + 1);
+      if (number.size() == 6 && number.find_first_not_of("0123456789") == number.npos && std::stoi(number) > last) stale.push_back(entry.path());
+    }
+    for (const fs::path& path : stale) fs::remove(path);
+  }
+
   std::string extension_;
   OutputUnit unit_;
 };

@@ -44,7 +44,8 @@ RunFrames::RunFrames(const fs::path& given) : folder_(folder_with_frames(given))
 FrameFile RunFrames::read(int number) const {
   const fs::path path = path_of(number);
   const auto failed = [&](const std::string& why) {
-    return InputError(fmt::format("{}: the frame at {:.6g} s {}; leave it out by from=... or to=..., or run the scene again", path.string(), list_[number].time, why));
+    return InputError(fmt::format("{}: the frame at {:.6g} s {}; {}run the scene again", path.string(), list_[number].time, why,
+                                  number == 0 ? "the elements are read from it: " : "leave it out by from=... or to=..., or "));
   };
   std::error_code none;
   if (!fs::exists(path, none)) throw failed("is missing");

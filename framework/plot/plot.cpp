@@ -1,24 +1,26 @@
 #include "framework/plot/plot.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 namespace tack {
 
-std::string picture_name(std::string text) {
-  for (char& c : text)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
-  return text;
-}
-
 Plot within(Plot plot, double low, double high) {
   for (Curve& c : plot.curves) {
     Curve kept{c.title, {}, {}, c.scattered};
+    bool left = false;  // the curve has left the range since the last point
     for (size_t i = 0; i < c.points.size(); ++i) {
-      if (!(c.points[i].first >= low && c.points[i].first <= high)) continue;
+      if (!(c.points[i].first >= low && c.points[i].first <= high)) {
+        left = !kept.points.empty();
+        continue;
+      }
+      if (left) {
+        kept.points.emplace_back(std::nan(""), 0);
+        if (!c.spread.empty()) kept.spread.emplace_back(0, 0);
+        left = false;
+      }
       kept.points.push_back(c.points[i]);
       if (!c.spread.empty()) kept.spread.push_back(c.spread[i]);
     }

@@ -63,10 +63,7 @@ struct StackedBars {
   std::vector<BarMark> marks = {};
 };
 
-// Replaces the characters of a text that a file name must not have.
-std::string picture_name(std::string text);
-
-// Returns the plot restricted to x in [low, high].
+// Returns the plot restricted to x in [low, high]. A curve that leaves the range is broken there.
 Plot within(Plot plot, double low, double high);
 
 // Merges curves with equal points into one with both titles; otherwise one would hide the other.

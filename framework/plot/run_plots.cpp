@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "framework/config/nearest.hpp"
+#include "framework/output/file_names.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -131,6 +132,7 @@ PlottedRun plotted_run(const fs::path& folder, const std::string& name) {
 
 std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
   std::map<std::string, Plot> plots;
+  FileNames names;
   const auto add = [&](const std::string& name, const char* title, const std::string& y_label, const std::string& y_unit, bool log, std::optional<Curve> curve) {
     if (!curve || curve->points.empty()) return;
     Plot& plot = plots[name];
@@ -147,7 +149,7 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
   };
   for (const PlottedRun& run : runs) {
     for (const std::string& column : run.probes.columns)
-      if (column != "time") add("probe_" + picture_name(column), column.c_str(), column, unit_of(run, column), false, over_time(run.probes, column, run.name));
+      if (column != "time") add("probe_" + names.of(column), column.c_str(), column, unit_of(run, column), false, over_time(run.probes, column, run.name));
     for (const StepColumn& s : step_columns) add(s.name, s.title, s.y_label, s.y_unit, false, over_time(run.steps, s.column, run.name));
     add("smallest_gap", "smallest gap", "gap", "m", true, smallest_gap(run));
     if (runs.size() > 1) continue;
@@ -158,7 +160,7 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
   for (const auto& [of, data] : measured_curves(runs)) {
     const auto &probe = of.first, &along = of.second;
     const auto drawn = [&](const PlottedRun& run) { return run.probes.column(probe) && run.probes.column(along); };
-    if (std::any_of(runs.begin(), runs.end(), drawn)) plots.emplace("measured_" + picture_name(probe), probe_curves(runs, along, probe));
+    if (std::any_of(runs.begin(), runs.end(), drawn)) plots.emplace("measured_" + names.of(probe), probe_curves(runs, along, probe));
   }
   return plots;
 }

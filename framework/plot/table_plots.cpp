@@ -7,6 +7,8 @@
 #include <set>
 
 #include "framework/config/nearest.hpp"
+#include "framework/config/short_key.hpp"
+#include "framework/output/file_names.hpp"
 #include "framework/plot/axis_unit.hpp"
 #include "geometry/errors.hpp"
 
@@ -22,9 +24,6 @@ size_t column_of(const CsvTexts& table, const std::string& name) {
     throw InputError(fmt::format("the table has no column '{}'{}", name, suggestion(name, table.columns, "columns")));
   return static_cast<size_t>(found - table.columns.begin());
 }
-
-// Returns the last part of a key: "young" of "objects.cube.energies.0.young".
-std::string short_name(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
 std::set<double> numbers_in(const CsvTexts& table, const std::string& column) {
   std::set<double> numbers;
@@ -52,7 +51,7 @@ std::string cell(const std::string& text, const std::string& unit) {
 
 Plot table_plot(const CsvTexts& table, const TablePlot& what, const std::map<std::string, std::string>& units) {
   Plot plot;
-  plot.title = what.y + " by " + short_name(what.x);
+  plot.title = what.y + " by " + short_key(what.x, table.columns);
   plot.x_label = what.x;
   plot.y_label = what.y;
   plot.x_unit = unit_of(what.x, units);
@@ -79,7 +78,7 @@ Plot table_plot(const CsvTexts& table, const TablePlot& what, const std::map<std
       continue;
     }
     std::string title;
-    for (size_t i = 0; i < by.size(); ++i) title += fmt::format("{}{} {}", i ? ", " : "", short_name(what.by[i]), cell(row[by[i]], unit_of(what.by[i], units)));
+    for (size_t i = 0; i < by.size(); ++i) title += fmt::format("{}{} {}", i ? ", " : "", short_key(what.by[i], table.columns), cell(row[by[i]], unit_of(what.by[i], units)));
     auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == title; });
     if (group == groups.end()) group = groups.insert(groups.end(), {title, {}});
     group->second[at].push_back(value);
@@ -107,6 +106,7 @@ Plot table_plot(const CsvTexts& table, const TablePlot& what, const std::map<std
 std::map<std::string, TablePlot> default_table_plots(const CsvTexts& table, const std::vector<std::string>& keys,
                                                      const std::vector<std::string>& statistics) {
   std::map<std::string, TablePlot> plots;
+  FileNames names;
   for (const std::string& x : keys) {
     if (x == "repeat" || numbers_in(table, x).size() < 2) continue;
     for (const std::string& y : statistics) {
@@ -114,7 +114,7 @@ std::map<std::string, TablePlot> default_table_plots(const CsvTexts& table, cons
       TablePlot plot{x, y, {}, wide(numbers_in(table, x)), wide(numbers_in(table, y))};
       for (const std::string& other : keys)
         if (other != x && other != "repeat") plot.by.push_back(other);
-      plots[picture_name(y) + "_by_" + picture_name(short_name(x))] = plot;
+      plots[names.of(y + "_by_" + short_key(x, keys))] = plot;
     }
   }
   return plots;

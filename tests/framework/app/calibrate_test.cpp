@@ -226,6 +226,8 @@ TEST_CASE("errors of a calibration are reported before anything runs", "[calibra
   CHECK_THAT(error("start: 30 kPa", "start: 60 kPa"), Catch::Contains("the start is not between from and to"));
   CHECK_THAT(error("noise: 2%", "noise: 2 mm"), Catch::Contains("experiment 'pull': ") && Catch::Contains("'2 mm'"));
   CHECK_THAT(error("noise: 2%", "noise: 2"), Catch::Contains("noise: '2' is 2 N, and the largest measured value is") && Catch::Contains("written with %"));
+  const std::string same = ", base: " + (shipped / "pull.yaml").string() + ", data: " + (shipped / "pull.csv").string() + ", x: way, y: force, noise: 2%}\n";
+  CHECK_THAT(error("experiments:\n", "experiments:\n  - {name: pul<l" + same + "  - {name: pul>l" + same), Catch::Contains("the files of the experiments 'pul<l' and 'pul>l' would have the same names"));
   CHECK_THAT(error("work: {", "strength: {"), Catch::Contains("strength"));
   CHECK_THAT(error("work: {", "work: {as: strength, "), Catch::Contains("two parameters are named 'strength'"));
   CHECK_THAT(error("keys: contact.pairs.0.adhesion.work_of_adhesion", "keys: {pul: a}"), Catch::Contains("there is no experiment 'pul'; did you mean 'pull'?"));

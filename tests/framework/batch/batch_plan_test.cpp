@@ -104,6 +104,7 @@ TEST_CASE("a batch has no more cases than can be planned, and no column twice", 
     refused(std::string("vary: [{type: grid, keys: {time.step: {values: [5 ms], as: ") + taken + "}}}]\n", "results.csv has a column '");
     refused(std::string("statistics: [{name: ") + taken + ", probe: height, statistic: min}]\n", "give this statistic another name");
   }
+  refused("vary: [{type: grid, keys: {time.step: {values: [5 ms], as: h}}}]\nstatistics: [{name: h, probe: height, statistic: min}]\n", "would both be the column 'h'");
   refused("vary: [{type: grid, keys: {time.step: {values: [5 ms], as: \"a\\nb\"}}}]\n", "as: expects a text in one line");
   refused("vary: [{type: cases, cases: [{name: \"a\\nb\"}]}]\n", "name: expects a text in one line");
   refused("slurm: {options: [\"--x\\nrm\"]}\n", "options: expects a text in one line");

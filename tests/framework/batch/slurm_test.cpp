@@ -3,6 +3,7 @@
 #include "framework/batch/slurm.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <numeric>
 #include <sstream>
 
@@ -41,6 +42,39 @@ TEST_CASE("job arrays run each case once, with indices below the cluster's limit
   CHECK(job_arrays({0, 1, 2, 5}, 100).front().tasks == "0-2,5");
   CHECK(job_arrays(all, 1001).size() == 3);
   CHECK(job_arrays({}, 10).empty());
+}
+
+// Stands for sbatch while it lives: a script in a folder that PATH begins with.
+class Sbatch {
+ public:
+  Sbatch(const std::filesystem::path& folder, const std::string& script) : path_(std::getenv("PATH")) {
+    write_file(folder / "sbatch", "#!/bin/sh\n" + script);
+    std::filesystem::permissions(folder / "sbatch", std::filesystem::perms::owner_all);
+    setenv("PATH", (folder.string() + ":" + path_).c_str(), 1);
+  }
+  ~Sbatch() { setenv("PATH", path_.c_str(), 1); }
+
+ private:
+  std::string path_;
+};
+
+TEST_CASE("the number of a job is found behind messages; a refusal names the jobs before it", "[batch]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "b" / "output");
+  const BatchFolder batch{folder.path() / "b", nullptr};
+  BatchDescription description;
+  description.plan.cases.resize(3);
+  SlurmConfig slurm;
+  slurm.max_array_size = 2;
+  const auto submitted = [&](const std::string& script) {
+    const Sbatch sbatch(folder.path(), script);
+    return submit("tack", batch, slurm, description, {0, 1, 2}, false);
+  };
+  SlurmJobs jobs = submitted("echo 'sbatch: info: 3 hours are left' >&2\nsleep 0.1\necho '12;cluster'\n");
+  CHECK(jobs.ids == std::vector<std::string>{"12", "12"});
+  CHECK_THROWS_WITH(submitted("echo 'sbatch: error: no such partition' >&2\nexit 1\n"), Catch::Equals("Slurm does not take the batch: sbatch: error: no such partition"));
+  CHECK_THROWS_WITH(submitted("test -e " + (folder.path() / "once").string() + " && { echo 'sbatch: error: too many jobs' >&2; exit 1; }\ntouch " + (folder.path() / "once").string() + "\necho 7\n"),
+                    Catch::Contains("Slurm does not take all of the batch: sbatch: error: too many jobs\njob 7 goes on (`scancel 7` ends it)"));
 }
 
 TEST_CASE("a task reads the line of its case", "[batch]") {

@@ -121,3 +121,8 @@ TEST_CASE("wrong variations are refused with their location", "[batch]") {
   refused("{type: cases, cases: []}", "cases");
   refused("{type: cases, cases: [{name: a, set: [1]}]}", "expects a map of keys");
 }
+
+TEST_CASE("a range of whole numbers has whole ends", "[batch]") {
+  for (const char* range : {"{from: 0.5, to: 3, whole: true}", "{from: 1, to: 2.5, whole: true}"})
+    CHECK_THROWS_WITH(variants_of(std::string("{type: sobol, samples: 4, keys: {a: ") + range + "}}"), Catch::Contains("whole: true needs 'from' and 'to' that are whole numbers"));
+}

@@ -26,6 +26,12 @@ TEST_CASE("sequences of mesh files have the positions of the frames") {
     }
   }
   CHECK(fs::exists(folder / "obj" / "floor_000010.obj"));
+  write_file(folder / "obj" / "floor_of_mine.obj", "v 0 0 0\n");
+  REQUIRE(run.to("obj", {"to=0.05"}).exit_code == 0);  // a shorter sequence leaves none of the longer one
+  CHECK(fs::exists(folder / "obj" / "floor_000001.obj"));
+  CHECK_FALSE(fs::exists(folder / "obj" / "floor_000010.obj"));
+  CHECK(fs::exists(folder / "obj" / "floor_of_mine.obj"));
+  REQUIRE(run.to("obj").exit_code == 0);
   CHECK_FALSE(fs::exists(folder / "obj" / "floor_000011.obj"));
   for (const char* name : {"a_ball_000003", "sheet_000003"})
     CHECK(read_mesh(folder / "ply" / (std::string(name) + ".ply")).triangles == read_mesh(folder / "obj" / (std::string(name) + ".obj")).triangles);

@@ -32,6 +32,17 @@ TEST_CASE("a logarithmic axis always has ticks", "[plot]") {
   for (const double factor : {2.6, 7.0, 30.0, 1e3, 1e12}) CHECK(log_ticks({3e-4, 3e-4 * factor, true}).size() >= 1);
 }
 
+TEST_CASE("a curve that leaves the range of x is broken there", "[plot]") {
+  Plot plot;
+  plot.curves = {{"loaded and unloaded", {{0, 0}, {1, 1}, {2, 3}, {1.5, 2}, {0.5, 0.2}, {0, 0}}, {}}};
+  const auto& points = within(plot, 0, 1).curves.at(0).points;
+  REQUIRE(points.size() == 5);
+  CHECK(points[1] == std::pair(1.0, 1.0));
+  CHECK(std::isnan(points[2].first));
+  CHECK(points[3] == std::pair(0.5, 0.2));
+  CHECK(within(plot, 1.8, 3).curves.at(0).points.size() == 1);  // none at its ends
+}
+
 TEST_CASE("equal curves are merged, with both names", "[plot]") {
   const auto merged = merged_curves({{"a", {{1, 2}}, {}}, {"b", {{1, 3}}, {}}, {"c", {{1, 2}}, {}}, {"d", {}, {}}, {"e", {}, {}}});
   REQUIRE(merged.size() == 4);
