@@ -13,13 +13,6 @@ namespace {
 
 using Units = std::map<std::string, std::string>;
 
-// Returns "Pa" for "Pa", and for the comment "[s, Pa]" of a time-dependent value.
-std::string unit_in(const std::string& comment) {
-  if (!comment.starts_with('[')) return comment;
-  const size_t from = comment.find(", ") + 2;
-  return comment.substr(from, comment.size() - 1 - from);
-}
-
 std::string unit_of(const StatisticQuery& query, const Units& probes) {
   const auto of = [&](const std::string& column) {
     const auto found = probes.find(column);
@@ -29,6 +22,12 @@ std::string unit_of(const StatisticQuery& query, const Units& probes) {
 }
 
 }  // namespace
+
+std::string unit_in(const std::string& comment) {
+  if (!comment.starts_with('[')) return comment;
+  const size_t from = comment.find(", ") + 2;
+  return comment.substr(from, comment.size() - 1 - from);
+}
 
 Units column_units(const Experiment& experiment, const Value& resolved, const Variant& variant, const std::vector<BatchStatistic>& statistics) {
   Units units{{"wall_seconds", "s"}, {"process_seconds", "s"}, {"cpu_seconds", "s"}, {"memory_mb", "MB"}, {"min_distance", "m"}, {"min_gap", "m"}};

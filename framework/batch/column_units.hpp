@@ -17,4 +17,8 @@ std::map<std::string, std::string> column_units(const Experiment& experiment, co
                                                 const Variant& variant,
                                                 const std::vector<BatchStatistic>& statistics);
 
+// Returns the unit in the comment of a resolved value: "Pa" of "Pa", and of "[s, Pa]", that of a
+// time-dependent one; "" without a comment.
+std::string unit_in(const std::string& comment);
+
 }  // namespace tack

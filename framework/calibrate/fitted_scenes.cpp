@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "framework/batch/column_units.hpp"
 #include "framework/calibrate/run_gradients.hpp"
 #include "framework/config/retired_keys.hpp"
 #include "framework/config/parse.hpp"
@@ -37,14 +38,6 @@ std::optional<WrittenNumber> number_of(const Value* value) { return value && val
 std::string named_unit(const std::string& unit, const std::optional<Quantity>& bound) {
   const std::optional<WrittenNumber> written = bound ? written_number(bound->written) : std::nullopt;
   return written && base_dimension(written->unit) == base_dimension(unit) ? written->unit : unit;
-}
-
-// Returns "Pa" from the comment of a number, and from "[s, Pa]" of a time-dependent one.
-std::string unit_in(const std::string& comment) {
-  if (comment.empty()) return "1";
-  if (!comment.starts_with('[')) return comment;
-  const size_t from = comment.find(", ") + 2;
-  return comment.substr(from, comment.size() - 1 - from);
 }
 
 // Returns the longest prefix of a key that the scene has: "contact.pairs" for "contact.pairs.x".
@@ -107,7 +100,8 @@ void FittedScenes::check_keys(int experiment, const Value& resolved, const Calib
       const std::optional<WrittenNumber> written = number_of(value);
       if (!written) throw InputError(fmt::format("fit '{}': '{}' is {}, and not a number", name, key, value->description()));
       n.units[static_cast<size_t>(experiment)].push_back(written->unit);
-      const std::string unit = written->unit.empty() ? unit_in(value->comment) : named_unit(written->unit, range.from);
+      const std::string in_comment = value->comment.empty() ? "1" : unit_in(value->comment);
+      const std::string unit = written->unit.empty() ? in_comment : named_unit(written->unit, range.from);
       for (const auto& [what, bound] : {std::pair("from", range.from), std::pair("to", range.to), std::pair("start", range.start)}) try {
           if (bound) bound->check(Unit{unit, "number"});
         } catch (const InputError& error) {
