@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the Debian packages build/package/tack_VERSION_amd64.deb and python3-tack_VERSION_amd64.deb: packaging/deb.sh [ARCHITECTURE...]. Needs what `./tack python` has
-# installed to build with.
+# installed to build with, and Debian's dpkg-dev.
 # Each architecture is a build of the program for itself, some minutes on all cores; they stay in build/package, so that the next package takes what has changed only.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
