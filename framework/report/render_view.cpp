@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "geometry/errors.hpp"
@@ -114,9 +115,23 @@ void RenderView::fields(Fields& f) {
   f.object("camera", camera, "position and direction of the camera");
 }
 
+namespace {
+
+// Returns the names of the looks so that each replaces keys of those before it: patterns by their length, then whole names.
+std::vector<std::string> from_general_to_special(const std::map<std::string, RenderLook>& looks) {
+  std::vector<std::string> names;
+  for (const auto& [name, look] : looks) names.push_back(name);
+  const auto rank = [](const std::string& name) { return std::pair(!name.ends_with('*'), name.ends_with('*') ? name.size() : 0); };
+  std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
+  return names;
+}
+
+}  // namespace
+
 Json json_of(const RenderView& v, const RenderQuality& quality) {
   Json objects = Json::object();
-  for (const auto& [name, look] : v.objects) {
+  for (const std::string& name : from_general_to_special(v.objects)) {
+    const RenderLook& look = v.objects.at(name);
     // Keys that are not given do not replace those of another pattern.
     Json one = Json::object();
     const auto give = [&one](const char* key, const auto& value) { if (value) one[key] = *value; };
