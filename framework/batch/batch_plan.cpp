@@ -12,6 +12,7 @@
 #include "framework/config/retired_keys.hpp"
 #include "framework/config/units.hpp"
 #include "framework/experiment/built_experiment.hpp"
+#include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -41,10 +42,12 @@ std::string short_column(const std::string& column, const std::vector<std::strin
   return column;
 }
 
-std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts, int number) {
+// Returns the name of a case with these values, which does not depend on the other cases: a case
+// that is planned again with others keeps its results.
+std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts) {
   const std::string name = case_name(parts);
   if (name.empty()) return "case";
-  return name.size() <= name_length_max ? name : fmt::format("case_{:04}", number);
+  return name.size() <= name_length_max ? name : fmt::format("case_{:08x}", crc32_of(name.data(), name.size()));
 }
 
 // Makes names unique: the second "a" becomes "a.2".
@@ -147,7 +150,7 @@ class Planner {
       parts.push_back({short_column(s.column, columns_), s.text});
     }
     one.base = base.name;
-    one.name = names_.free(name_of(parts, static_cast<int>(plan_.cases.size()) + 1));
+    one.name = names_.free(name_of(parts));
     try {
       ResolvedCase made = resolver_.resolve(std::move(root), variant.set);
       const Experiment& experiment = made.loaded.experiment;
