@@ -52,6 +52,16 @@ class Studies(unittest.TestCase):
             tack.batch(file, set={"set": ["objects.nothing.energies.0.poisson=0.7"]}, output=self.folder / "none")
         self.assertFalse((self.folder / "none").exists())
 
+    def test_a_case_at_its_time_limit_ends_with_its_results(self):
+        file = self.folder / "long.yaml"
+        file.write_text(f"name: long\nbase: {shipped / 'pull.yaml'}\nset: [time.step=1 us, 'expect=[]', output.frames=false]\ntime_limit: 6 s\n", encoding="utf-8")
+        batch = tack.batch(file, output=self.folder / "out", threads=1)
+        self.assertEqual(list(batch.table["status"]), ["timed out"])
+        self.assertLess(batch.table["wall_seconds"][0], 20)  # it was not killed
+        summary = batch.cases["case"].summary
+        self.assertEqual(summary["status"], "interrupted")
+        self.assertGreater(summary["steps"], 0)
+
     def test_a_calibration_returns_parameters_and_curves_and_continues(self):
         file = self.folder / "fit.yaml"
         file.write_text(f"name: fit\nexperiments:\n  - {{base: {shipped / 'pull.yaml'}, set: [time.step=50 ms], data: {shipped / 'pull.csv'}, x: way, y: force, noise: 2%}}\n"
