@@ -153,11 +153,16 @@ void render(const RenderSettings& settings, const RenderView& view) {
     if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs can be rendered; give the folder of a run", folder.string()));
   settings.with_blender ? check_blender(view) : check_built_in(view);
   const bool film = ending != ".png" || is_numbered(settings.output);
+  std::vector<double> times;  // of the frames of the run that ends last
   for (const fs::path& folder : settings.folders) {
     const std::vector<PvdFile::Frame> frames = frames_of(folder);
     if (view.field) check_field(view.field->name, folder, frames.front());
     if (view.at && !film && !settings.quiet) print_frame_outside(*view.at, folder, frames);
+    if (!times.empty() && frames.back().time <= times.back()) continue;
+    times.clear();
+    for (const PvdFile::Frame& frame : frames) times.push_back(frame.time);
   }
+  if (film) times = film_times(view, times);
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
   const ScratchFolder scratch;
   if (!view.labels.empty() && view.labels.size() != settings.folders.size())
@@ -165,6 +170,7 @@ void render(const RenderSettings& settings, const RenderView& view) {
   Json json = json_of(view, film ? film_quality : picture_quality);
   if (settings.with_blender && view.labels.empty() && settings.folders.size() > 1) json["labels"] = labels_of(settings.folders);
   json["film_coding"] = film_coding(settings.output);
+  if (film) json["times"] = times;
   settings.with_blender ? draw_in_blender(settings, json, scratch) : draw_in_browser(settings, json, scratch);
 }
 

@@ -212,6 +212,13 @@ const tests = {
     for (const i of [0, 5]) assert.ok(statSync(join(folder, `part_00${i}.png`)).size > 500);
     refused(/films have no transparent background/, "render", "out", "-o", "film.mp4", "--set", "background=transparent");
   },
+  async "a film has each frame once, however they are spaced"() {
+    done("run", "scene.yaml", "-q", "-o", "late", "--set", "output.frames_from=0.16");
+    const view = [...above.slice(0, -1), "size=[80, 60]", "lights=1", "objects.cube.colour='#ff0000'"];
+    assert.match(done("render", "late", "-o", "each_%01d.png", ...view), /frame 4 of 4/); // 0, 0.16, 0.18, 0.2 s
+    const pictures = [0, 1, 2, 3].map((i) => readFileSync(join(folder, `each_${i}.png`)).toString("base64"));
+    assert.equal(new Set(pictures).size, 4);
+  },
   async "film-like tones darken what is bright less than exposure brightens it"() {
     for (const [file, ...more] of [["plain.png"], ["bright.png", "exposure=4"], ["toned.png", "exposure=4", "tone=filmic"]])
       done("render", "out", "-o", file, ...above, "background='#000000'", ...more);
@@ -303,6 +310,9 @@ const tests = {
     const unknown = spawnSync(tack, ["render", "out", "--set", "field={name: stress}"], { encoding: "utf8", cwd: folder, env: { ...process.env, PATH: "/nowhere" } });
     assert.equal(unknown.status, 2);
     assert.match(unknown.stderr, /field: 'out' has no 'stress'; its frames have displacement \(output\.fields\)/);
+    const late = spawnSync(tack, ["render", "out", "-o", "late.mp4", "--set", "from=10"], { encoding: "utf8", cwd: folder, env: { ...process.env, PATH: "/nowhere" } });
+    assert.equal(late.status, 2);
+    assert.match(late.stderr, /no frame is between 10 and 0\.2 s \(from, to\): the frames of the run go from 0 to 0\.2 s/);
     refused(/unknown key 'colour' in/, "render", "out", "--set", "colour=red");
     refused(/there is no such folder/, "render", "nowhere");
   },
