@@ -196,6 +196,15 @@ const tests = {
     const { pixels: [, darker, lit] } = await looked("green.png", [[0.5, 0.5], [0.585, 0.4], [0.05, 0.95]]);
     assert.ok(lit[1] > 90 && lit[1] > lit[0] + 60 && darker[1] < lit[1] - 3, `${lit}, ${darker}`);
   },
+  async "the ground lies below a body in oblique gravity"() {
+    done("run", "scene.yaml", "-q", "-o", "tilted", "--set", "gravity=[3.5, -3.5, 0]", "time.duration=20 ms");
+    // From the side, up in the picture is against gravity: the cube stands on an edge.
+    done("render", "tilted", "-o", "tilted.png", "--set", "size=[200, 200]", "camera={from: [-0.5, 1.5, 6], to: [0, 1, 0], angle: 40 deg}", "time=false", "lights=2",
+      "objects={plate: {hide: true}, cube: {colour: '#ff0000'}}", "ground={colour: '#0000ff'}");
+    const { pixels } = await looked("tilted.png", [[0.5, 0.45], [0.5, 0.58], [0.5, 0.9]]);
+    for (const cube of pixels.slice(0, 2)) assert.ok(cube[0] > 1.5 * cube[2], `the cube, also its lower half: ${pixels}`);
+    assert.ok(pixels[2][2] > 1.5 * pixels[2][0], `the ground: ${pixels}`);
+  },
   async "a transparent background, also below a shadow, and numbered pictures"() {
     const view = [...above.slice(0, -1), "objects={plate: {hide: true}, cube: {colour: '#ff0000', smooth: 0}}", "background=transparent"];
     done("render", "out", "-o", "clear.png", ...view, "ground={at: 0}");
