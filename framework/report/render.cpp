@@ -61,6 +61,9 @@ void check_exit(int code, const char* program, const char* package, const fs::pa
   if (code != 0) throw InputError(fmt::format("{} was not drawn", output.string()));
 }
 
+// Labels are names of folders, which need not be UTF-8.
+void write_view(const fs::path& path, const Json& view) { replace_file(path, view.dump(-1, ' ', false, Json::error_handler_t::replace)); }
+
 // Returns the frames of a run in the order of time, at least one.
 std::vector<PvdFile::Frame> frames_of(const fs::path& run) {
   std::vector<PvdFile::Frame> frames = PvdFile::continued(run / "run.pvd", std::numeric_limits<double>::infinity()).list();
@@ -107,7 +110,7 @@ void draw_in_browser(const RenderSettings& settings, const Json& view, const Scr
   for (const std::string& note : write_report(report).notes)
     if (!settings.quiet) fmt::print("note: {}\n", note);
   const fs::path view_file = scratch.path() / "view.json";
-  replace_file(view_file, view.dump());
+  write_view(view_file, view);
   std::fflush(nullptr);
   check_exit(run_program({"node", shared_file("render.mjs").string(), modules().string(), report.output.string(), view_file.string(), settings.output.string()},
                          {{}, settings.quiet ? "/dev/null" : ""}),
@@ -125,7 +128,7 @@ void draw_in_blender(const RenderSettings& settings, const Json& view, const Scr
     for (const std::string& note : bind_component<OutputFormat>(format)->write(folder, shapes.back()).notes)
       if (!settings.quiet) fmt::print("note: {}\n", note);
   }
-  replace_file(view_file, view.dump());
+  write_view(view_file, view);
   const bool film = settings.output.extension() != ".png";
   const fs::path pictures = film ? scratch.path() / "film_%06d.png" : fs::absolute(settings.output);
   std::fflush(nullptr);
