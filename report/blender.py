@@ -18,7 +18,7 @@ import numpy as np
 # Blender does not look for modules beside its script, and an installation is not to be written into.
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
-from blender_runs import COLOURS, Run, camera_of, is_closed, linear, samples_of, set_looks  # noqa: E402
+from blender_runs import COLOURS, Run, camera_of, is_closed, linear, set_looks  # noqa: E402
 
 
 class Drawing:
@@ -315,9 +315,9 @@ def main():
     runs = [Run(folder) for folder in folders]
     set_looks(runs, view["objects"])
     labels = view["labels"] or [""] * len(runs)
-    numbered = "%" in os.path.basename(output)
+    numbered = "times" in view  # those of a film
     if numbered:
-        times = [runs[0].times[sample] for sample in samples_of(view, runs[0].times)]
+        times = view["times"]
     else:
         times = [runs[0].times[-1] if view["at"] is None else view["at"]]
     with tempfile.TemporaryDirectory() as scratch:

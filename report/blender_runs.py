@@ -97,18 +97,6 @@ def is_closed(faces):
     return all(n == 2 for n in count.values())
 
 
-def samples_of(view, times):
-    """Returns the samples of a film, as report/render.mjs counts them."""
-    first = times[0] if view["from"] is None else view["from"]
-    last = times[-1] if view["to"] is None else view["to"]
-    if view["speed"] is None:
-        count = int(((times >= first) & (times <= last)).sum())
-    else:
-        count = max(2, round((last - first) / view["speed"] * view["fps"]) + 1)
-    wanted = first + (last - first) * np.arange(count) / max(1, count - 1)
-    return [int(np.argmin(np.abs(times - t))) for t in wanted]
-
-
 def set_looks(runs, looks):
     """Gives each object its look, of all patterns that fit its name. Raises SystemExit for one that fits none."""
     names = [o["name"] for run in runs for o in run.objects]

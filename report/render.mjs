@@ -46,20 +46,14 @@ try {
   if (run.error) fail(run.error);
 
   const draw = async (time) => Buffer.from(await tab.evaluate((t) => window.film.draw(t), time), "base64");
-  const times = () => {
-    const [from, to] = [view.from ?? run.times[0], view.to ?? run.last];
-    const count = view.speed === null ? run.times.filter((t) => t >= from && t <= to).length : Math.max(2, Math.round(((to - from) / view.speed) * view.fps) + 1);
-    return Array.from({ length: count }, (_, i) => from + ((to - from) * i) / Math.max(1, count - 1));
-  };
   // Calls use(PNG, index) for each picture of a film. An unchanged picture is not drawn again.
   const drawAll = async (use) => {
     let last = null;
-    const all = times();
-    for (const [i, time] of all.entries()) {
+    for (const [i, time] of view.times.entries()) {
       const frame = run.times.reduce((best, t, k) => (Math.abs(t - time) < Math.abs(run.times[best] - time) ? k : best), 0);
       if (!last || last.frame !== frame || run.kept.length > 1) last = { frame, png: await draw(time) };
       await use(last.png, i);
-      process.stdout.write(`frame ${i + 1} of ${all.length}\n`);
+      process.stdout.write(`frame ${i + 1} of ${view.times.length}\n`);
     }
   };
   if (numbered.test(output)) {

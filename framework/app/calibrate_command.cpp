@@ -14,6 +14,7 @@
 #include "framework/config/words.hpp"
 #include "framework/output/progress.hpp"
 #include "geometry/interrupt.hpp"
+#include "geometry/utf8_prefix.hpp"
 
 namespace tack {
 namespace {
@@ -52,7 +53,7 @@ class CalibrationProgress {
     shown_ = Clock::now();
     erase();
     const std::string line = fmt::format("  {}: {}{} done, {} failed in total, smallest misfit {:.4g}", phase_, done_, points_ > 0 ? fmt::format(" of {}", points_) : "", failed_, least_);
-    fmt::print("{}", line.substr(0, static_cast<size_t>(std::max(1, live_width_ - 1))));
+    fmt::print("{}", utf8_prefix(line, static_cast<size_t>(std::max(1, live_width_ - 1))));
     std::fflush(stdout);
     live_ = true;
   }

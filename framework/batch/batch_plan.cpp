@@ -13,6 +13,7 @@
 #include "framework/config/short_key.hpp"
 #include "framework/config/units.hpp"
 #include "framework/experiment/built_experiment.hpp"
+#include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -31,10 +32,12 @@ std::string cell_text(const std::string& text) {
   }
 }
 
-std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts, int number) {
+// Returns the name of a case with these values, which does not depend on the other cases: a case
+// that is planned again with others keeps its results.
+std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts) {
   const std::string name = case_name(parts);
   if (name.empty()) return "case";
-  return name.size() <= name_length_max ? name : fmt::format("case_{:04}", number);
+  return name.size() <= name_length_max ? name : fmt::format("case_{:08x}", crc32_of(name.data(), name.size()));
 }
 
 // Makes names unique: the second "a" becomes "a.2".
@@ -140,7 +143,7 @@ class Planner {
       parts.push_back({short_key(s.column, columns_), s.text});
     }
     one.base = base.name;
-    one.name = names_.free(name_of(parts, static_cast<int>(plan_.cases.size()) + 1));
+    one.name = names_.free(name_of(parts));
     try {
       ResolvedCase made = resolver_.resolve(std::move(root), variant.set);
       const Experiment& experiment = made.loaded.experiment;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "framework/config/words.hpp"
+#include "geometry/utf8_prefix.hpp"
 
 namespace tack {
 namespace {
@@ -68,7 +69,7 @@ void BatchProgress::tick(const std::vector<BatchObserver::Running>& running, siz
                          work > 0 ? ", " + short_duration(left) + " left" : "");
   erase();
   const size_t width = static_cast<size_t>(std::max(1, live_width_ - 1));
-  for (const std::string& line : lines) out_ << line.substr(0, width) << '\n';
+  for (const std::string& line : lines) out_ << utf8_prefix(line, width) << '\n';
   out_ << std::flush;
   lines_ = static_cast<int>(lines.size());
   shown_ = now;

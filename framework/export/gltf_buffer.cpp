@@ -74,7 +74,7 @@ std::string GltfBuffer::file(Json gltf) {
   gltf["accessors"] = accessors_;
   gltf["bufferViews"] = views_;
   gltf["buffers"] = Json::array({{{"byteLength", bytes_.size()}}});
-  std::string json = gltf.dump();
+  std::string json = gltf.dump(-1, ' ', false, Json::error_handler_t::replace);  // names of materials need not be UTF-8
   pad(json, ' ');
   pad(bytes_, '\0');
   const size_t length = 12 + 8 + json.size() + 8 + bytes_.size();

@@ -56,7 +56,7 @@ class NpyFormat : public ShapeFormat {
     });
     const Vec3 up = run.up();
     const Json all = {{"name", run.name()}, {"up", {up.x(), up.y(), up.z()}}, {"times", run.times()}, {"objects", objects}};
-    files.append(files.begin(folder / "shapes.json"), all.dump());
+    files.append(files.begin(folder / "shapes.json"), all.dump(-1, ' ', false, Json::error_handler_t::replace));  // names of materials need not be UTF-8
     files.commit();
   }
 };

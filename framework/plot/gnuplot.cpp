@@ -10,6 +10,7 @@
 #include "framework/plot/axis_unit.hpp"
 #include "geometry/io/replace_file.hpp"
 #include "geometry/run_program.hpp"
+#include "geometry/utf8_prefix.hpp"
 
 namespace tack {
 namespace {
@@ -24,7 +25,7 @@ constexpr size_t label_count_max = 12;   // at the ends of curves
 constexpr double label_distance = 0.05;  // of the picture's height
 // Least end of a curve with a label, of the picture's width.
 constexpr double label_end_min = 0.85;
-constexpr size_t label_length_max = 34;  // characters
+constexpr size_t label_length_max = 34;  // bytes
 // Largest ratio of the range of a logarithmic axis, margins included, without decades as ticks.
 constexpr double ratio_without_decades_max = 80;
 constexpr double bar_width = 0.75, bar_mark_width = 0.9;  // of the distance of bars
@@ -164,7 +165,7 @@ std::string axis(const char* name, const AxisRange& range, double most = 0) {
 }
 
 std::string shortened(const std::string& text) {
-  return text.size() <= label_length_max ? text : text.substr(0, label_length_max - 3) + "...";
+  return text.size() <= label_length_max ? text : std::string(utf8_prefix(text, label_length_max - 3)) + "...";
 }
 
 struct PlotData {

@@ -61,6 +61,9 @@ void check_exit(int code, const char* program, const char* package, const fs::pa
   if (code != 0) throw InputError(fmt::format("{} was not drawn", output.string()));
 }
 
+// Labels are names of folders, which need not be UTF-8.
+void write_view(const fs::path& path, const Json& view) { replace_file(path, view.dump(-1, ' ', false, Json::error_handler_t::replace)); }
+
 // Returns the frames of a run in the order of time, at least one.
 std::vector<PvdFile::Frame> frames_of(const fs::path& run) {
   std::vector<PvdFile::Frame> frames = PvdFile::continued(run / "run.pvd", std::numeric_limits<double>::infinity()).list();
@@ -107,7 +110,7 @@ void draw_in_browser(const RenderSettings& settings, const Json& view, const Scr
   for (const std::string& note : write_report(report).notes)
     if (!settings.quiet) fmt::print("note: {}\n", note);
   const fs::path view_file = scratch.path() / "view.json";
-  replace_file(view_file, view.dump());
+  write_view(view_file, view);
   std::fflush(nullptr);
   check_exit(run_program({"node", shared_file("render.mjs").string(), modules().string(), report.output.string(), view_file.string(), settings.output.string()},
                          {{}, settings.quiet ? "/dev/null" : ""}),
@@ -125,7 +128,7 @@ void draw_in_blender(const RenderSettings& settings, const Json& view, const Scr
     for (const std::string& note : bind_component<OutputFormat>(format)->write(folder, shapes.back()).notes)
       if (!settings.quiet) fmt::print("note: {}\n", note);
   }
-  replace_file(view_file, view.dump());
+  write_view(view_file, view);
   const bool film = settings.output.extension() != ".png";
   const fs::path pictures = film ? scratch.path() / "film_%06d.png" : fs::absolute(settings.output);
   std::fflush(nullptr);
@@ -153,11 +156,16 @@ void render(const RenderSettings& settings, const RenderView& view) {
     if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs can be rendered; give the folder of a run", folder.string()));
   settings.with_blender ? check_blender(view) : check_built_in(view);
   const bool film = ending != ".png" || is_numbered(settings.output);
+  std::vector<double> times;  // of the frames of the run that ends last
   for (const fs::path& folder : settings.folders) {
     const std::vector<PvdFile::Frame> frames = frames_of(folder);
     if (view.field) check_field(view.field->name, folder, frames.front());
     if (view.at && !film && !settings.quiet) print_frame_outside(*view.at, folder, frames);
+    if (!times.empty() && frames.back().time <= times.back()) continue;
+    times.clear();
+    for (const PvdFile::Frame& frame : frames) times.push_back(frame.time);
   }
+  if (film) times = film_times(view, times);
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
   const ScratchFolder scratch;
   if (!view.labels.empty() && view.labels.size() != settings.folders.size())
@@ -165,6 +173,7 @@ void render(const RenderSettings& settings, const RenderView& view) {
   Json json = json_of(view, film ? film_quality : picture_quality);
   if (settings.with_blender && view.labels.empty() && settings.folders.size() > 1) json["labels"] = labels_of(settings.folders);
   json["film_coding"] = film_coding(settings.output);
+  if (film) json["times"] = times;
   settings.with_blender ? draw_in_blender(settings, json, scratch) : draw_in_browser(settings, json, scratch);
 }
 

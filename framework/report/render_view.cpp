@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "geometry/errors.hpp"
@@ -16,6 +18,9 @@ using Json = nlohmann::ordered_json;
 constexpr double sun_irradiance = 1.7;
 constexpr double zenith_radiance = 0.6, horizon_radiance = 0.25;  // of the sky; the former straight above
 constexpr double sun_disc = 12;                                      // degrees, for soft shadows
+
+constexpr double round_off = 1e-9;        // of times, relative
+constexpr double picture_count_max = 1e5;  // of a film
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
@@ -160,6 +165,24 @@ Json json_of(const RenderView& v, const RenderQuality& quality) {
   return {{"size", v.size}, {"fps", v.fps}, {"speed", or_null(v.speed)}, {"at", or_null(v.at)}, {"from", or_null(v.from)}, {"to", or_null(v.to)},
           {"lights", v.lights.value_or(quality.lights)}, {"samples", v.samples.value_or(quality.samples)}, {"background", v.background}, {"exposure", v.exposure}, {"tone", v.tone}, {"light", light}, {"ground", ground}, {"section", section}, {"time", v.time}, {"scale_bar", v.scale_bar}, {"labels", v.labels}, {"objects", objects}, {"field", field},
           {"camera", {{"from", or_null(c.from)}, {"to", or_null(c.to)}, {"look", c.look}, {"turn", degrees(c.turn)}, {"lift", degrees(c.lift)}, {"zoom", c.zoom}, {"angle", degrees(c.angle)}, {"fit", c.fit}}}};
+}
+
+std::vector<double> film_times(const RenderView& view, const std::vector<double>& frames) {
+  const double first = frames.front(), last = frames.back();
+  const double from = view.from.value_or(first), to = view.to.value_or(last), slack = round_off * std::max(std::abs(first), std::abs(last));
+  std::vector<double> times;
+  if (!view.speed) {
+    std::copy_if(frames.begin(), frames.end(), std::back_inserter(times), [&](double t) { return t >= from - slack && t <= to + slack; });
+  } else if (from <= to + slack && from <= last + slack && to >= first - slack) {
+    const double count = std::max(2.0, std::round((to - from) / *view.speed * view.fps) + 1);
+    if (count > picture_count_max)
+      throw InputError(fmt::format("speed: {:g} makes a film of {:.6g} pictures, and {:.6g} are the most; raise it, or draw a shorter time (from, to)", *view.speed, count, picture_count_max));
+    for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(from + (to - from) * i / (count - 1));
+  }
+  if (times.empty())
+    throw InputError(fmt::format("no frame is between {:g} and {:g} s (from, to): the frames of the run go from {:g} to {:g} s; choose other times, or have the run write more frames (output.frame_interval)",
+                                 from, to, first, last));
+  return times;
 }
 
 void check_built_in(const RenderView& view) {

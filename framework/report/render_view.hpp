@@ -94,6 +94,11 @@ struct RenderQuality {
 // unless the view gives its own.
 nlohmann::ordered_json json_of(const RenderView& view, const RenderQuality& quality);
 
+// Returns the times [s] of a film's pictures: those of all frames between `from` and `to`, or
+// evenly spaced ones for a film with a `speed`. frames: times of the frames, ascending, at least
+// one. Throws InputError if there are none.
+std::vector<double> film_times(const RenderView& view, const std::vector<double>& frames);
+
 // Throw InputError for a key of the view that this renderer does not draw.
 void check_built_in(const RenderView& view);
 void check_blender(const RenderView& view);

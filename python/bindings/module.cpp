@@ -5,6 +5,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
 #include "python/bindings/fit.hpp"
+#include "python/bindings/interrupts.hpp"
 #include "python/bindings/problem.hpp"
 #include "python/bindings/recorded.hpp"
 #include "python/bindings/running.hpp"
@@ -25,6 +26,7 @@ PYBIND11_MODULE(_tack, module) {
   });
   module.attr("version") = this_build().version;
   module.attr("revision") = this_build().revision();
+  module.def("let_termination_interrupt", &python::let_termination_interrupt);
   python::bind_problem(module);
   python::bind_running(module);
   python::bind_recorded(module);

@@ -108,7 +108,7 @@ std::string batched(const std::string& path, const std::vector<std::string>& set
   return folder;
 }
 
-double in_si(double number, const std::string& unit) { return to_si(fmt::format("{} {}", number, unit.empty() ? "1" : unit), units::any); }
+double in_si(double number, const std::string& unit) { return unit.empty() ? number : to_si(fmt::format("{} {}", number, unit), units::any); }
 
 // Returns a dictionary for each key that a batch varies by values or within a range.
 py::list varied(const std::string& path, const std::vector<std::string>& set) {
@@ -132,7 +132,7 @@ py::list varied(const std::string& path, const std::vector<std::string>& set) {
       d["low"] = key.range ? py::object(py::float_(in_si(key.range->from, key.range->unit))) : py::none();
       d["high"] = key.range ? py::object(py::float_(in_si(key.range->to, key.range->unit))) : py::none();
       d["log"] = key.range && key.range->log;
-      d["whole"] = key.range && key.range->whole;
+      d["whole"] = key.range && key.range->whole && key.range->unit.empty();  // values with a unit are not whole in SI
       all.append(d);
     }
   }

@@ -18,7 +18,7 @@ class Parameter:
     """A parameter that a calibration fits or a study varies.
 
     `low`, `high` and `start` are in SI; `unit` is "1" for a plain number. `log`: its scale is logarithmic. `keys` are the keys of the scenes, `values` those that the
-    file of a study lists. A study has no `start`, and neither `low` nor `high` for a list of values.
+    file of a study lists. `whole`: its values are whole numbers, in SI. A study has no `start`, and neither `low` nor `high` for a list of values.
     """
 
     name: str

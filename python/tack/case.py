@@ -1,4 +1,7 @@
-"""Runs one case of a calibration in a process of its own: `python -m tack.case run SCENE -o FOLDER --threads N`, with the exit codes of `tack run`."""
+"""Runs one case of a batch or a calibration in a process of its own: `python -m tack.case run SCENE -o FOLDER --threads N`, with the exit codes of `tack run`.
+
+SIGTERM, which a case gets at its time limit, ends the run with everything written.
+"""
 from __future__ import annotations
 
 import argparse
@@ -8,6 +11,7 @@ import resource
 import sys
 
 import tack
+from tack import _tack
 
 done, expectation_failed, bad_input, failed, interrupted = 0, 1, 2, 3, 130
 
@@ -21,6 +25,7 @@ def main() -> int:
     parser.add_argument("--memory", type=float, help="limit of private memory [GB]")
     parser.add_argument("--resume", action="store_true")
     options = parser.parse_args()
+    _tack.let_termination_interrupt()
     if options.memory is not None:
         limit = int(1e9 * options.memory)
         resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))

@@ -8,6 +8,9 @@ import sys
 import tempfile
 import weakref
 
+# Blocks SIGTERM before NumPy starts threads, which would take it from the thread that waits for it (tack.case).
+_start = "import signal; signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM]); from tack.case import main; raise SystemExit(main())"
+
 
 class CaseProgram:
     """A script, at `path`, that lasts as long as the object or its `with` block."""
@@ -17,7 +20,7 @@ class CaseProgram:
         self._remove = weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
         program = pathlib.Path(folder) / "tack"
         package = pathlib.Path(__file__).resolve().parents[1]
-        program.write_text(f'#!/bin/sh\nPYTHONPATH={shlex.quote(str(package))}${{PYTHONPATH:+:$PYTHONPATH}} exec {shlex.quote(sys.executable)} -m tack.case "$@"\n',
+        program.write_text(f'#!/bin/sh\nPYTHONPATH={shlex.quote(str(package))}${{PYTHONPATH:+:$PYTHONPATH}} exec {shlex.quote(sys.executable)} -c {shlex.quote(_start)} "$@"\n',
                            encoding="utf-8")
         program.chmod(0o755)
         self.path = str(program)

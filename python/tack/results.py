@@ -220,8 +220,9 @@ class Batch(_Folder):
 
     @functools.cached_property
     def cases(self) -> dict:
-        """{name: Run} of the cases with a summary."""
-        return {folder.name: Run(folder) for folder in sorted((self.path / "cases").iterdir()) if (folder / "summary.json").exists()}
+        """{name: Run} of the cases with a summary, in the order of the table."""
+        listed = json.loads((self.path / "batch.json").read_text(encoding="utf-8"))["cases"]
+        return {one["name"]: Run(self.path / one["folder"]) for one in listed if (self.path / one["folder"] / "summary.json").exists()}
 
     def to_pandas(self) -> Any:
         """Returns the table as a DataFrame of pandas, by case; `attrs["units"]` has the units of its columns.

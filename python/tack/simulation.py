@@ -334,7 +334,7 @@ class Simulation:
 
     def _repr_html_(self):
         with tempfile.TemporaryDirectory() as folder:
-            frame = pathlib.Path(folder) / self.name / "frame_000000.vtu"
+            frame = pathlib.Path(folder) / "run" / "frame_000000.vtu"  # names of scenes may have slashes
             frame.parent.mkdir()
             self._running.write_frame(str(frame))
             (frame.parent / "scene.yaml").write_text(self.scene(), encoding="utf-8")

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+import numbers
 import os
 import pathlib
 from typing import Any, Sequence
@@ -17,6 +18,16 @@ from .scene import overrides_of
 
 def _parameter(known: dict) -> Parameter:
     return Parameter(known["name"], known["low"], known["high"], None, known["log"], "SI", (known["key"],), tuple(known["values"]), known["whole"])
+
+
+def _number(value: Any, whole: bool) -> bool | int | float:
+    """Returns a number without a point if it is whole: keys of whole numbers take it, and equal numbers make one case."""
+    if isinstance(value, (bool, np.bool_)):
+        return bool(value)
+    if isinstance(value, numbers.Integral):
+        return int(value)
+    number = float(value)
+    return round(number) if whole or (number.is_integer() and abs(number) < 2**53) else number
 
 
 class Study:
@@ -50,6 +61,7 @@ class Study:
         self._output, self._jobs, self._threads, self._failed = os.fspath(output), jobs, threads, failed
         self.parameters = [_parameter(one) for one in _tack.varied(self._file, self._set)]
         self._keys = {one.name: one.keys[0] for one in self.parameters}
+        self._whole = {one.name for one in self.parameters if one.whole}
         self._points: dict[tuple, dict] = {}
 
     @property
@@ -68,7 +80,8 @@ class Study:
         Parameters
         ----------
         x : dict or array_like
-            A value for each of the parameters, or of some by their names; a name with a dot may be any key of the scene. Numbers are in SI, texts may have units.
+            A value for each of the parameters, or of some by their names; a name with a dot may be any key of the scene. Numbers are in SI, texts may have units. Values of
+            parameters that are `whole` are rounded.
 
         Returns
         -------
@@ -82,7 +95,7 @@ class Study:
         for name in x:
             if name not in self._keys and "." not in name:
                 raise ValueError(f"'{name}' is no parameter of {self._file}; there are {', '.join(self.names) or 'none'}, and keys of the scene such as objects.cube.place")
-        return {name: value if isinstance(value, str) else float(f"{float(value):.6g}") for name, value in x.items()}
+        return {name: value if isinstance(value, str) else _number(value, name in self._whole) for name, value in x.items()}
 
     def evaluate(self, parameters: dict | Sequence[float] | np.ndarray) -> dict:
         """Runs the case of a point, unless it has run.

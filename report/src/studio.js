@@ -45,6 +45,11 @@ function radical(i, base) {
   return sum;
 }
 
+// Returns the height of the lowest corner of a box along a vertical of any direction.
+function lowest({ low, high }, vertical) {
+  return vertical.reduce((sum, x, c) => sum + Math.min(low[c] * x, high[c] * x), 0);
+}
+
 // Returns a ball with shared vertices. three.js repeats each vertex six times, and drawing many balls costs time per vertex.
 function ball(detail) {
   const geometry = new IcosahedronGeometry(1, detail);
@@ -170,7 +175,7 @@ class Actors {
   layGround({ at, colour }) {
     const { frames, vertical, size } = this;
     const along = (p) => p.reduce((sum, x, c) => sum + x * vertical[c], 0);
-    const height = at ?? Math.min(...(({ low, high }) => [along(low), along(high)])(frames.box(undefined, this.shownVertices)));
+    const height = at ?? lowest(frames.box(undefined, this.shownVertices), vertical);
     const material = litMaterial({ color: new Color().setStyle(colour ?? "#ffffff", SRGBColorSpace), roughness: usual.roughness, side: DoubleSide }, this.mirrored);
     // Slightly lower, so that faces that lie on the ground are in front of it.
     const plane = new Mesh(new PlaneGeometry(groundExtent, groundExtent), material);

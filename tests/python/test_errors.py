@@ -26,6 +26,14 @@ class Notebooks(unittest.TestCase):
         self.assertIn('"status":"unfinished"', html.unescape(shown))
         self.assertIn("at 0.01 s of 0.6 s", repr(sim))
 
+    def test_names_of_scenes_need_not_be_names_of_files(self):
+        if not (pathlib.Path(tack.__file__).parent / "share/report.html").exists():
+            self.skipTest("the page of reports is not built")
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("peel 90/10", f"{folder}/scene", ".."):
+                self.assertIn(f'"name":"{name}"', html.unescape(tack.Simulation({**falling, "name": name})._repr_html_()))
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+
     def test_a_simulation_that_has_ended_says_so(self):
         sim = tack.Simulation(falling).run()
         self.assertIn("finished at 0.1 s", repr(sim))

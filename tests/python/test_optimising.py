@@ -26,6 +26,12 @@ class Trial:
         self.params[name] = value
         return value
 
+    def suggest_int(self, name, low, high, *, step=1, log=False):
+        if not low <= high or (log and low <= 0):
+            raise ValueError(f"{name}: {low} to {high}")
+        self.params[name] = int(self.random.integers(low, high + 1))
+        return self.params[name]
+
     def suggest_categorical(self, name, choices):
         self.params[name] = choices[self.random.integers(len(choices))]
         return self.params[name]
@@ -187,6 +193,24 @@ class Studies(Scratch):
         self.assertTrue(5e3 <= trial.params["strength"] <= 2e4)
         with self.assertRaisesRegex(ValueError, "'strenght' is no parameter.*there are strength"):
             study.evaluate({"strenght": 1e4})
+
+    def test_numbers_keep_their_digits_and_whole_ones_stay_whole(self):
+        study = self.study(f"{{type: sobol, samples: 4, keys: {{solver.max_iterations: {{from: 100, to: 900, whole: true, as: iterations}}, {strength}: "
+                           "{from: 5 kPa, to: 20 kPa, as: strength}}}")
+        self.assertEqual([one.whole for one in study.parameters], [True, False])
+        exact = 1e4 * (1 + 1e-9)
+        for given, expected in [([300, exact], (300, exact)), (np.array([300.4, 1e4]), (300, 10000)), ({"iterations": np.int64(300), "strength": "10 kPa"}, (300, "10 kPa")),
+                                ({"solver.max_iterations": 1234567, "time.step": 0.0125}, (1234567, 0.0125))]:
+            point = tuple(study.point(given).values())
+            self.assertEqual(point, expected)
+            self.assertEqual([type(one) for one in point], [type(one) for one in expected])
+        self.assertEqual(str(study.point([300, 1e4])), str(study.point([300, 10000])))
+        self.assertIs(study.point({"output.frames": True})["output.frames"], True)
+        row = study.evaluate([300, exact])
+        self.assertEqual((row["status"], row["iterations"], row["strength"]), ("done", 300, exact))
+        point = study.suggest(AskAndTell().ask())
+        self.assertEqual(study.point(point), point)
+        self.assertIsInstance(study.point(point)["iterations"], int)
 
     def test_all_points_make_one_table_and_none_runs_twice(self):
         study = self.study(f"{{type: grid, keys: {{{strength}: {{values: [5 kPa, 10 kPa], as: strength}}}}}}")

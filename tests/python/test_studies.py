@@ -44,13 +44,27 @@ class Studies(unittest.TestCase):
         self.assertEqual(list(batch.table["status"]), ["done"] * 3)
         self.assertEqual(list(batch.table["strength"]), [5e3, 1e4, 2e4])
         self.assertTrue(np.all(np.diff(batch.table["pull"]) > 0))
-        self.assertEqual(len(batch.cases), 3)
+        self.assertEqual(list(batch.cases), ["strength=5kPa", "strength=10kPa", "strength=20kPa"])
         self.assertEqual(batch.cases["strength=5kPa"].summary["status"], "done")
+        # Results of a scene that has changed are moved aside; they belong to no case.
+        changed = tack.batch(file, set={"set.0": "time.step=100 ms"}, output=self.folder / "out", jobs=2, threads=1, only=["strength=10kPa"])
+        self.assertTrue((self.folder / "out/cases/strength=10kPa.1").exists())
+        self.assertEqual(list(changed.cases), list(batch.cases))
         with self.assertRaisesRegex(tack.InputError, "no case has such a name"):
             tack.batch(file, output=self.folder / "none", only=["strength=7kPa"])
         with self.assertRaisesRegex(tack.InputError, "poisson"):
             tack.batch(file, set={"set": ["objects.nothing.energies.0.poisson=0.7"]}, output=self.folder / "none")
         self.assertFalse((self.folder / "none").exists())
+
+    def test_a_case_at_its_time_limit_ends_with_its_results(self):
+        file = self.folder / "long.yaml"
+        file.write_text(f"name: long\nbase: {shipped / 'pull.yaml'}\nset: [time.step=1 us, 'expect=[]', output.frames=false]\ntime_limit: 6 s\n", encoding="utf-8")
+        batch = tack.batch(file, output=self.folder / "out", threads=1)
+        self.assertEqual(list(batch.table["status"]), ["timed out"])
+        self.assertLess(batch.table["wall_seconds"][0], 20)  # it was not killed
+        summary = batch.cases["case"].summary
+        self.assertEqual(summary["status"], "interrupted")
+        self.assertGreater(summary["steps"], 0)
 
     def test_a_calibration_returns_parameters_and_curves_and_continues(self):
         file = self.folder / "fit.yaml"

@@ -196,6 +196,15 @@ const tests = {
     const { pixels: [, darker, lit] } = await looked("green.png", [[0.5, 0.5], [0.585, 0.4], [0.05, 0.95]]);
     assert.ok(lit[1] > 90 && lit[1] > lit[0] + 60 && darker[1] < lit[1] - 3, `${lit}, ${darker}`);
   },
+  async "the ground lies below a body in oblique gravity"() {
+    done("run", "scene.yaml", "-q", "-o", "tilted", "--set", "gravity=[3.5, -3.5, 0]", "time.duration=20 ms");
+    // From the side, up in the picture is against gravity: the cube stands on an edge.
+    done("render", "tilted", "-o", "tilted.png", "--set", "size=[200, 200]", "camera={from: [-0.5, 1.5, 6], to: [0, 1, 0], angle: 40 deg}", "time=false", "lights=2",
+      "objects={plate: {hide: true}, cube: {colour: '#ff0000'}}", "ground={colour: '#0000ff'}");
+    const { pixels } = await looked("tilted.png", [[0.5, 0.45], [0.5, 0.58], [0.5, 0.9]]);
+    for (const cube of pixels.slice(0, 2)) assert.ok(cube[0] > 1.5 * cube[2], `the cube, also its lower half: ${pixels}`);
+    assert.ok(pixels[2][2] > 1.5 * pixels[2][0], `the ground: ${pixels}`);
+  },
   async "a transparent background, also below a shadow, and numbered pictures"() {
     const view = [...above.slice(0, -1), "objects={plate: {hide: true}, cube: {colour: '#ff0000', smooth: 0}}", "background=transparent"];
     done("render", "out", "-o", "clear.png", ...view, "ground={at: 0}");
@@ -211,6 +220,13 @@ const tests = {
     assert.match(done("render", "out", "-o", "part_%03d.png", ...view, "lights=1", "from=0.1"), /frame 6 of 6/);
     for (const i of [0, 5]) assert.ok(statSync(join(folder, `part_00${i}.png`)).size > 500);
     refused(/films have no transparent background/, "render", "out", "-o", "film.mp4", "--set", "background=transparent");
+  },
+  async "a film has each frame once, however they are spaced"() {
+    done("run", "scene.yaml", "-q", "-o", "late", "--set", "output.frames_from=0.16");
+    const view = [...above.slice(0, -1), "size=[80, 60]", "lights=1", "objects.cube.colour='#ff0000'"];
+    assert.match(done("render", "late", "-o", "each_%01d.png", ...view), /frame 4 of 4/); // 0, 0.16, 0.18, 0.2 s
+    const pictures = [0, 1, 2, 3].map((i) => readFileSync(join(folder, `each_${i}.png`)).toString("base64"));
+    assert.equal(new Set(pictures).size, 4);
   },
   async "film-like tones darken what is bright less than exposure brightens it"() {
     for (const [file, ...more] of [["plain.png"], ["bright.png", "exposure=4"], ["toned.png", "exposure=4", "tone=filmic"]])
@@ -303,6 +319,9 @@ const tests = {
     const unknown = spawnSync(tack, ["render", "out", "--set", "field={name: stress}"], { encoding: "utf8", cwd: folder, env: { ...process.env, PATH: "/nowhere" } });
     assert.equal(unknown.status, 2);
     assert.match(unknown.stderr, /field: 'out' has no 'stress'; its frames have displacement \(output\.fields\)/);
+    const late = spawnSync(tack, ["render", "out", "-o", "late.mp4", "--set", "from=10"], { encoding: "utf8", cwd: folder, env: { ...process.env, PATH: "/nowhere" } });
+    assert.equal(late.status, 2);
+    assert.match(late.stderr, /no frame is between 10 and 0\.2 s \(from, to\): the frames of the run go from 0 to 0\.2 s/);
     refused(/unknown key 'colour' in/, "render", "out", "--set", "colour=red");
     refused(/there is no such folder/, "render", "nowhere");
   },

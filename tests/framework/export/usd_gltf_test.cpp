@@ -94,3 +94,15 @@ TEST_CASE("glTF has a morph target per further sample of what moves, and none of
   CHECK_FALSE(gltf["nodes"][0].contains("rotation"));
   CHECK(contains(run.to("gltf", {"frames=300"}).err, "in [2, 256]"));
 }
+
+TEST_CASE("names of materials that are not UTF-8 do not prevent an export") {
+  const ExportedRun run;
+  std::string latin = quads_obj;
+  latin.replace(latin.find("plain"), 5, "gr\xfcn");
+  write_file(run.path() / "quads.obj", latin);
+  const std::string expected = "gr\xEF\xBF\xBDn";
+  REQUIRE(run.to("gltf", {"frames=2"}).exit_code == 0);
+  CHECK(contains(json_of_glb(file_text(run.path() / "run" / "export" / "mixed.glb"))["materials"].dump(), expected));
+  REQUIRE(run.to("npy").exit_code == 0);
+  CHECK(nlohmann::json::parse(file_text(run.path() / "run" / "export" / "npy" / "shapes.json"))["objects"][1]["materials"][1]["name"] == expected);
+}

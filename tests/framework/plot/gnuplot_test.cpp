@@ -68,6 +68,15 @@ TEST_CASE("every renderer reads the pictures without clipping", "[plot]") {
   CHECK(y + length * 0.58 < 480);
 }
 
+TEST_CASE("long names of curves are cut between characters", "[plot]") {
+  const TemporaryFolder folder;
+  const std::string begin(30, 'x');  // the cut would be within the letter behind it
+  const Plot plot{.title = "t", .x_label = "x", .y_label = "y", .curves = {{begin + "\u00e4hnlich", {{1, 2}, {2, 3}}, {}}, {"b", {{1, 3}, {2, 4}}, {}}}, .levels = {}, .notes = {}};
+  const std::string failure = draw(plot, folder.path(), "plot");
+  CHECK(contains(file_text(folder.path() / "plot.gp"), begin + "..."));
+  CHECK((failure.empty() || contains(failure, "gnuplot is missing")));
+}
+
 TEST_CASE("a style sets the size of pictures for paper", "[plot]") {
   const TemporaryFolder folder;
   const Plot plot{.title = "of runs", .x_label = "gap", .y_label = "force", .x_unit = "m", .y_unit = "N",
