@@ -1,5 +1,6 @@
 // Probes of contact between surfaces: sliding speed, contact area and attached objects.
 #include <algorithm>
+#include <span>
 #include <tuple>
 
 #include "framework/bond/bond_term.hpp"
@@ -83,13 +84,14 @@ class ContactArea : public Probe {
   std::vector<char> wanted_;  // per law
 };
 
-// Number of other objects within range of an object's adhesion, or connected by bonds.
+// Number of other objects within range of an object's adhesion, or connected by bonds, anywhere or at selected vertices.
 class AttachedObjects : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
     f.text("to", to_, "name of the object that they adhere to").required();
     f.texts("of", of_, "objects that count; with `fill`, all of their copies; empty: all").line();
+    f.component("select", select_, "vertices of `to` that they adhere to, or to elements with such a vertex");
   }
   void prepare(const World& world) override {
     require_contact(world, name_);
@@ -100,18 +102,21 @@ class AttachedObjects : public Probe {
     counted_.assign(world.bodies.size(), of_.empty() ? 1 : 0);
     for (const std::string& name : of_)
       for (const int i : copies_of(world, name, name_)) counted_[i] = 1;
+    selected_.assign(static_cast<size_t>(world.dofs.vertex_count()), 0);
+    for (const int v : select(*select_, world.selection_context(index_))) selected_[v] = 1;
   }
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State& state) override {
     std::vector<char> attached(world.bodies.size(), 0);
     world.contact->potential().visit_active([&](const ActivePair& pair) {
       const int a = pair.object, b = pair.opposite;
-      if (!adhesive_[pair.law]) return;
+      if (!adhesive_[pair.law] || !selected(pair.vertices)) return;
       if (a == index_ && b != index_) attached[b] = 1;
       if (b == index_ && a != index_) attached[a] = 1;
     });
     // Some models adhere without stencils of the system.
     for_each_record(points_of(world, state, adhesive_), [&](const auto& c) {
+      if (!selected(c.vertices)) return;
       if (c.object == index_ && c.opposite != index_) attached[c.opposite] = 1;
       if (c.opposite == index_ && c.object != index_) attached[c.object] = 1;
     });
@@ -121,19 +126,25 @@ class AttachedObjects : public Probe {
   }
 
  private:
+  bool selected(std::span<const int> vertices) const {
+    return std::any_of(vertices.begin(), vertices.end(), [this](int v) { return selected_[v]; });
+  }
   // Counts bonds with some strength, without those that begin to form.
   void add_bonded(const BondTerm& bonds, std::vector<char>& attached) const {
     constexpr double intensity_min = 0.01;
     for (int i = 0; i < bonds.list().size(); ++i) {
       const Bond& bond = bonds.list().bonds()[i];
       if (bond.a == bond.b || (bond.a != index_ && bond.b != index_)) continue;
+      if (!selected({bond.vertices.data(), static_cast<size_t>(bond.count())})) continue;
       if (bonds.intensity(i) > intensity_min) attached[bond.a == index_ ? bond.b : bond.a] = 1;
     }
   }
 
   std::string to_;
   std::vector<std::string> of_;
-  std::vector<char> counted_;  // per object
+  std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+  std::vector<char> counted_;   // per object
+  std::vector<char> selected_;  // per vertex of x
   int index_ = -1;
   std::vector<char> adhesive_;  // per law
 };

@@ -80,6 +80,9 @@ TEST_CASE("attached_objects: objects within the range of adhesion", "[friction]"
   CHECK(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: floor, of: [right]}") == std::vector<double>{0});
   CHECK(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: floor, of: [right, left]}") == std::vector<double>{1});
   CHECK_THROWS_AS(Probed(1.5e-3).sample("{type: attached_objects, name: n, to: floor, of: [middle]}"), InputError);
+  const auto at = [](const char* face) { return Probed(1.5e-3).sample(std::string("{type: attached_objects, name: n, to: left, select: {type: face, direction: ") + face + "}}")[0]; };
+  CHECK(at("[0, -1, 0]") == 1);  // the floor is below the block
+  CHECK(at("[0, 1, 0]") == 0);
 }
 
 TEST_CASE("friction_force: mu N against the sliding direction, equal and opposite on both bodies", "[friction]") {
