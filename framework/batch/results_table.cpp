@@ -118,7 +118,7 @@ ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan, const 
     if (!finished(state.status)) continue;
     std::ifstream in(folder.run(one.name) / "summary.json");
     const Json summary = Json::parse(in, nullptr, false);
-    if (in && !summary.is_object()) states.set(row, "error", std::string("summary.json is damaged (no JSON)"));
+    if (in.is_open() && !summary.is_object()) states.set(row, "error", std::string("summary.json is damaged (no JSON)"));
     if (summary.is_object()) try {
         add_counts(counts, row, summary);
         add_seconds(costs, row, summary);

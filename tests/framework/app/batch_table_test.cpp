@@ -104,7 +104,7 @@ statistics:
 time: {step: 10 ms, duration: 1 s, integrator: quasi_static}
 objects:
   - name: block
-    shape: {type: box, size: [10 mm, 10 mm, 10 mm]}
+    shape: {type: box, size: [10 mm, 10 mm, 10 mm], cells: [2, 2, 2]}
     energies: [{type: neo_hookean, young: 100 kPa, poisson: 0, density: 1000}]
     motion:
       - {type: fixed, select: {type: face, direction: [0, -1, 0]}}

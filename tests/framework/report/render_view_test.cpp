@@ -13,7 +13,8 @@ TEST_CASE("looks go from the most general pattern to whole names, whatever their
   RenderView view;
   bind(parse_string("objects: {'chip 1': {colour: '#ff0000'}, '*': {smooth: 50 deg}, 'chip*': {colour: '#00ff00', smooth: 60 deg}, 'c*': {smooth: 10 deg}}", "view.yaml"), view, "the view");
   std::vector<std::string> names;
-  for (const auto& [name, look] : json_of(view, {48, 128})["objects"].items()) names.push_back(name);
+  const nlohmann::ordered_json json = json_of(view, {48, 128});
+  for (const auto& [name, look] : json["objects"].items()) names.push_back(name);
   CHECK(names == std::vector<std::string>{"*", "c*", "chip*", "chip 1"});
 }
 
