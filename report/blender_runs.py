@@ -13,7 +13,7 @@ COLOURS = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F
 
 
 def linear(css):
-    """Returns the linear colour of "#rrggbb" or of a name that CSS and matplotlib share."""
+    """Returns the linear colour of "#rrggbb". Raises SystemExit for other colours."""
     digits = css.lstrip("#")
     if not re.fullmatch(r"[0-9a-fA-F]{6}", digits):
         raise SystemExit(f"colour '{css}': Blender takes colours as #rrggbb")
@@ -45,8 +45,8 @@ class Run:
         return x.min(0), x.max(0)
 
 
-def rotation_to_z(up):
-    """Returns the rotation that takes the direction `up` to z; y up as Blender's importers do it."""
+def axis_to_z(up):
+    """Returns the rotation that takes the axis nearest to `up` to z; y up as Blender's importers do it."""
     axis = int(np.argmax(np.abs(up)))
     if axis == 2 and up[2] > 0:
         return np.eye(3)
@@ -54,7 +54,15 @@ def rotation_to_z(up):
         return np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]])
     if axis == 0 and up[0] > 0:
         return np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]])
-    return np.diag([1, -1, -1]) @ rotation_to_z(-up)
+    return np.diag([1, -1, -1]) @ axis_to_z(-up)
+
+
+def rotation_to_z(up):
+    """Returns the rotation that takes the direction `up` to z: that of its nearest axis, and the smallest that remains."""
+    turn = axis_to_z(up)
+    x, y, z = turn @ (up / np.linalg.norm(up))
+    cross = np.array([[0, 0, -x], [0, 0, -y], [x, y, 0]])  # about up x z, by the angle between them
+    return (np.eye(3) + cross + cross @ cross / (1 + z)) @ turn
 
 
 def camera_of(view, run, low, high, aspect):

@@ -1,0 +1,27 @@
+"""The parts of report/blender_runs.py that need no Blender."""
+import sys
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "report"))
+import blender_runs  # noqa: E402
+
+
+class Rotations(unittest.TestCase):
+    def test_the_direction_against_gravity_is_up_in_pictures(self):
+        random = np.random.default_rng(1)
+        for up in [*random.normal(size=(20, 3)), np.array([-0.48, 0.876, 0])]:
+            turn = blender_runs.rotation_to_z(up)
+            np.testing.assert_allclose(turn @ up, [0, 0, np.linalg.norm(up)], atol=1e-12)
+            np.testing.assert_allclose(turn @ turn.T, np.eye(3), atol=1e-12)
+            self.assertGreater(np.linalg.det(turn), 0)
+
+    def test_axes_turn_as_importers_of_blender_turn_them(self):
+        np.testing.assert_array_equal(blender_runs.rotation_to_z(np.array([0, 1, 0])) @ [1, 2, 3], [1, -3, 2])
+        np.testing.assert_array_equal(blender_runs.rotation_to_z(np.array([0, 0, 2])), np.eye(3))
+
+
+if __name__ == "__main__":
+    unittest.main()
