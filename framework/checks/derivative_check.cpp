@@ -56,7 +56,8 @@ BlockMatrix of_free_directions(BlockMatrix hessian, const DofMap& dofs) {
     for (int k = hessian.column_start[h.block]; k < hessian.column_start[h.block + 1]; ++k) {
       if (hessian.row[k] != h.block) continue;
       const Mat3 free = Mat3::Identity() - h.projection;
-      hessian.block(k) = (free * hessian.block(k) * free).eval();
+      if (hessian.block(k) == h.projection) hessian.block(k).setZero();  // without rounding, where there is nothing else
+      else hessian.block(k) = (free * hessian.block(k) * free).eval();
     }
   return hessian;
 }

@@ -193,7 +193,7 @@ TEST_CASE("packs of triangles inside others give what pairs give one by one", "[
     }
     compare_pack(pairs, law, bands, counts);
   }
-  CHECK(counts.found > 1000);
+  CHECK(counts.found > 120 * static_cast<int>(pack_width));  // of 200 packs, whose width depends on the processor
 }
 
 // Corners on a grid: edges along each other, corners on lines and on corners; exactly or nearly so.
