@@ -19,7 +19,7 @@ struct StudiedLaw {
   PairLaw pair;  // law of the gap: barrier and adhesion; for bonds, the barrier alone
   double contact_distance = 0;  // m
   double young = 0;             // Young's modulus of the softer solid [Pa]; 0: unknown
-  // Of the softer sheet or rod, per width [N m]; 0: neither side is one.
+  // The softer sheet or rod bends with this stiffness per width [N m]; 0: neither side is one.
   double bending_stiffness = 0;
 
   const AdhesionLaw& law() const { return gap ? static_cast<const AdhesionLaw&>(*gap) : *bond; }
