@@ -140,8 +140,10 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
 int plot_again(const fs::path& folder, const fs::path& output) {
   const fs::path scripts = folder / "plots";
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(scripts))
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(scripts, missing))
     if (entry.path().extension() == ".gp") names.push_back(entry.path().stem());
+  if (names.empty()) throw InputError(fmt::format("{}: has no scripts of pictures (.gp); the command that made {} writes them", scripts.string(), folder.string()));
   std::sort(names.begin(), names.end());
   const fs::path drawn = output.empty() ? scripts : output;
   Pictures pictures(drawn);
