@@ -30,6 +30,7 @@ const std::vector<Sabotage>& sabotages() {
       {"spider_web/octopus", "a third of the adhesion", {"contact.pairs.0.adhesion.peak_traction=10 kPa"}, {"and tangential adhesion holds it where it hangs"}},
       {"spider_web/octopus", "no friction", {"contact.pairs.0.friction.mu=0"}, {"friction takes part"}},
       {"spider_web/octopus", "no tangential adhesion", {"contact.pairs.0.tangential_adhesion.mu=0"}, {"and tangential adhesion holds it where it hangs"}},
+      {"chips_bag/chips_bag", "a third of the adhesion", {"contact.pairs.0.adhesion.peak_traction=0.3 kPa"}, {"and its pressure"}},
       {"sticky_toys/throw", "half the adhesion", {"contact.pairs.1.adhesion.peak_traction=1.5 kPa"}, {"most stick"}},
       {"wax_seal/seal", "no adhesion", {"contact.pairs=[]"}, {"the wax lies on the letter", "with all of its foot"}},
   };
@@ -72,6 +73,7 @@ TEST_CASE("sabotage: cleaning_gel/strain_050", "[nightly]") { check_sabotage("cl
 TEST_CASE("sabotage: wall_cube/stuck", "[nightly]") { check_sabotage("wall_cube/stuck"); }
 TEST_CASE("sabotage: wall_cube/stuck_rough", "[nightly]") { check_sabotage("wall_cube/stuck_rough"); }
 TEST_CASE("sabotage: spider_web/octopus", "[nightly]") { check_sabotage("spider_web/octopus"); }
+TEST_CASE("sabotage: chips_bag/chips_bag", "[nightly]") { check_sabotage("chips_bag/chips_bag"); }
 TEST_CASE("sabotage: sticky_toys/throw", "[nightly]") { check_sabotage("sticky_toys/throw"); }
 TEST_CASE("sabotage: wax_seal/seal", "[nightly]") { check_sabotage("wax_seal/seal"); }
 
