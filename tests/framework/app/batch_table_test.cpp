@@ -3,33 +3,12 @@
 #include <catch2/catch.hpp>
 
 #include "framework/output/csv.hpp"
-#include "tests/support/program.hpp"
-#include "tests/support/tiny_scene.hpp"
+#include "tests/support/batch_files.hpp"
 
 using namespace tack;
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::string steps_batch = R"(name: steps
-base: tiny.yaml
-set: [time.duration=0.3 s, output.frames=false]
-vary:
-  - type: grid
-    keys:
-      objects.block.energies.0.young: {values: [1 MPa, 2 MPa, 4 MPa], as: young}
-      contact.friction: {values: [{mu: 0.1}, {mu: 0.4}], as: friction}
-  - {type: repeat, count: 2}
-)";
-
-struct Files {
-  TemporaryFolder folder;
-  fs::path path = folder.path();
-  explicit Files(const std::string& batch) {
-    write_file(path / "tiny.yaml", tiny_scene);
-    write_file(path / "batch.yaml", batch);
-  }
-};
 
 // Returns a number of the table's first row.
 double number_of(const fs::path& folder, const std::string& column) {
@@ -42,7 +21,7 @@ double number_of(const fs::path& folder, const std::string& column) {
 }  // namespace
 
 TEST_CASE("names that spreadsheets take for formulas are none in the table", "[batch]") {
-  const Files files("name: formulas\nbase: tiny.yaml\nset: [output.frames=false, probes.0.name='=1+1', 'expect=[]']\n"
+  const BatchFiles files("name: formulas\nbase: tiny.yaml\nset: [output.frames=false, probes.0.name='=1+1', 'expect=[]']\n"
                     "vary: [{type: cases, cases: [{name: \"=cmd|'/C calc'!A0\"}, {name: '+b'}]}]\n");
   const ProgramResult result = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
   INFO(result.out << result.err);
@@ -57,7 +36,7 @@ TEST_CASE("names that spreadsheets take for formulas are none in the table", "[b
 }
 
 TEST_CASE("the table is made again from the folder alone", "[batch]") {
-  const Files files(steps_batch + "statistics: [{name: lowest, probe: height, statistic: min}, {probe: stickiness_y, statistic: final}]\n");
+  const BatchFiles files(steps_batch + "statistics: [{name: lowest, probe: height, statistic: min}, {probe: stickiness_y, statistic: final}]\n");
   REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--set", "vary.0.keys={time.step: [0.01 s]}"}).exit_code == 0);
   const std::string table = file_text(files.path / "b" / "results.csv");
   CHECK(contains(table, ",lowest,stickiness_y: final,"));
@@ -80,7 +59,7 @@ TEST_CASE("the table is made again from the folder alone", "[batch]") {
 }
 
 TEST_CASE("a column may be how far cases are from a measured curve", "[batch]") {
-  const Files files(steps_batch + "statistics: [{name: off, probe: height, statistic: deviation, along: time, follows: {file: height.csv, to: 0.15 s, relative_to: peak}}]\n");
+  const BatchFiles files(steps_batch + "statistics: [{name: off, probe: height, statistic: deviation, along: time, follows: {file: height.csv, to: 0.15 s, relative_to: peak}}]\n");
   write_file(files.path / "height.csv", "time [s], height [mm]\n0.05, 50\n0.1, 200\n0.2, 300\n");
   const ProgramResult result = run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--set", "vary.0.keys={time.step: [0.01 s]}"});
   INFO(result.out << result.err);
@@ -93,7 +72,7 @@ TEST_CASE("a column may be how far cases are from a measured curve", "[batch]") 
 }
 
 TEST_CASE("a statistic of a stage is that of the samples in it", "[batch][protocol]") {
-  const Files files(R"(name: press
+  const BatchFiles files(R"(name: press
 base: press.yaml
 statistics:
   - {probe: height, statistic: min, stage: load}

@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "framework/output/checkpoints.hpp"
+#include "tests/support/batch_files.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
-#include "tests/support/tiny_scene.hpp"
 
 using namespace tack;
 namespace fs = std::filesystem;
@@ -60,31 +60,10 @@ std::map<std::string, fs::file_time_type> done_states(const fs::path& folder) {
   return done;
 }
 
-// 12 cases of 30 steps, that keep checkpoints.
-const std::string steps_batch = R"(name: steps
-base: tiny.yaml
-set: [time.duration=0.3 s, output.checkpoint_interval=0.05 s, output.frames=false]
-vary:
-  - type: grid
-    keys:
-      objects.block.energies.0.young: {values: [1 MPa, 2 MPa, 4 MPa], as: young}
-      contact.friction: {values: [{mu: 0.1}, {mu: 0.4}], as: friction}
-  - {type: repeat, count: 2}
-)";
-
-struct Files {
-  TemporaryFolder folder;
-  fs::path path = folder.path();
-  explicit Files(const std::string& batch) {
-    write_file(path / "tiny.yaml", tiny_scene);
-    write_file(path / "batch.yaml", batch);
-  }
-};
-
 }  // namespace
 
 TEST_CASE("a batch that is killed and called again gives the table of one that was not", "[batch]") {
-  const Files files(steps_batch);
+  const BatchFiles files(steps_batch);
   REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "whole"}).exit_code == 0);
   std::random_device random;
   for (int attempt = 0;; ++attempt) {
@@ -115,7 +94,7 @@ TEST_CASE("a batch that is killed and called again gives the table of one that w
 }
 
 TEST_CASE("a half-done case is resumed from its checkpoint", "[batch]") {
-  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=1 s, output.checkpoint_interval=0.02 s, output.frames=false]\n");
+  const BatchFiles files("name: long\nbase: tiny.yaml\nset: [time.duration=1 s, output.checkpoint_interval=0.02 s, output.frames=false]\n");
   Program batch(files.path, {"batch", "batch.yaml", "-o", "b"});
   const fs::path checkpoints = files.path / "b" / "cases" / "case" / "checkpoints";
   REQUIRE(becomes_true([&] { return !newest_checkpoint_in(checkpoints).empty(); }));  // a complete one
@@ -133,7 +112,7 @@ TEST_CASE("a half-done case is resumed from its checkpoint", "[batch]") {
 }
 
 TEST_CASE("a case that is gone on with counts the seconds of all its pieces, and its warnings", "[batch]") {
-  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=0.4 s, output.checkpoint_interval=0.02 s, output.frames=false]\n");
+  const BatchFiles files("name: long\nbase: tiny.yaml\nset: [time.duration=0.4 s, output.checkpoint_interval=0.02 s, output.frames=false]\n");
   const fs::path run = files.path / "b" / "cases" / "case", state = files.path / "b" / "state" / "case.json";
   REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
   const auto whole = rows_of(files.path / "b");
@@ -168,7 +147,7 @@ TEST_CASE("a case that is gone on with counts the seconds of all its pieces, and
 }
 
 TEST_CASE("a batch that is killed has noted the seconds of its running cases", "[batch]") {
-  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=1000 s, output.frames=false]\n");
+  const BatchFiles files("name: long\nbase: tiny.yaml\nset: [time.duration=1000 s, output.frames=false]\n");
   const fs::path state = files.path / "b" / "state" / "case.json";
   Program batch(files.path, {"batch", "batch.yaml", "-o", "b"});
   REQUIRE(becomes_true([&] { return fs::exists(state) && read_json(state)["cpu_seconds"] > 0.0; }));
@@ -179,7 +158,7 @@ TEST_CASE("a batch that is killed has noted the seconds of its running cases", "
 }
 
 TEST_CASE("Ctrl-C ends a batch with its cases, and they go on later", "[batch]") {
-  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=10000 s, output.checkpoint_interval=0.02 s, output.frames=false]\n"
+  const BatchFiles files("name: long\nbase: tiny.yaml\nset: [time.duration=10000 s, output.checkpoint_interval=0.02 s, output.frames=false]\n"
                     "vary: [{type: repeat, count: 3}]\njobs: 2\n");
   Program batch(files.path, {"batch", "batch.yaml", "-o", "b"});
   const auto steps = [&](const std::string& name) { return file_text(files.path / "b" / "cases" / name / "steps.csv").size(); };
@@ -195,7 +174,7 @@ TEST_CASE("Ctrl-C ends a batch with its cases, and they go on later", "[batch]")
 }
 
 TEST_CASE("a crash, a time-out and a failed expectation are rows, and touch no other case", "[batch]") {
-  const Files files(R"(name: mixed
+  const BatchFiles files(R"(name: mixed
 base: tiny.yaml
 set: [output.frames=false]
 time_limit: 3 s
@@ -236,7 +215,7 @@ vary:
 
 TEST_CASE("a case whose files cannot be written fails alone, and keeps no earlier result",
           "[batch]") {
-  const Files files(
+  const BatchFiles files(
       "name: some\nbase: tiny.yaml\nset: [output.frames=false]\njobs: 1\n"
       "vary: [{type: cases, cases: [{name: bad}, {name: good}]}]\n");
   REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
@@ -257,7 +236,7 @@ TEST_CASE("a case whose files cannot be written fails alone, and keeps no earlie
 }
 
 TEST_CASE("cases that are named run alone, and the others stay as they are", "[batch]") {
-  const Files files("name: some\nbase: tiny.yaml\nset: [output.frames=false]\n"
+  const BatchFiles files("name: some\nbase: tiny.yaml\nset: [output.frames=false]\n"
                     "vary: [{type: cases, cases: [{name: wrong, set: {expect: [{probe: height, statistic: final, at_least: 1 m}]}}, {name: right}, {name: rest}]}]\n");
   const ProgramResult unknown = run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--only", "left"});
   CHECK(unknown.exit_code == 2);
@@ -278,7 +257,7 @@ TEST_CASE("cases that are named run alone, and the others stay as they are", "[b
 
 TEST_CASE("a case that wants more memory than it may have fails alone", "[batch]") {
 #ifndef __SANITIZE_ADDRESS__
-  const Files files("name: memory\nbase: tiny.yaml\nset: [output.frames=false]\nmemory: 0.6\njobs: 1\n"
+  const BatchFiles files("name: memory\nbase: tiny.yaml\nset: [output.frames=false]\nmemory: 0.6\njobs: 1\n"
                     "vary: [{type: grid, keys: {objects.block.shape.cells: [[1, 1, 1], [45, 45, 45]]}}]\n");
   const ProgramResult result = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
   INFO(result.out << result.err);
@@ -290,7 +269,7 @@ TEST_CASE("a case that wants more memory than it may have fails alone", "[batch]
 
 TEST_CASE("a case that may have too little memory ends at once and says so", "[batch]") {
 #ifndef __SANITIZE_ADDRESS__
-  const Files files("name: little\nbase: tiny.yaml\nset: [output.frames=false]\nmemory: 0.001\n");
+  const BatchFiles files("name: little\nbase: tiny.yaml\nset: [output.frames=false]\nmemory: 0.001\n");
   const auto begun = std::chrono::steady_clock::now();
   const ProgramResult none = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
   CHECK(std::chrono::steady_clock::now() - begun < TACK_PATIENCE * 10s);
@@ -301,7 +280,7 @@ TEST_CASE("a case that may have too little memory ends at once and says so", "[b
 }
 
 TEST_CASE("another batch in the same folder leaves the first one's table", "[batch]") {
-  const Files files("name: first\nbase: tiny.yaml\nset: [output.frames=false]\nvary: [{type: grid, keys: {time.step: {values: [5 ms], as: step}}}]\n");
+  const BatchFiles files("name: first\nbase: tiny.yaml\nset: [output.frames=false]\nvary: [{type: grid, keys: {time.step: {values: [5 ms], as: step}}}]\n");
   REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
   const std::string table = file_text(files.path / "b" / "results.csv");
   // More values: the same batch.
@@ -320,7 +299,7 @@ TEST_CASE("another batch in the same folder leaves the first one's table", "[bat
 }
 
 TEST_CASE("a dry run shows the plan and writes nothing", "[batch]") {
-  const Files files(steps_batch);
+  const BatchFiles files(steps_batch);
   const ProgramResult plan = run_tack(files.path, {"batch", "batch.yaml", "--dry-run"});
   CHECK(plan.exit_code == 0);
   CHECK(contains(plan.out, "12 cases, 12 to run"));
@@ -330,7 +309,7 @@ TEST_CASE("a dry run shows the plan and writes nothing", "[batch]") {
 }
 
 TEST_CASE("a batch with a bad case starts none, and folders of others are left alone", "[batch]") {
-  const Files files("name: bad\nbase: tiny.yaml\nvary: [{type: grid, keys: {objects.block.place.translate: [[0, 0.2, 0], [0, 0.05, 0]]}}]\n");
+  const BatchFiles files("name: bad\nbase: tiny.yaml\nvary: [{type: grid, keys: {objects.block.place.translate: [[0, 0.2, 0], [0, 0.05, 0]]}}]\n");
   const ProgramResult bad = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
   CHECK(bad.exit_code == 2);
   CHECK(contains(bad.err, "case 'translate=0,0.05,0'"));
@@ -343,7 +322,7 @@ TEST_CASE("a batch with a bad case starts none, and folders of others are left a
 }
 
 TEST_CASE("one batch at a time writes into a folder", "[batch]") {
-  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=1000 s, output.frames=false]\n");
+  const BatchFiles files("name: long\nbase: tiny.yaml\nset: [time.duration=1000 s, output.frames=false]\n");
   Program first(files.path, {"batch", "batch.yaml", "-o", "b"});
   REQUIRE(becomes_true([&] { return status_of(files.path / "b", "case") == "running"; }));
   const ProgramResult second = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
