@@ -25,6 +25,9 @@ def matches(pattern, name):
     return name.startswith(pattern[:-1]) if pattern.endswith("*") else pattern == name
 
 
+SMALLEST_RADIUS = 8e-4  # of a rod or particle, of the size of the run's box: about a pixel
+
+
 class Run:
     """Positions and elements of a run, turned so that z points up."""
 
@@ -43,6 +46,17 @@ class Run:
         shown = [o for o in self.objects if not o["look"].get("hide") and o["vertices"]]
         x = np.concatenate([self.positions(o, s) for s in samples for o in shown])
         return x.min(0), x.max(0)
+
+    def lowest(self, samples, size):
+        """Returns the height of the lowest point that is drawn [m]. size: of the run's box [m]."""
+        shown = [o for o in self.objects if not o["look"].get("hide") and o["vertices"]]
+        return min(self.positions(o, s)[:, 2].min() - drawn_thickness(o, size) for s in samples for o in shown)
+
+
+def drawn_thickness(o, size):
+    """Returns how far an object is drawn beyond its vertices [m]: its radius and the look's `offset`."""
+    offset = o["look"].get("offset", 0)
+    return offset if o["face_sizes"] else max(o["radius"] + offset, SMALLEST_RADIUS * size)
 
 
 def axis_to_z(up):

@@ -9,9 +9,10 @@
 
 #include "framework/config/file_digest.hpp"
 #include "framework/config/read_file.hpp"
+#include "framework/experiment/drawn_scene.hpp"
 #include "framework/experiment/load_experiment.hpp"
-#include "framework/export/outer_vertices.hpp"
 #include "framework/export/source_faces.hpp"
+#include "framework/output/outer_vertices.hpp"
 #include "framework/output/run_folder.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
@@ -39,11 +40,6 @@ std::string file_name_of(const std::string& name, std::set<std::string>& taken) 
   std::string unique = base;
   for (int i = 2; !taken.insert(unique).second; ++i) unique = fmt::format("{}_{}", base, i);
   return unique;
-}
-
-double radius_of(const ObjectConfig& object) {
-  if (object.rod) return object.rod->section().contact_width() / 2;
-  return object.particle ? object.particle->radius : 0;
 }
 
 // Adds the faces, edges and points of a frame to the objects. place: of each object of the scene
@@ -97,7 +93,7 @@ RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, c
   const Experiment& experiment = loaded.experiment;
   sources_ = files_of(loaded.root);
   name_ = RunFolder::default_root(experiment.name).filename();
-  if (experiment.gravity.norm() > 0) up_ = -experiment.gravity.normalized();
+  up_ = up_direction(experiment);
 
   std::vector<std::string> names;
   for (const ObjectConfig& object : experiment.objects) names.push_back(object.name);
@@ -111,7 +107,7 @@ RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, c
     ExportedObject& object = objects_.emplace_back();
     object.name = names[i];
     object.file_name = file_name_of(names[i], taken);
-    object.radius = radius_of(experiment.objects[i]);
+    object.radius = drawn_radius(experiment.objects[i]).value_or(0);
     object.materials = {{object.file_name, linear(palette[i % palette.size()])}};
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "framework/output/outer_vertices.hpp"
 #include "framework/output/pvd.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
@@ -47,36 +48,6 @@ class FaceOwners {
 
   std::vector<std::pair<Face, int>> owners_;
 };
-
-// Returns the outer vertices of each object, ascending. Remeshing keeps them and their order.
-std::vector<std::vector<int>> outer_vertices(const FrameFile& frame, const Surface& surface) {
-  const auto array = std::find_if(frame.cell_arrays.begin(), frame.cell_arrays.end(), [](const FrameArray& a) { return a.name == "object"; });
-  std::vector<int> object(frame.mesh.vertices.size(), 0);
-  int cell = 0;
-  const auto note = [&](const auto& elements) {
-    for (const auto& element : elements) {
-      for (const int v : element) object[v] = array == frame.cell_arrays.end() ? 0 : static_cast<int>(array->values(cell));
-      ++cell;
-    }
-  };
-  note(frame.mesh.tets);
-  note(frame.mesh.triangles);
-  note(frame.mesh.edges);
-  for (const int v : frame.mesh.points) object[v] = array == frame.cell_arrays.end() ? 0 : static_cast<int>(array->values(cell++));
-  std::vector<char> outer(object.size(), 0);
-  for (const Triangle& t : surface.triangles)
-    for (const int v : t) outer[v] = 1;
-  for (const Edge& e : frame.mesh.edges)
-    for (const int v : e) outer[v] = 1;
-  for (const int v : frame.mesh.points) outer[v] = 1;
-  std::vector<std::vector<int>> all;
-  for (size_t v = 0; v < object.size(); ++v) {
-    if (!outer[v]) continue;
-    if (static_cast<size_t>(object[v]) >= all.size()) all.resize(static_cast<size_t>(object[v]) + 1);
-    all[object[v]].push_back(static_cast<int>(v));
-  }
-  return all;
-}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 
 #include "framework/body/rod_section.hpp"
 #include "framework/config/read_file.hpp"
+#include "framework/experiment/drawn_scene.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/output/probe_units.hpp"
 #include "framework/protocol/stage_metrics.hpp"
@@ -22,18 +23,11 @@ Json json_of(const Value* value) {
   return list;
 }
 
-// Returns the drawn thickness of edges and points [m]; null: none given.
-Json radius_of(const ObjectConfig& object) {
-  if (object.rod) return object.rod->section().contact_width() / 2;
-  if (object.particle) return object.particle->radius;
-  return Json();
-}
+Json number_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(); }
 
-// Returns the direction against gravity; without gravity, y.
-Json up_of(const Experiment& e) {
-  const Vec3 up = e.gravity.norm() > 0 ? Vec3(-e.gravity.normalized()) : Vec3::UnitY();
-  return {up.x(), up.y(), up.z()};
-}
+Json number_or_null(std::optional<double> number) { return number ? Json(*number) : Json(); }
+
+Json json_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json probes_of(const Experiment& e, const Value& root) {
   Json list = Json::array();
@@ -54,8 +48,6 @@ Json contact_half_range(const ObjectConfig& object, const Experiment& e) {
   if (!e.contact) return Json();
   return object.contact_offset + e.contact->contact_distance / 2;
 }
-
-Json number_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(); }
 
 Json expectations_of(const Experiment& e) {
   std::map<std::string, Unit> units = {{"time", units::time}};
@@ -88,14 +80,14 @@ Json scene_data(const std::filesystem::path& scene) {
 
 Json scene_data(const Experiment& e, const Value& root, const std::string& text) {
   Json objects = Json::array();
-  for (const ObjectConfig& object : e.objects) objects.push_back({{"name", object.name}, {"radius", radius_of(object)}, {"reach", contact_half_range(object, e)}});
+  for (const ObjectConfig& object : e.objects) objects.push_back({{"name", object.name}, {"radius", number_or_null(drawn_radius(object))}, {"reach", contact_half_range(object, e)}});
   Json protocols = Json::array();
   for (const ProtocolConfig& protocol : e.protocols) {
     Json stages = Json::array();
     for (const StageConfig& stage : protocol.stages) stages.push_back(stage.name);
     protocols.push_back({{"name", protocol.name}, {"column", stage_metric(protocol, 0).name}, {"stages", std::move(stages)}});
   }
-  return {{"name", e.name}, {"protocols", std::move(protocols)}, {"about", e.about}, {"text", text}, {"up", up_of(e)}, {"duration", e.time.duration}, {"objects", std::move(objects)},
+  return {{"name", e.name}, {"protocols", std::move(protocols)}, {"about", e.about}, {"text", text}, {"up", json_of(up_direction(e))}, {"duration", e.time.duration}, {"objects", std::move(objects)},
           {"probes", probes_of(e, root)}, {"expect", expectations_of(e)}};
 }
 

@@ -220,9 +220,16 @@ class Batch(_Folder):
 
     @functools.cached_property
     def cases(self) -> dict:
-        """{name: Run} of the cases with a summary, in the order of the table."""
+        """{name: Run} of the cases that ended with a summary, in the order of the table. A case that has changed since it ran is left out until it runs again."""
         listed = json.loads((self.path / "batch.json").read_text(encoding="utf-8"))["cases"]
-        return {one["name"]: Run(self.path / one["folder"]) for one in listed if (self.path / one["folder"] / "summary.json").exists()}
+        return {one["name"]: Run(self.path / one["folder"]) for one in listed if self._has_results(one)}
+
+    def _has_results(self, one):
+        try:
+            digest = json.loads((self.path / "state" / f"{one['name']}.json").read_text(encoding="utf-8"))["digest"]
+        except (OSError, ValueError, KeyError):
+            return False
+        return digest == one["digest"] and (self.path / one["folder"] / "summary.json").exists()
 
     def to_pandas(self) -> Any:
         """Returns the table as a DataFrame of pandas, by case; `attrs["units"]` has the units of its columns.

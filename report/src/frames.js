@@ -77,6 +77,20 @@ export class Frames {
     return { low, high };
   }
 
+  // Returns the smallest coordinate along a direction [m, of the scene] of some vertices in all frames; Infinity: of none.
+  lowest(direction, vertices) {
+    let low = Infinity;
+    const start = direction.reduce((sum, d, c) => sum + d * this.origin[c], 0);
+    for (let number = 0; number < this.count; ++number) {
+      const [codes, position] = [this.codes(number), this.position(number)];
+      for (const v of vertices) {
+        const x = start + direction.reduce((sum, d, c) => sum + d * position(codes[c * this.vertices + v]), 0);
+        if (x < low) low = x;
+      }
+    }
+    return low;
+  }
+
   // Returns the vertices of an object's elements.
   verticesOf(object) {
     const own = new Set();

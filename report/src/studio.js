@@ -45,11 +45,6 @@ function radical(i, base) {
   return sum;
 }
 
-// Returns the height of the lowest corner of a box along a vertical of any direction.
-function lowest({ low, high }, vertical) {
-  return vertical.reduce((sum, x, c) => sum + Math.min(low[c] * x, high[c] * x), 0);
-}
-
 // Returns a ball with shared vertices. three.js repeats each vertex six times, and drawing many balls costs time per vertex.
 function ball(detail) {
   const geometry = new IcosahedronGeometry(1, detail);
@@ -160,22 +155,31 @@ class Actors {
 
   // Returns the vertices of objects that are not hidden.
   get shownVertices() {
-    const { frames } = this;
     const shown = new Set();
-    const take = (v) => shown.add(v);
-    this.parts.forEach((part) => {
-      part.corners?.forEach(take);
-      part.edges?.forEach((e) => [frames.edges[2 * e], frames.edges[2 * e + 1]].forEach(take));
-      part.points?.forEach((p) => take(frames.points[p]));
-    });
+    for (const part of this.parts) if (!part.look.hide) for (const v of [...(part.corners ?? []), ...this.roundedVertices(part)]) shown.add(v);
     return shown;
+  }
+
+  // Returns the vertices of an object's rods and particles, in any order.
+  roundedVertices({ edges, points }) {
+    const { frames } = this;
+    return [...edges.flatMap((e) => [frames.edges[2 * e], frames.edges[2 * e + 1]]), ...points.map((p) => frames.points[p])];
+  }
+
+  // Returns the height of the lowest point that is drawn in any frame [m].
+  lowest() {
+    const { frames, vertical, size } = this;
+    return Math.min(...this.parts.filter(({ look }) => !look.hide).map((part) => {
+      const rounded = frames.lowest(vertical, new Set(this.roundedVertices(part)));
+      return Math.min(frames.lowest(vertical, new Set(part.corners)), rounded - part.radius * size);
+    }));
   }
 
   // Adds a plane below everything that is shown, or at a height [m], with the shade on it (ground_shade.js). Without a colour, only the shade is drawn.
   layGround({ at, colour }) {
-    const { frames, vertical, size } = this;
+    const { vertical, size } = this;
     const along = (p) => p.reduce((sum, x, c) => sum + x * vertical[c], 0);
-    const height = at ?? lowest(frames.box(undefined, this.shownVertices), vertical);
+    const height = at ?? this.lowest();
     const material = litMaterial({ color: new Color().setStyle(colour ?? "#ffffff", SRGBColorSpace), roughness: usual.roughness, side: DoubleSide }, this.mirrored);
     // Slightly lower, so that faces that lie on the ground are in front of it.
     const plane = new Mesh(new PlaneGeometry(groundExtent, groundExtent), material);

@@ -66,6 +66,16 @@ const metal = "objects={'*': {colour: '#ffffff', metalness: 1, roughness: 0.1, s
 const ballPlaces = [-1, 1].flatMap((side) => [[-16, -33], [28, 0], [0, 28], [0, -25]].map(([x, y]) => [0.5 + (55 * side + x) / 400, 0.5 + (y - 2) / 300])); // each: facing the sun, right, low, high
 const shadowPlace = [0.5 + 108 / 400, 0.5 + 33 / 300]; // on the ground, right of the right ball
 
+// A grain and a rod of radius 1.
+writeFileSync(join(folder, "round.yaml"), `
+name: round
+time: {step: 20 ms, duration: 20 ms}
+objects:
+  - {name: grain, shape: {type: points, size: [0, 0, 0], counts: [1, 1, 1]}, particle: {radius: 1}, energies: [particle]}
+  - {name: rod, shape: {type: segment, length: 4, edges: 4}, place: {translate: [0, 0, -4]}, rod: {radius: 1}, energies: [{type: string, young: 1 MPa, density: 1000}]}
+`);
+done("run", "round.yaml", "-q", "-o", "round");
+
 const browser = await start();
 const tab = await browser.newPage();
 
@@ -204,6 +214,17 @@ const tests = {
     const { pixels } = await looked("tilted.png", [[0.5, 0.45], [0.5, 0.58], [0.5, 0.9]]);
     for (const cube of pixels.slice(0, 2)) assert.ok(cube[0] > 1.5 * cube[2], `the cube, also its lower half: ${pixels}`);
     assert.ok(pixels[2][2] > 1.5 * pixels[2][0], `the ground: ${pixels}`);
+  },
+  async "the ground lies below rods and particles, which have radii"() {
+    // From the side, at the height of the centres: the lower half of a ball and of a rod, then the ground.
+    for (const by of blender ? ["browser", "blender"] : ["browser"])
+      for (const name of ["grain", "rod"]) {
+        done("render", "round", "-o", `${name}.png`, "--with", by, "--set", "size=[200, 200]", "camera={from: [0, 0, 8], to: [0, 0, 0], angle: 40 deg}", "time=false", "at=0 s",
+          `objects={'*': {hide: true}, ${name}: {hide: false, colour: '#ff0000'}}`, "ground={colour: '#0000ff'}", by === "blender" ? "samples=4" : "lights=2");
+        const { pixels: [low, ground] } = await looked(`${name}.png`, [[0.5, 0.6], [0.5, 0.75]]);
+        assert.ok(low[0] > 1.5 * low[2], `${name}, ${by}: its lower half is above the ground: ${low}`);
+        assert.ok(ground[2] > 1.5 * ground[0], `${name}, ${by}: the ground: ${ground}`);
+      }
   },
   async "a transparent background, also below a shadow, and numbered pictures"() {
     const view = [...above.slice(0, -1), "objects={plate: {hide: true}, cube: {colour: '#ff0000', smooth: 0}}", "background=transparent"];

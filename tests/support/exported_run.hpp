@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "framework/export/outer_vertices.hpp"
+#include "framework/output/outer_vertices.hpp"
 #include "tests/support/program.hpp"
 
 namespace tack {

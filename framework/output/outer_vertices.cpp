@@ -1,4 +1,4 @@
-#include "framework/export/outer_vertices.hpp"
+#include "framework/output/outer_vertices.hpp"
 
 #include <algorithm>
 
@@ -27,9 +27,10 @@ std::vector<int> objects_of_vertices(const FrameFile& frame) {
 
 std::vector<std::vector<int>> outer_vertices(const FrameFile& frame, const Surface& surface, int count) {
   const std::vector<int> object = objects_of_vertices(frame);
+  for (const int o : object) count = std::max(count, o + 1);
   std::vector<std::vector<int>> outer(count);
   for (const int v : surface.vertices)
-    if (object[v] >= 0 && object[v] < count) outer[object[v]].push_back(v);
+    if (object[v] >= 0) outer[object[v]].push_back(v);
   return outer;
 }
 
