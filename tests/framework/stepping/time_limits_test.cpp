@@ -27,6 +27,9 @@ std::string endless(const std::string& time, const std::string& solver) {
   return shot(time, ", max_iterations: 1000000" + solver);
 }
 
+// The million iterations take hours. The bound is for a machine on which much else runs.
+constexpr double long_after_limit = 30 * TACK_PATIENCE;  // s
+
 class Stopwatch {
  public:
   double seconds() const {
@@ -46,7 +49,7 @@ TEST_CASE("time.wall_limit ends a run within a solve, and names the blocking pri
                                     Catch::Contains("out of wall time (time.wall_limit: 0.5 s) after") &&
                                     Catch::Contains("the last step was cut to ") && Catch::Contains("of 'ball'") &&
                                     Catch::Contains("of 'plate'") && Catch::Contains(" m apart"));
-  CHECK(watch.seconds() < 2 * TACK_PATIENCE);
+  CHECK(watch.seconds() < long_after_limit);
   CHECK(run.state().step == 0);
   CHECK((run.state().x == run.world->start.x));
   CHECK(run.warnings == std::vector<Warning>{});  // no step cutback
@@ -63,7 +66,7 @@ TEST_CASE("a solve that exceeds solver.time_limit fails", "[limits]") {
   TestRun run(endless(", max_cutbacks: 2", ", time_limit: 100 ms"));
   const Stopwatch watch;
   CHECK_THROWS_WITH(run.step(), Catch::Contains("failed with h = 0.0025 s (out of wall time (solver.time_limit: 0.1 s)"));
-  CHECK(watch.seconds() < 3 * TACK_PATIENCE);
+  CHECK(watch.seconds() < long_after_limit);
   REQUIRE(run.warnings.size() == 2);
   CHECK_THAT(first_text(run.warnings, WarningKind::step_cutback), Catch::Contains("solver.time_limit: 0.1 s") && Catch::Contains("the last step was cut to ") &&
                                   Catch::Contains("h halved to 0.005 s (1/2 of the step)"));
