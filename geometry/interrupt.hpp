@@ -3,12 +3,16 @@
 #pragma once
 
 #include <atomic>
+#include <string_view>
 
 namespace tack {
 
 extern std::atomic<bool> interrupt_requested;
 
 // Not a std::exception, so that it is not handled as an error.
-struct Interrupted {};
+struct Interrupted {
+  // When it came, and what was not done; a literal.
+  std::string_view remark = "while meshes were made; no step was done, nothing is written";
+};
 
 }  // namespace tack

@@ -46,7 +46,7 @@ class Preparation {
     std::fflush(stdout);
   }
   void report(const char* what, size_t done, size_t all) {
-    if (interrupt_requested) throw Interrupted{};
+    if (interrupt_requested) throw Interrupted{"while cases were planned; none was run"};
     const auto now = std::chrono::steady_clock::now();
     if (quiet_ || now - reported_ < (live_ ? std::chrono::milliseconds(200) : std::chrono::seconds(5))) return;
     reported_ = now;
@@ -133,6 +133,10 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
   }
   SlurmJobs jobs = submit(this_program(), folder, config.slurm, d, tasks, !options.no_wait);
   const std::string later = fmt::format("the table is made by `tack batch --collect {}`", folder.root.string());
+  if (interrupt_requested) {
+    fmt::print("interrupted: {}; {}\n", jobs.running_text(), later);
+    return exit_interrupted;
+  }
   if (options.no_wait) {
     fmt::print("{} submitted: {}; {}\n", jobs.names(), counted(open.size(), "case"), later);
     return exit_done;
@@ -143,7 +147,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
     follow(jobs, folder, open, progress);
   }
   if (interrupt_requested) {
-    fmt::print("{}; {}\n", jobs.left(), later);
+    fmt::print("{}; {}\n", jobs.running_text(), later);
     return exit_interrupted;
   }
   return report(folder, d, options.quiet, options.only);

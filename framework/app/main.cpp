@@ -95,8 +95,8 @@ int main(int argc, char** argv) {
     tack::restart_to_build_libraries(argv);
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_bad_input;
-  } catch (const tack::Interrupted&) {
-    fmt::print("interrupted: while meshes were made; no step was done, nothing is written\n");
+  } catch (const tack::Interrupted& interrupted) {
+    fmt::print("interrupted: {}\n", interrupted.remark);
     return tack::exit_interrupted;
   } catch (const tack::SimulationError& error) {
     fmt::print(stderr, "error: {}\n", error.what());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "framework/app/commands.hpp"
 #include "framework/batch/batch_description.hpp"
@@ -60,9 +61,11 @@ class Pictures {
     if (failed) throw InputError(fmt::format("{}: cannot be made ({}); choose another folder with -o", folder_.string(), failed.message()));
   }
 
+  // Leaves out pictures of these names from now on: others take their place.
+  void reserve(std::set<std::string> names) { reserved_ = std::move(names); }
   template <class Picture>
   void draw(const Picture& picture, const std::string& name) {
-    report(tack::draw(picture, folder_, name, look_), name);
+    if (!reserved_.contains(name)) report(tack::draw(picture, folder_, name, look_), name);
   }
   void report(const std::string& failure, const std::string& name) {
     if (failure.empty()) fmt::print("{}\n", (folder_ / (name + ".svg")).string());
@@ -82,6 +85,7 @@ class Pictures {
  private:
   fs::path folder_;
   FigureStyle look_;
+  std::set<std::string> reserved_;
   bool failed_ = false;
 };
 
@@ -117,6 +121,10 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
     pictures.draw(chosen(table_plot(table, what, batch.plan.units), options), file_name(options.y) + "_by_" + file_name(options.x));
     return pictures.exit_code();
   }
+  FileNames names;
+  std::set<std::string> own;
+  for (const BatchPlot& what : batch.plan.plots) own.insert(names.of(what.name));
+  pictures.reserve(std::move(own));
   for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what, batch.plan.units), name);
   std::vector<PlottedRun> runs;
   std::map<std::string, PlottedRun> by_case;
@@ -126,7 +134,7 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
       by_case[one.name] = runs.back();
     }
   pictures.draw_runs(runs);
-  FileNames names;
+  pictures.reserve({});
   for (const BatchPlot& what : batch.plan.plots) try {
       if (what.bars.empty()) pictures.draw(curves_of(what, batch.plan, by_case), names.of(what.name));
       else pictures.draw(bars_of(what, batch.plan, table), names.of(what.name));

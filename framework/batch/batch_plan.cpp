@@ -204,7 +204,7 @@ std::string case_name(const std::vector<std::pair<std::string, std::string>>& pa
   std::erase_if(name, [](char c) { return std::string_view("[]{}'\" ").find(c) != std::string_view::npos; });
   std::replace(name.begin(), name.end(), ':', '=');
   for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && std::string_view("-_.,=+").find(c) == std::string_view::npos) c = '_';
+    if (const auto byte = static_cast<unsigned char>(c); byte < 0x80 && !std::isalnum(byte) && std::string_view("-_.,=+").find(c) == std::string_view::npos) c = '_';
   return name;
 }
 

@@ -61,18 +61,25 @@ void add_expectations(Cells& cells, size_t row, const Json& summary) {
   }
 }
 
-void add_statistics(Cells& cells, size_t row, const BatchPlan& plan, const std::filesystem::path& run) {
+// Returns why some have no value.
+std::vector<std::string> add_statistics(Cells& cells, size_t row, const BatchPlan& plan, const std::filesystem::path& run) {
   const ProbeSeries series = read_csv(run / "probes.csv");
   const bool staged = std::any_of(plan.statistics.begin(), plan.statistics.end(), [](const BatchStatistic& s) { return !s.stage.empty(); });
   const std::vector<StageVisit> visits = staged ? read_stages(run / "stages.csv") : std::vector<StageVisit>();
-  for (const BatchStatistic& s : plan.statistics) cells.set(row, s.column(), s.value(series, visits).value);
-  if (!plan.statistics.empty()) return;
+  std::vector<std::string> problems;
+  for (const BatchStatistic& s : plan.statistics) {
+    const StatisticValue found = s.value(series, visits);
+    cells.set(row, s.column(), found.value);
+    if (!found.problem.empty()) problems.push_back(fmt::format("statistic '{}': {}", s.column(), found.problem));
+  }
+  if (!plan.statistics.empty()) return problems;
   for (const std::string& column : series.columns) {
     if (column == "time") continue;
     using enum Statistic;
     for (const Statistic statistic : {final, min, max})
       cells.set(row, fmt::format("{}.{}", column, to_string(statistic)), evaluate(StatisticQuery{statistic, column, "time", 0, {}}, series).value);
   }
+  return problems;
 }
 
 void add_counts(Cells& cells, size_t row, const Json& summary) {
@@ -124,7 +131,8 @@ ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan, const 
         add_seconds(costs, row, summary);
         if (state.status == CaseStatus::done || state.status == CaseStatus::expectation_failed) {
           add_expectations(expectations, row, summary);
-          add_statistics(statistics, row, plan, folder.run(one.name));
+          const std::vector<std::string> problems = add_statistics(statistics, row, plan, folder.run(one.name));
+          if (state.error.empty() && !problems.empty()) states.set(row, "error", fmt::format("{}", fmt::join(problems, "; ")));
         }
       } catch (const Json::exception& error) {
         states.set(row, "error", fmt::format("summary.json is damaged ({})", error.what()));

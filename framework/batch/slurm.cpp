@@ -13,6 +13,7 @@
 #include "framework/batch/slurm_tasks.hpp"
 #include "framework/output/provenance.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
 #include "geometry/io/replace_file.hpp"
 
 namespace tack {
@@ -56,7 +57,7 @@ InputError refusal(const std::filesystem::path& output, int code, const SlurmJob
   while (!text.empty() && text.back() == '\n') text.pop_back();
   if (code == 127) text = "sbatch is not there; run the batch without --slurm, or on a machine of the cluster";
   if (submitted.ids.empty()) return InputError(fmt::format("Slurm does not take the batch: {}", text));
-  return InputError(fmt::format("Slurm does not take all of the batch: {}\n{}; submit the other cases when they have ended", text, submitted.left()));
+  return InputError(fmt::format("Slurm does not take all of the batch: {}\n{}; submit the other cases when they have ended", text, submitted.running_text()));
 }
 
 // Waits until the process ends; returns its exit code.
@@ -154,7 +155,12 @@ bool SlurmJobs::ended() {
   return std::all_of(waiting.begin(), waiting.end(), [](ChildProcess& p) { return p.ended(); });
 }
 
-std::string SlurmJobs::left() const { return fmt::format("{} {} on (`{}` ends {})", names(), ids.size() == 1 ? "goes" : "go", cancel(), ids.size() == 1 ? "it" : "them"); }
+std::string SlurmJobs::running_text() const {
+  std::vector<std::string> parts;
+  if (!ids.empty()) parts.push_back(fmt::format("{} {} on (`{}` ends {})", names(), ids.size() == 1 ? "goes" : "go", cancel(), ids.size() == 1 ? "it" : "them"));
+  if (unanswered) parts.push_back("sbatch had not answered, `squeue --me` lists what Slurm has taken");
+  return parts.empty() ? "no job was submitted" : fmt::format("{}", fmt::join(parts, "; "));
+}
 
 std::string SlurmJobs::names() const { return fmt::format("{} {}", ids.size() == 1 ? "job" : "jobs", fmt::join(ids, ", ")); }
 
@@ -167,6 +173,7 @@ SlurmJobs submit(const std::string& program, const BatchFolder& folder, const Sl
   const auto size = slurm.max_array_size > 0 ? static_cast<size_t>(slurm.max_array_size) : max_array_size(folder);
   SlurmJobs jobs;
   for (const JobArray& array : job_arrays(cases, size)) {
+    if (interrupt_requested) return jobs;
     std::vector<std::string> options{fmt::format("--array={}{}", array.tasks, slurm.at_once > 0 ? fmt::format("%{}", slurm.at_once) : "")};
     if (wait) options.push_back("--wait");
     // `at_once` limits the tasks of one array: arrays with a limit follow each other.
@@ -176,6 +183,10 @@ SlurmJobs submit(const std::string& program, const BatchFolder& folder, const Sl
     // With --wait, sbatch ends when all tasks have ended.
     bool ended = false;
     while (job_number(output).empty() && !ended) {
+      if (interrupt_requested) {
+        jobs.unanswered = true;
+        return jobs;
+      }
       ended = process.ended();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }

@@ -24,17 +24,19 @@ std::string job_script(const std::string& program, const BatchFolder& folder,
 struct SlurmJobs {
   std::vector<std::string> ids;
   std::vector<ChildProcess> waiting;  // sbatch --wait: each ends together with its array
+  bool unanswered = false;            // an interrupt ended sbatch before it gave a number
 
   bool ended();
   std::string names() const;   // "job 12", "jobs 12, 13"
   std::string cancel() const;  // the command that ends them
-  std::string left() const;    // "job 12 goes on (`scancel 12` ends it)"
+  // Returns "job 12 goes on (`scancel 12` ends it)".
+  std::string running_text() const;
 };
 
 // Writes the script of the folder and its tasks (slurm_tasks.hpp), and submits the script for
 // `cases` (ascending indices in the plan), with several arrays where there are more cases than an
-// array has tasks. With `wait`, processes wait for the arrays. Throws InputError with the message
-// of sbatch.
+// array has tasks. With `wait`, processes wait for the arrays. An interrupt request ends it between
+// arrays, or before sbatch answers. Throws InputError with the message of sbatch.
 SlurmJobs submit(const std::string& program, const BatchFolder& folder, const SlurmConfig& slurm,
                  const BatchDescription& batch, const std::vector<size_t>& cases, bool wait);
 

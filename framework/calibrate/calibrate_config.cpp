@@ -15,14 +15,20 @@ namespace {
 
 std::string name_of(const MeasuredExperiment& e) { return e.name.empty() ? std::filesystem::path(e.data).stem().string() : e.name; }
 
+// Returns whether two experiments have a name of a file or of a case in common. fits/NAME.csv has the points of an experiment, fits/NAME_run.csv all samples of its run.
+bool same_files(const std::string& one, const std::string& other) {
+  const std::string a = file_name(one), b = file_name(other);
+  return a == b || a + "_run" == b || b + "_run" == a || case_name({{"base", one}}) == case_name({{"base", other}});
+}
+
 // Returns an error message for names that are equal, or equal as names of files and cases.
 std::string check_names(const std::vector<MeasuredExperiment>& experiments) {
   for (size_t i = 0; i < experiments.size(); ++i)
     for (size_t k = 0; k < i; ++k) {
       const std::string one = name_of(experiments[k]), other = name_of(experiments[i]);
       if (one == other) return fmt::format("two experiments are named '{}'; give each its own `name`", one);
-      if (file_name(one) == file_name(other) || case_name({{"base", one}}) == case_name({{"base", other}}))
-        return fmt::format("the files of the experiments '{}' and '{}' would have the same names; let the names differ in letters from a to z, digits, -, + or .", one, other);
+      if (same_files(one, other))
+        return fmt::format("the files of the experiments '{}' and '{}' would have the same names; let the names differ in letters from a to z, digits, -, + or ., and by more than an ending '_run'", one, other);
     }
   return "";
 }

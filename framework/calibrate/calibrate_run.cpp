@@ -54,7 +54,7 @@ CalibrationRun run_calibration(const CalibrateConfig& config, FittedScenes& scen
     });
   } catch (const Interrupted&) {
     evaluator.write_tables();
-    const std::string& jobs = evaluator.jobs_left();
+    const std::string& jobs = evaluator.running_jobs();
     print(fmt::format("interrupted: {}call it again{} to continue; finished runs are kept in {}", jobs.empty() ? "" : jobs + "; ", jobs.empty() ? "" : " when that has ended",
                       run.folder.evaluations.root.string()));
     throw;

@@ -135,7 +135,7 @@ void CaseEvaluator::run_array(const std::vector<const BatchCase*>& new_cases) {
     if (settings_.on_tick) settings_.on_tick();
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
-  if (!jobs.ended()) jobs_left_ = jobs.left();
+  if (jobs.unanswered || !jobs.ended()) running_jobs_ = jobs.running_text();
 }
 
 std::vector<BatchCase> CaseEvaluator::without_scenes() const {

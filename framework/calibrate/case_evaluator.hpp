@@ -33,7 +33,7 @@ class CaseEvaluator : public Evaluator {
   void write_tables();
   int started() const { return started_count_; }  // number of cases that this program ran
   // Returns "job 12 goes on (`scancel 12` ends it)" after an interrupt; "" if no job is left.
-  const std::string& jobs_left() const { return jobs_left_; }
+  const std::string& running_jobs() const { return running_jobs_; }
   std::vector<std::filesystem::path> run_folders(const PointEvaluation& of);
 
  private:
@@ -61,7 +61,7 @@ class CaseEvaluator : public Evaluator {
   std::set<const BatchCase*> running_, started_cases_;
   std::vector<PendingRequest> pending_;
   int started_count_ = 0;
-  std::string jobs_left_;
+  std::string running_jobs_;
 };
 
 }  // namespace tack

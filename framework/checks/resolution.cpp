@@ -129,28 +129,26 @@ class Warnings {
 
  private:
   void interface(const AdhesionSummary& adhesion, int a, int b) {
-    double young = 0;
-    for (const int i : {a, b})
-      if (const double own = softest_young(scene_.objects[i]); own > 0) young = young > 0 ? std::min(young, own) : own;
-    const double zone = process_zone(young, adhesion.work_of_adhesion, adhesion.peak_traction);
+    const double zone = process_zone(pair_stiffness(scene_, world_, {a, b}).young, adhesion.work_of_adhesion, adhesion.peak_traction);
     const double range = world_.contact->pairs().point(a, b, adhesion.region_pair).range - world_.contact->pairs().offset(a, b);
     for (const int i : a == b ? std::vector{a} : std::vector{a, b}) {
       const SurfaceMeasure& m = measures_[i];
       const std::string& name = world_.bodies[i].name;
       const double size = world_.bodies[i].surface_triangles.empty() ? m.size : element_size(world_.bodies[i], world_.rest);
-      if (softest_young(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, WarningKind::process_zone))
+      const double bending = bending_stiffness(scene_.objects[i], world_.bodies[i]);
+      if (bending == 0 && softest_young(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, WarningKind::process_zone))
         warn(i, WarningKind::process_zone, fmt::format(
             "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
             "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, zone, name));
-      const double length = bending_length(bending_stiffness(scene_.objects[i], world_.bodies[i]), adhesion.work_of_adhesion, adhesion.peak_traction);
-      if (length > 0 && size > (1 + 1e-6) * largest_per_bending_length * length && first_time(i, WarningKind::bending_length))
+      const double length = bending_length(bending, adhesion.work_of_adhesion, adhesion.peak_traction);
+      if (length > 0 && size > (1 + 1e-6) * mesh_size_max_per_bending_length * length && first_time(i, WarningKind::bending_length))
         warn(i, WarningKind::bending_length, fmt::format(
             "elements of '{}' ({:.3g} m) are larger than a half of the length over which it bends where its adhesion '{}' - '{}' "
             "lets go ((2 B W / sigma^2)^(1/4) = {:.3g} m, B its bending stiffness per width): the force of peeling is not "
             "resolved; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, length, name));
-      if (m.gap_change > range / 4 && first_time(i, WarningKind::coarse_curvature))
+      if (m.gap_change > gap_change_per_range * range && first_time(i, WarningKind::coarse_curvature))
         warn(i, WarningKind::coarse_curvature, fmt::format(
             "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
             "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",

@@ -19,18 +19,6 @@
 namespace tack {
 namespace {
 
-// Sets the stiffness of the softer solid and of the softer sheet or rod of a pair.
-void set_stiffness(StudiedLaw& law, const SceneConfig& scene, const World& world, const std::array<int, 2>& pair) {
-  const auto lower = [](double& least, double own) {
-    if (own > 0) least = least > 0 ? std::min(least, own) : own;
-  };
-  for (const int i : pair) {
-    const double bending = bending_stiffness(scene.objects[i], world.bodies[i]);
-    lower(law.bending_stiffness, bending);
-    if (bending == 0) lower(law.young, softest_young(scene.objects[i]));
-  }
-}
-
 // Returns the law at a temperature [K].
 std::shared_ptr<const BondLaw> at_temperature(const BondLaw& law, double kelvin) {
   std::shared_ptr<BondLaw> other = law.clone();
@@ -58,7 +46,9 @@ std::vector<StudiedLaw> laws_of_scene(Value root, const LawSource& source) {
       law.bond = at_temperature(*law.bond, built.experiment().environment->temperature(0, world.rest.reshaped(3, world.rest.size() / 3).rowwise().mean()));
     law.name = fmt::format("{} of {}", law.law().type(), adhesion.names());
     law.contact_distance = built.experiment().contact->contact_distance;
-    set_stiffness(law, built.experiment(), world, adhesion.kinds.front());
+    const PairStiffness softer = pair_stiffness(built.experiment(), world, adhesion.kinds.front());
+    law.young = softer.young;
+    law.bending_stiffness = softer.bending;
     law.young = source.young.value_or(law.young);
     laws.push_back(std::move(law));
   }

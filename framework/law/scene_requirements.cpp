@@ -13,8 +13,6 @@ namespace {
 
 constexpr double softening_start = 0.9, softening_end = 0.1;  // tractions, of the peak
 constexpr double step_per_softening = 0.1;  // displacement per step over the softening range
-// Largest change of the gap across an element, in ranges (framework/checks/resolution.hpp).
-constexpr double gap_change_per_range = 0.25;
 // Softening range over the opening; a smaller one is brittle: no step resolves it.
 constexpr double brittle_softening = 0.01;
 
@@ -39,12 +37,12 @@ void add_scene_requirements(const StudiedLaw& studied, const StudySettings& sett
     if (studied.young > 0) {
       const double zone = process_zone(studied.young, work, peak);
       quantities.push_back({"process zone", zone, "m", fmt::format("E W / sigma^2 with E = {}", with_axis_unit(studied.young, "Pa"))});
-      quantities.push_back({"mesh size", mesh_size_per_zone * zone, "m", "for peeling and tearing: a third of the process zone; at most all of it"});
+      quantities.push_back({"mesh size", mesh_size_per_process_zone * zone, "m", "for peeling and tearing: a third of the process zone; at most all of it"});
     }
     if (studied.bending_stiffness > 0) {
       const double length = bending_length(studied.bending_stiffness, work, peak);
       quantities.push_back({"bending length", length, "m", fmt::format("(2 B W / sigma^2)^(1/4) with B = {} per width", with_axis_unit(studied.bending_stiffness, "N m"))});
-      quantities.push_back({"mesh size of a sheet or a rod", largest_per_bending_length * length, "m", "for peeling: at most a half of the bending length"});
+      quantities.push_back({"mesh size of a sheet or a rod", mesh_size_max_per_bending_length * length, "m", "for peeling: at most a half of the bending length"});
     }
     if (studied.young == 0 && studied.bending_stiffness == 0)
       quantities.push_back({"process zone per modulus", process_zone(1, work, peak), "m/Pa", "W / sigma^2; with --young the process zone and the mesh size"});
@@ -54,7 +52,7 @@ void add_scene_requirements(const StudiedLaw& studied, const StudySettings& sett
                        "at most: a quarter of the range; where surfaces are curved or tilted"});
   if (softening.width() > 0) {
     const bool brittle = softening.width() < brittle_softening * softening.to;
-    quantities.push_back({"way per step", step_per_softening * (brittle ? softening.to : softening.width()), "m",
+    quantities.push_back({"displacement per step", step_per_softening * (brittle ? softening.to : softening.width()), "m",
                        brittle ? "at most: a tenth of the critical opening; the failure is brittle, and no step resolves it"
                                : "at most: a tenth of the displacement over which the traction falls from 0.9 to 0.1 of its peak"});
     if (settings.speed) {

@@ -12,7 +12,7 @@ constexpr double slack = 1e-9;  // of the run's range: sums of steps have roundi
 
 class RunAbscissa {
  public:
-  explicit RunAbscissa(std::span<const double> x) : x_(x) {
+  RunAbscissa(std::span<const double> x, std::span<const size_t> starts) : x_(x), starts_(starts) {
     if (x.empty()) return;
     const auto [low, high] = std::minmax_element(x.begin(), x.end());
     low_ = *low;
@@ -32,6 +32,7 @@ class RunAbscissa {
     target = std::clamp(target, low_, high_);
     if (x_.size() == 1) return Passage{};
     for (size_t i = position.sample; i + 1 < x_.size(); ++i) {
+      if (std::binary_search(starts_.begin(), starts_.end(), i + 1)) continue;
       const double before = x_[i], after = x_[i + 1];
       const bool upward = before <= target && target <= after, downward = before >= target && target >= after;
       if (!(direction > 0 ? upward : direction < 0 ? downward : upward || downward)) continue;
@@ -44,6 +45,7 @@ class RunAbscissa {
 
  private:
   std::span<const double> x_;
+  std::span<const size_t> starts_;
   double low_ = 0, high_ = 0;
 };
 
@@ -59,8 +61,8 @@ int direction_at(std::span<const double> points, size_t i) {
 
 }  // namespace
 
-std::vector<std::optional<Passage>> passages(std::span<const double> points, std::span<const double> x) {
-  const RunAbscissa run(x);
+std::vector<std::optional<Passage>> passages(std::span<const double> points, std::span<const double> x, std::span<const size_t> starts) {
+  const RunAbscissa run(x, starts);
   const bool reverses = run.reverses_direction();
   std::vector<std::optional<Passage>> found;
   found.reserve(points.size());
@@ -72,10 +74,10 @@ std::vector<std::optional<Passage>> passages(std::span<const double> points, std
   return found;
 }
 
-std::vector<double> follow(std::span<const double> points, std::span<const double> x, std::span<const double> y) {
+std::vector<double> follow(std::span<const double> points, std::span<const double> x, std::span<const double> y, std::span<const size_t> starts) {
   std::vector<double> found;
   found.reserve(points.size());
-  for (const std::optional<Passage>& passage : passages(points, x)) found.push_back(passage ? passage->value_of(y) : nan);
+  for (const std::optional<Passage>& passage : passages(points, x, starts)) found.push_back(passage ? passage->value_of(y) : nan);
   return found;
 }
 

@@ -6,6 +6,7 @@
 // - the run's x turns back (loading and unloading): both curves are followed in time, and a point
 //   takes the first passage in the direction of the data, not before the passage of the previous
 //   point
+// The samples may be parts of a run, between which nothing is interpolated.
 #pragma once
 
 #include <optional>
@@ -26,13 +27,14 @@ struct Passage {
 };
 
 // Returns where the run passes each of `points`, the x of the data; nothing for points that it
-// never reaches. `x`: of the run.
+// never reaches. `x`: of the run. starts: the first samples of its parts, ascending; none: one.
 std::vector<std::optional<Passage>> passages(std::span<const double> points,
-                                             std::span<const double> x);
+                                             std::span<const double> x,
+                                             std::span<const size_t> starts = {});
 
 // Returns y of the run at each of `points`; NaN for points that it never reaches. `x` and `y` have
 // equal length.
 std::vector<double> follow(std::span<const double> points, std::span<const double> x,
-                           std::span<const double> y);
+                           std::span<const double> y, std::span<const size_t> starts = {});
 
 }  // namespace tack

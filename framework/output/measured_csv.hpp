@@ -13,6 +13,6 @@ namespace tack {
 // Writes the file, if there is such an expectation. Skips data that can no longer be read. Throws
 // InputError if the file cannot be written.
 void write_measured(const std::filesystem::path& path, const std::vector<Expectation>& expectations,
-                    const ProbeSeries& series);
+                    const ProbeSeries& series, const std::vector<StageVisit>& stages);
 
 }  // namespace tack

@@ -72,8 +72,13 @@ std::string SpecifiedStatistic::description() const {
   return stage.empty() ? text : fmt::format("{} in stage {}", text, stage);
 }
 
+TimeWindows SpecifiedStatistic::windows(const std::vector<StageVisit>& visits) const {
+  if (stage.empty()) return std::nullopt;
+  return windows_of_stage(visits, stage);
+}
+
 StatisticValue SpecifiedStatistic::value(const ProbeSeries& series, const std::vector<StageVisit>& visits) const {
-  return evaluate(resolved(), stage.empty() ? series : rows_of_stage(series, visits, stage));
+  return evaluate(resolved(), series, windows(visits));
 }
 
 }  // namespace tack

@@ -20,6 +20,8 @@ struct SpecifiedStatistic {
   StatisticQuery resolved() const;  // the query with `where` in SI
   // Returns "force: max in stage retract".
   std::string description() const;
+  // Returns the windows of its stage; nullopt without one. visits: the run's stages.
+  TimeWindows windows(const std::vector<StageVisit>& visits) const;
   // Returns its value for a run. visits: the run's stages. Throws InputError as evaluate does.
   StatisticValue value(const ProbeSeries& series, const std::vector<StageVisit>& visits) const;
 };

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "geometry/io/replace_file.hpp"
@@ -14,11 +13,11 @@ constexpr const char* stages_header = "protocol,stage,number,begin,end,ended_by,
 
 }  // namespace
 
-CsvTable rows_of_stage(const CsvTable& table, const std::vector<StageVisit>& visits, const std::string& stage) {
-  CsvTable within{table.columns, {}};
-  for (const std::vector<double>& row : table.rows)
-    if (std::any_of(visits.begin(), visits.end(), [&](const StageVisit& v) { return v.stage == stage && v.begin <= row[0] && row[0] <= v.end; })) within.rows.push_back(row);
-  return within;
+std::vector<TimeWindow> windows_of_stage(const std::vector<StageVisit>& visits, const std::string& stage) {
+  std::vector<TimeWindow> windows;
+  for (const StageVisit& v : visits)
+    if (v.stage == stage) windows.push_back({v.begin, v.end});
+  return windows;
 }
 
 void write_stages(const std::filesystem::path& path, const std::vector<StageVisit>& visits) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "framework/output/csv.hpp"
+#include "framework/output/statistic.hpp"
 
 namespace tack {
 
@@ -19,9 +20,9 @@ struct StageVisit {
   int cause = -1;             // index of the end among those of the stage; -1: none
 };
 
-// Returns the samples of a table, whose first column is the time [s], within a stage.
-CsvTable rows_of_stage(const CsvTable& table, const std::vector<StageVisit>& visits,
-                       const std::string& stage);
+// Returns when a run was in a stage: a window for each time that it was run through, in order.
+std::vector<TimeWindow> windows_of_stage(const std::vector<StageVisit>& visits,
+                                         const std::string& stage);
 
 // Replaces the file. Throws InputError if it cannot be written.
 void write_stages(const std::filesystem::path& path, const std::vector<StageVisit>& visits);

@@ -16,10 +16,13 @@
 namespace tack {
 namespace {
 
-// Samples in the time window: times, abscissae and values, of equal length.
+// Samples that count: times, abscissae and values, of equal length.
 struct Samples {
   std::vector<double> t, s, p;
+  std::vector<std::size_t> starts;  // first sample of each window that has one
   std::size_t size() const { return p.size(); }
+  // Returns the index behind the last sample of window k.
+  std::size_t end_of(std::size_t k) const { return k + 1 < starts.size() ? starts[k + 1] : size(); }
 };
 
 std::size_t column_of(const ProbeSeries& series, const std::string& name) {
@@ -28,23 +31,28 @@ std::size_t column_of(const ProbeSeries& series, const std::string& name) {
       fmt::format("unknown column '{}'{}", name, suggestion(name, series.columns, "columns")));
 }
 
-Samples samples_of(const StatisticQuery& query, const ProbeSeries& series) {
+Samples samples_of(const StatisticQuery& query, const ProbeSeries& series, const TimeWindows& windows) {
   const std::size_t time = column_of(series, "time");
   const std::size_t probe = column_of(series, query.probe);
   const std::size_t along = column_of(series, query.along);
-  double t0 = -std::numeric_limits<double>::infinity();
-  double t1 = -t0;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double t0 = -infinity;
+  double t1 = infinity;
   if (query.over.size() == 2) {
     const double slack = 1e-9 * std::max(std::abs(query.over[0]), std::abs(query.over[1]));
     t0 = query.over[0] - slack;
     t1 = query.over[1] + slack;
   }
   Samples samples;
-  for (const std::vector<double>& row : series.rows) {
-    if (row[time] < t0 || row[time] > t1) continue;
-    samples.t.push_back(row[time]);
-    samples.s.push_back(row[along]);
-    samples.p.push_back(row[probe]);
+  for (const TimeWindow& window : windows.value_or(std::vector<TimeWindow>{{-infinity, infinity}})) {
+    const std::size_t start = samples.size();
+    for (const std::vector<double>& row : series.rows) {
+      if (row[time] < std::max(t0, window.begin) || row[time] > std::min(t1, window.end)) continue;
+      samples.t.push_back(row[time]);
+      samples.s.push_back(row[along]);
+      samples.p.push_back(row[probe]);
+    }
+    if (samples.size() > start) samples.starts.push_back(start);
   }
   return samples;
 }
@@ -66,15 +74,19 @@ std::string problem_with(const Samples& samples, const StatisticQuery& query) {
   return "";
 }
 
-double trapezoids(const std::vector<double>& s, const std::vector<double>& p) {
+// Returns int p ds over all windows. s: times or abscissae of the samples.
+double trapezoids(const Samples& samples, const std::vector<double>& s) {
+  const std::vector<double>& p = samples.p;
   double sum = 0;
-  for (std::size_t i = 1; i < s.size(); ++i) sum += 0.5 * (p[i] + p[i - 1]) * (s[i] - s[i - 1]);
+  for (std::size_t k = 0; k < samples.starts.size(); ++k)
+    for (std::size_t i = samples.starts[k] + 1; i < samples.end_of(k); ++i) sum += 0.5 * (p[i] + p[i - 1]) * (s[i] - s[i - 1]);
   return sum;
 }
 
 double mean(const Samples& samples) {
-  const double duration = samples.t.back() - samples.t.front();
-  if (duration > 0) return trapezoids(samples.t, samples.p) / duration;
+  double duration = 0;
+  for (std::size_t k = 0; k < samples.starts.size(); ++k) duration += samples.t[samples.end_of(k) - 1] - samples.t[samples.starts[k]];
+  if (duration > 0) return trapezoids(samples, samples.t) / duration;
   const double sum = std::accumulate(samples.p.begin(), samples.p.end(), 0.0);
   return sum / static_cast<double>(samples.size());
 }
@@ -86,14 +98,17 @@ double peak(const std::vector<double>& p) {
 }
 
 std::optional<double> value_at(const Samples& samples, double where) {
-  if (samples.s.front() == where) return samples.p.front();
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const double before = samples.s[i - 1] - where;
-    const double after = samples.s[i] - where;
-    if (after == 0) return samples.p[i];
-    if ((before < 0) == (after < 0)) continue;
-    const double fraction = before / (before - after);
-    return (1 - fraction) * samples.p[i - 1] + fraction * samples.p[i];
+  for (std::size_t k = 0; k < samples.starts.size(); ++k) {
+    const std::size_t start = samples.starts[k];
+    if (samples.s[start] == where) return samples.p[start];
+    for (std::size_t i = start + 1; i < samples.end_of(k); ++i) {
+      const double before = samples.s[i - 1] - where;
+      const double after = samples.s[i] - where;
+      if (after == 0) return samples.p[i];
+      if ((before < 0) == (after < 0)) continue;
+      const double fraction = before / (before - after);
+      return (1 - fraction) * samples.p[i - 1] + fraction * samples.p[i];
+    }
   }
   return std::nullopt;
 }
@@ -121,7 +136,7 @@ std::string uncovered_points_text(const MeasuredComparison& f, const Samples& sa
 
 MeasuredComparison compare_samples(const StatisticQuery& query, const Samples& samples) {
   MeasuredCurve curve = query.follows->read(query.along, units::any, query.probe, units::any);
-  std::vector<double> run = follow(curve.x, samples.s, samples.p);
+  std::vector<double> run = follow(curve.x, samples.s, samples.p, samples.starts);
   return {std::move(curve), std::move(run)};
 }
 
@@ -148,7 +163,7 @@ StatisticValue compute(const Samples& samples, const StatisticQuery& query) {
     case Statistic::peak:
       return {peak(samples.p), ""};
     case Statistic::integral:
-      return {trapezoids(samples.s, samples.p), ""};
+      return {trapezoids(samples, samples.s), ""};
     case Statistic::at:
       return at(samples, query);
     case Statistic::deviation:
@@ -196,8 +211,8 @@ std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along) {
   return statistic == Statistic::integral ? product_unit(probe, along) : std::string(probe.si);
 }
 
-StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series) {
-  const Samples samples = samples_of(query, series);
+StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series, const TimeWindows& windows) {
+  const Samples samples = samples_of(query, series, windows);
   if (std::string problem = problem_with(samples, query); !problem.empty()) {
     return no_value(std::move(problem));
   }
@@ -213,8 +228,8 @@ StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series) 
   return result;
 }
 
-MeasuredComparison compare_with_measured(const StatisticQuery& query, const ProbeSeries& series) {
-  return compare_samples(query, samples_of(query, series));
+MeasuredComparison compare_with_measured(const StatisticQuery& query, const ProbeSeries& series, const TimeWindows& windows) {
+  return compare_samples(query, samples_of(query, series, windows));
 }
 
 std::string description(const StatisticQuery& query) {

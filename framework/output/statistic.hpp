@@ -45,6 +45,14 @@ inline constexpr Statistic all_statistics[] = {
 std::string_view to_string(Statistic statistic);
 bool is_deviation(Statistic statistic);  // one of the deviations
 
+// A part of a run; its ends belong to it.
+struct TimeWindow {
+  double begin = 0, end = 0;  // s
+};
+// Windows in their order; nullopt: the whole run. Means, integrals, `at` and deviations take each
+// window for itself: nothing is interpolated between windows.
+using TimeWindows = std::optional<std::vector<TimeWindow>>;
+
 struct StatisticQuery {
   Statistic statistic = Statistic::final;
   std::string probe;
@@ -68,7 +76,8 @@ struct StatisticValue {
 std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along);
 
 // Evaluates a statistic. Throws InputError, with the nearest name, if the series lacks a column.
-StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series);
+StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series,
+                        const TimeWindows& windows = {});
 
 // A run at the points of measured data; `run` is NaN where the run never gets.
 struct MeasuredComparison {
@@ -76,7 +85,8 @@ struct MeasuredComparison {
   std::vector<double> run;
 };
 // Evaluates a query with measured data. Throws InputError for data that cannot be read.
-MeasuredComparison compare_with_measured(const StatisticQuery& query, const ProbeSeries& series);
+MeasuredComparison compare_with_measured(const StatisticQuery& query, const ProbeSeries& series,
+                                         const TimeWindows& windows = {});
 
 // Returns "peel_force: mean from 0.5 s to 1.2 s", "force: integral along gap".
 std::string description(const StatisticQuery& query);

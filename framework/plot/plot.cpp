@@ -29,10 +29,20 @@ Plot within(Plot plot, double low, double high) {
   return plot;
 }
 
+namespace {
+
+// Returns whether curves have the same points; NaN, which breaks a curve, equals NaN.
+bool same_points(const Curve& a, const Curve& b) {
+  const auto equal = [](double p, double q) { return p == q || (std::isnan(p) && std::isnan(q)); };
+  return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), [&](const auto& p, const auto& q) { return equal(p.first, q.first) && equal(p.second, q.second); });
+}
+
+}  // namespace
+
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves) {
   std::vector<Curve> merged;
   for (const Curve& c : curves) {
-    const auto same = std::find_if(merged.begin(), merged.end(), [&](const Curve& m) { return !c.points.empty() && m.points == c.points && m.scattered == c.scattered; });
+    const auto same = std::find_if(merged.begin(), merged.end(), [&](const Curve& m) { return !c.points.empty() && same_points(m, c) && m.scattered == c.scattered; });
     if (same == merged.end()) merged.push_back(c);
     else same->title += ", " + c.title;
   }

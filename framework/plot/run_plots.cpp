@@ -157,10 +157,12 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
       if (column.starts_with("energy_")) add("energies", "energies", "energy", "J", false, over_time(run.steps, column, column.substr(7)));
     if (auto laws = law_curves(run.laws)) plots.emplace("laws", std::move(*laws));
   }
-  for (const auto& [of, data] : measured_curves(runs)) {
+  const auto measured = measured_curves(runs);
+  for (const auto& [of, data] : measured) {
     const auto &probe = of.first, &along = of.second;
+    const bool several = std::count_if(measured.begin(), measured.end(), [&](const auto& other) { return other.first.first == probe; }) > 1;
     const auto drawn = [&](const PlottedRun& run) { return run.probes.column(probe) && run.probes.column(along); };
-    if (std::any_of(runs.begin(), runs.end(), drawn)) plots.emplace("measured_" + names.of(probe), probe_curves(runs, along, probe));
+    if (std::any_of(runs.begin(), runs.end(), drawn)) plots.emplace("measured_" + names.of(several ? probe + "_over_" + along : probe), probe_curves(runs, along, probe));
   }
   return plots;
 }

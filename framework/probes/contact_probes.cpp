@@ -104,6 +104,7 @@ class AttachedObjects : public Probe {
       for (const int i : copies_of(world, name, name_)) counted_[i] = 1;
     selected_.assign(static_cast<size_t>(world.dofs.vertex_count()), 0);
     for (const int v : select(*select_, world.selection_context(index_))) selected_[v] = 1;
+    select_finer_surface(world);
   }
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State& state) override {
@@ -126,6 +127,13 @@ class AttachedObjects : public Probe {
   }
 
  private:
+  // Selects the vertices of a finer contact surface that depend on selected vertices alone.
+  void select_finer_surface(const World& world) {
+    const std::vector<int>& finer = world.bodies[index_].surface_vertices;  // ascending
+    for (const Dependence& d : world.constraints.lasting())
+      if (std::binary_search(finer.begin(), finer.end(), d.vertex))
+        selected_[d.vertex] = std::all_of(d.on.begin(), d.on.end(), [this](const auto& on) { return on.second == 0 || selected_[on.first]; });
+  }
   bool selected(std::span<const int> vertices) const {
     return std::any_of(vertices.begin(), vertices.end(), [this](int v) { return selected_[v]; });
   }

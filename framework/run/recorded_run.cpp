@@ -342,7 +342,7 @@ void RecordedRun::finish(const ProbeSeries* series) {
       summary_.expect.push_back(evaluate(expectation, *series, summary_.stages));
       if (!summary_.expect.back().pass) summary_.status = RunStatus::expectation_failed;
     }
-    write_measured(folder_.measured(), experiment_.expect, *series);
+    write_measured(folder_.measured(), experiment_.expect, *series, summary_.stages);
   }
   finish_dump();
   if (gradients_)

@@ -228,6 +228,7 @@ TEST_CASE("errors of a calibration are reported before anything runs", "[calibra
   CHECK_THAT(error("noise: 2%", "noise: 2"), Catch::Contains("noise: '2' is 2 N, and the largest measured value is") && Catch::Contains("written with %"));
   const std::string same = ", base: " + (shipped / "pull.yaml").string() + ", data: " + (shipped / "pull.csv").string() + ", x: way, y: force, noise: 2%}\n";
   CHECK_THAT(error("experiments:\n", "experiments:\n  - {name: pul<l" + same + "  - {name: pul>l" + same), Catch::Contains("the files of the experiments 'pul<l' and 'pul>l' would have the same names"));
+  CHECK_THAT(error("experiments:\n", "experiments:\n  - {name: pull_run" + same), Catch::Contains("the files of the experiments 'pull_run' and 'pull' would have the same names"));
   CHECK_THAT(error("work: {", "strength: {"), Catch::Contains("strength"));
   CHECK_THAT(error("work: {", "work: {as: strength, "), Catch::Contains("two parameters are named 'strength'"));
   CHECK_THAT(error("keys: contact.pairs.0.adhesion.work_of_adhesion", "keys: {pul: a}"), Catch::Contains("there is no experiment 'pul'; did you mean 'pull'?"));

@@ -46,7 +46,7 @@ TEST_CASE("tack law shows every registered law", "[law]") {
     INFO(result.out << result.err);
     CHECK(result.exit_code == 0);
     CHECK(contains(result.out, name + ": a law of "));
-    for (const char* part : {"peak traction", "work of adhesion", "process zone per modulus", "depth of the well", "way per step",
+    for (const char* part : {"peak traction", "work of adhesion", "process zone per modulus", "depth of the well", "displacement per step",
                              "its derivatives are those of its energy, and it has the peak and the work that it states"})
       CHECK(contains(result.out, part));
   }

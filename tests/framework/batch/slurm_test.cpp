@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <numeric>
 #include <sstream>
+#include <thread>
 
 #include "framework/batch/slurm_tasks.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
 #include "tests/support/program.hpp"
 
 namespace tack {
@@ -75,6 +77,33 @@ TEST_CASE("the number of a job is found behind messages; a refusal names the job
   CHECK_THROWS_WITH(submitted("echo 'sbatch: error: no such partition' >&2\nexit 1\n"), Catch::Equals("Slurm does not take the batch: sbatch: error: no such partition"));
   CHECK_THROWS_WITH(submitted("test -e " + (folder.path() / "once").string() + " && { echo 'sbatch: error: too many jobs' >&2; exit 1; }\ntouch " + (folder.path() / "once").string() + "\necho 7\n"),
                     Catch::Contains("Slurm does not take all of the batch: sbatch: error: too many jobs\njob 7 goes on (`scancel 7` ends it)"));
+}
+
+TEST_CASE("an interrupt ends the submission, also while sbatch does not answer", "[batch]") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "b" / "output");
+  const BatchFolder batch{folder.path() / "b", nullptr};
+  BatchDescription description;
+  description.plan.cases.resize(3);
+  SlurmConfig slurm;
+  slurm.max_array_size = 2;
+  const auto interrupted = [&](const std::string& script) {
+    const Sbatch sbatch(folder.path(), script);
+    std::thread later([&] {
+      while (!std::filesystem::exists(folder.path() / "asked")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      interrupt_requested = true;
+    });
+    SlurmJobs jobs = submit("tack", batch, slurm, description, {0, 1, 2}, false);
+    later.join();
+    interrupt_requested = false;
+    std::filesystem::remove(folder.path() / "asked");
+    return jobs.running_text();
+  };
+  const std::string asked = "touch " + (folder.path() / "asked").string() + "\n", once = (folder.path() / "once").string();
+  CHECK(interrupted(asked + "sleep 600\n") == "sbatch had not answered, `squeue --me` lists what Slurm has taken");
+  CHECK(interrupted("test -e " + once + " && { " + "touch " + (folder.path() / "asked").string() + "; sleep 600; }\ntouch " + once + "\necho 7\n") ==
+        "job 7 goes on (`scancel 7` ends it); sbatch had not answered, `squeue --me` lists what Slurm has taken");
+  CHECK(SlurmJobs{}.running_text() == "no job was submitted");
 }
 
 TEST_CASE("a task reads the line of its case", "[batch]") {

@@ -58,6 +58,18 @@ TEST_CASE("resolution: a tape or a rod that is too coarse to be peeled is warned
   CHECK_FALSE(warned(warnings(ground + rod(90), glue), WarningKind::bending_length));
 }
 
+TEST_CASE("resolution: the process zone is that of solids, whatever a sheet on them is made of") {
+  // E W / sigma^2 of the sheet would be 0.8 mm, that of the block is 80 m.
+  const auto warned_of = [](const std::string& bending) {
+    return warned(warnings("  - {name: ground, shape: {type: box, size: [0.2, 0.1, 0.2], cells: [4, 2, 4]}, place: {translate: [0, -0.05, 0]}, energies: [{type: neo_hookean, young: 1 GPa}]}\n"
+                           "  - {name: cube, shape: {type: grid, size: [0.06, 0.003], cells: [40, 4]}, place: {translate: [0, 0.0002, 0]}, shell: {thickness: 0.2 mm},\n"
+                           "     energies: [{type: stvk_membrane, young: 10 kPa, poisson: 0}" + bending + "]}\n",
+                           "  distance: 0.2 mm\n  pairs: [{between: [cube, ground], adhesion: {type: fang, peak_traction: 2.5 kPa}}]\n"), WarningKind::process_zone);
+  };
+  CHECK_FALSE(warned_of(", {type: hinge_bending, young: 10 kPa, poisson: 0}"));
+  CHECK(warned_of(""));  // a membrane only stretches
+}
+
 TEST_CASE("resolution: a coarse sphere is warned of") {
   const auto ball = [](int cells) {
     return fmt::format("  - {{name: cube, shape: {{type: sphere, radius: 0.05, cells: {}}}, place: {{translate: [0, 0.0511, 0]}},\n"

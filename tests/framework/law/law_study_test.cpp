@@ -46,7 +46,7 @@ TEST_CASE("key quantities of Fang's law agree with its closed form", "[law]") {
   CHECK(quantity_of(f, "process zone") == Approx(1e6 * 40 / 4e8));
   CHECK(quantity_of(f, "mesh size") == Approx(1e6 * 40 / 4e8 / 3));
   CHECK(quantity_of(f, "gap change across an element") == Approx(1e-3));
-  CHECK(quantity_of(f, "way per step") == Approx(0.1 * 0.8 * 2.5e-3).epsilon(1e-4));
+  CHECK(quantity_of(f, "displacement per step") == Approx(0.1 * 0.8 * 2.5e-3).epsilon(1e-4));
   CHECK(quantity_of(f, "time step") == Approx(0.1 * 0.8 * 2.5).epsilon(1e-4));
   const PairLaw::Well well = fang.pair.well();
   CHECK(quantity_of(f, "depth of the well") == well.depth);
@@ -201,7 +201,7 @@ TEST_CASE("bonds that are unstressed at zero gap balance the barrier, or break u
 
 TEST_CASE("the softening range of brittle laws is the opening, and that of rising tractions is empty", "[law]") {
   const BondStudy brittle = study_bond_law(law("bonded", {"peak_traction=1e4"}), {});
-  CHECK(quantity_of(brittle.quantities, "way per step") == Approx(1e-7).epsilon(0.01));
+  CHECK(quantity_of(brittle.quantities, "displacement per step") == Approx(1e-7).epsilon(0.01));
   CHECK(softening_range({{0, 0}, {1, 1}, {2, 2}}).width() == 0);
   CHECK(softening_range({{0, 0}, {1, 1}, {3, 0}}).width() == Approx(1.6));
   CHECK(softening_range({}).width() == 0);

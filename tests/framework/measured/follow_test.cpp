@@ -52,6 +52,16 @@ TEST_CASE("loading and unloading are followed in time", "[measured]") {
   CHECK(beyond[2] == 13);
 }
 
+TEST_CASE("nothing is passed between the parts of a run", "[measured]") {
+  const List x = {0, 2, 6, 8}, y = {0, 2, 60, 80};
+  const std::vector<size_t> starts = {0, 2};
+  const List found = follow(List{1, 4, 7}, x, y, starts);
+  CHECK(found[0] == 1);
+  CHECK(std::isnan(found[1]));
+  CHECK(found[2] == 70);
+  CHECK(follow(List{4}, x, y)[0] == 31);
+}
+
 TEST_CASE("small oscillations of the abscissa do not change the result", "[measured]") {
   List x, y;
   for (int i = 0; i <= 100; ++i) x.push_back(i + (i % 2 ? 0.8 : 0)), y.push_back(i);

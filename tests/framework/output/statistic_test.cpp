@@ -52,6 +52,32 @@ TEST_CASE("statistics of the samples in a window, ends included") {
   CHECK(value(Statistic::mean, over(1, 1)).value == 4);
 }
 
+TEST_CASE("nothing is interpolated between the windows of a stage") {
+  // Pressed twice to a gap of 0, with a retraction between; over the gap the force is another each time.
+  const ProbeSeries series{{"time", "force", "gap"}, {{0, 1, 3}, {1, 3, 1}, {2, -9, 8}, {3, 10, 4}, {5, 20, 2}}};
+  const auto of = [&](Statistic statistic, const TimeWindows& windows, double where = 0) {
+    StatisticQuery query;
+    query.statistic = statistic;
+    query.probe = "force";
+    query.along = statistic == Statistic::mean ? "time" : "gap";
+    query.where = where;
+    return evaluate(query, series, windows);
+  };
+  using List = std::vector<TimeWindow>;
+  const TimeWindows pressed = List{{0, 1}, {3, 5}};
+  CHECK(of(Statistic::mean, pressed).value == Approx((2 + 30) / 3.0));
+  CHECK(of(Statistic::integral, pressed).value == Approx(-4 - 30));
+  CHECK(of(Statistic::at, pressed, 2).value == Approx(2));
+  CHECK(of(Statistic::at, pressed, 3.5).value == Approx(12.5));  // 1 to 4 is no movement
+  CHECK(of(Statistic::min, pressed).value == 1);
+  CHECK(of(Statistic::final, pressed).value == 20);
+  CHECK(of(Statistic::at, pressed, 8).problem == "gap never reaches 8; it stays between 1 and 4");
+  CHECK(of(Statistic::mean, List()).problem == "there are no samples");
+  CHECK(of(Statistic::mean, std::nullopt).value == of(Statistic::mean, List{{0, 5}}).value);
+  // Windows that meet have the sample between them once each.
+  CHECK(of(Statistic::mean, List{{0, 1}, {1, 2}}).value == of(Statistic::mean, List{{0, 2}}).value);
+}
+
 TEST_CASE("a window tolerates rounding errors of summed steps") {
   const ProbeSeries series{{"time", "p"}, {{0.1 + 0.2, 5}, {0.31, 6}}};
   StatisticQuery query = over(0, 0.3);

@@ -48,6 +48,10 @@ TEST_CASE("equal curves are merged, with both names", "[plot]") {
   REQUIRE(merged.size() == 4);
   CHECK(merged[0].title == "a, c");
   CHECK(merged[2].title == "d");
+  // Also where a range breaks them.
+  Plot left;
+  left.curves = {{"a", {{0, 1}, {9, 2}, {1, 3}}, {}}, {"b", {{0, 1}, {9, 2}, {1, 3}}, {}}};
+  CHECK(merged_curves(within(left, 0, 2).curves).size() == 1);
 }
 
 TEST_CASE("labels stand near their curves without overlapping", "[plot]") {

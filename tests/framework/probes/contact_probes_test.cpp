@@ -14,7 +14,7 @@ using namespace tack;
 namespace {
 
 // Two blocks on a floor, `gap` above it; they adhere within 2 mm.
-std::string blocks(double gap) {
+std::string blocks(double gap, const char* floor_keys = "") {
   const auto block = [&](const char* name, double x) {
     return fmt::format("  - {{name: {}, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [3, 1, 3]}},\n"
                        "     place: {{translate: [{}, {}, 0]}}, energies: [{{type: neo_hookean, young: 1e5}}]}}\n",
@@ -22,7 +22,7 @@ std::string blocks(double gap) {
   };
   return "objects:\n"
          "  - {name: floor, shape: {type: box, size: [1, 0.1, 1], cells: [5, 1, 4]},\n"
-         "     place: {translate: [0, -0.05, 0]}, motion: [fixed]}\n" +
+         "     place: {translate: [0, -0.05, 0]}, motion: [fixed]" + std::string(floor_keys) + "}\n" +
          block("left", -0.1) + block("right", 0.15) +
          "contact:\n  distance: 1e-3\n"
          "  pairs:\n"
@@ -31,7 +31,7 @@ std::string blocks(double gap) {
 }
 
 struct Probed {
-  explicit Probed(double gap) : scene(blocks(gap)) {
+  explicit Probed(double gap, const char* floor_keys = "") : scene(blocks(gap, floor_keys)) {
     state = world().start;
     state.x_before = state.x;
     state.h_before = 0.01;
@@ -83,6 +83,17 @@ TEST_CASE("attached_objects: objects within the range of adhesion", "[friction]"
   const auto at = [](const char* face) { return Probed(1.5e-3).sample(std::string("{type: attached_objects, name: n, to: left, select: {type: face, direction: ") + face + "}}")[0]; };
   CHECK(at("[0, -1, 0]") == 1);  // the floor is below the block
   CHECK(at("[0, 1, 0]") == 0);
+}
+
+TEST_CASE("attached_objects: a finer contact surface belongs to what is selected", "[friction]") {
+  // The blocks lie within triangles of the floor, far from its vertices.
+  for (const char* keys : {", surface: {edge_length: 0.02}", ""}) {
+    Probed p(1.5e-3, keys);
+    p.shift("left", Vec3(0.1, 0, 0.12));
+    CHECK(p.sample(attached) == std::vector<double>{1});
+    CHECK(p.sample("{type: attached_objects, name: n, to: floor, select: {type: face, direction: [0, 1, 0]}}") == std::vector<double>{1});
+    CHECK(p.sample("{type: attached_objects, name: n, to: floor, select: {type: face, direction: [0, -1, 0]}}") == std::vector<double>{0});
+  }
 }
 
 TEST_CASE("friction_force: mu N against the sliding direction, equal and opposite on both bodies", "[friction]") {
