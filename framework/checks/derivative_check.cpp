@@ -51,7 +51,7 @@ VecX centred(const VecX& q) {
 }
 
 // Returns the Hessian without the multiples of the identity that stand for fixed directions.
-BlockMatrix of_free_directions(BlockMatrix hessian, const DofMap& dofs) {
+BlockMatrix without_fixed_directions(BlockMatrix hessian, const DofMap& dofs) {
   for (const DofMap::PartlyFixedBlock& h : dofs.partly_fixed_blocks())
     for (int k = hessian.column_start[h.block]; k < hessian.column_start[h.block + 1]; ++k) {
       if (hessian.row[k] != h.block) continue;
@@ -73,7 +73,7 @@ class TermStudy {
 
   void examine(const VecX& q, const VecX& direction) {
     potential_.move_to(q);
-    const BlockMatrix hessian = of_free_directions(potential_.hessian({Projection::none}), potential_.dofs());
+    const BlockMatrix hessian = without_fixed_directions(potential_.hessian({Projection::none}), potential_.dofs());
     const VecX gradient = potential_.gradient();
     const VecX rows = absolute_product(hessian, direction);
     const VecX gradient_round_off = std::numeric_limits<double>::epsilon() * absolute_product(hessian, centred(q));

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 #include "framework/config/file_digest.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/experiment/drawn_scene.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/export/source_faces.hpp"
+#include "framework/output/file_names.hpp"
 #include "framework/output/outer_vertices.hpp"
 #include "framework/output/run_folder.hpp"
 #include "geometry/errors.hpp"
@@ -33,13 +33,6 @@ const std::array<Vec3, 8> palette = {Vec3(0x00, 0x72, 0xB2) / 255, Vec3(0xE6, 0x
 // Returns the linear colour of an sRGB colour (IEC 61966-2-1).
 Vec3 linear(const Vec3& srgb) {
   return srgb.unaryExpr([](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); });
-}
-
-std::string file_name_of(const std::string& name, std::set<std::string>& taken) {
-  const std::string base = RunFolder::default_root(name).filename();
-  std::string unique = base;
-  for (int i = 2; !taken.insert(unique).second; ++i) unique = fmt::format("{}_{}", base, i);
-  return unique;
 }
 
 // Adds the faces, edges and points of a frame to the objects. place: of each object of the scene
@@ -98,7 +91,7 @@ RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, c
   std::vector<std::string> names;
   for (const ObjectConfig& object : experiment.objects) names.push_back(object.name);
   check(names);
-  std::set<std::string> taken;
+  FileNames file_names("_");
   std::vector<int> place(names.size(), -1);
   for (size_t i = 0; i < names.size(); ++i) {
     if (!selection.objects.empty() && std::find(selection.objects.begin(), selection.objects.end(), names[i]) == selection.objects.end()) continue;
@@ -106,7 +99,7 @@ RunShapes::RunShapes(const fs::path& results, const ShapeSelection& selection, c
     numbers_.push_back(static_cast<int>(i));
     ExportedObject& object = objects_.emplace_back();
     object.name = names[i];
-    object.file_name = file_name_of(names[i], taken);
+    object.file_name = file_names.of(names[i]);
     object.radius = drawn_radius(experiment.objects[i]).value_or(0);
     object.materials = {{object.file_name, linear(palette[i % palette.size()])}};
   }

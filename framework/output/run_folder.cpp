@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 
+#include "framework/output/file_names.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -85,14 +85,7 @@ RunFolder RunFolder::open(const fs::path& root) {
 }
 
 fs::path RunFolder::default_root(std::string_view scene_name) {
-  std::string name(scene_name);
-  const auto is_unsafe = [](unsigned char c) {
-    return c < 0x80 && !std::isalnum(c) && c != '-' && c != '_' && c != '.';
-  };
-  std::replace_if(name.begin(), name.end(), is_unsafe, '_');
-  if (name.empty()) name = "scene";
-  if (name.front() == '.') name.front() = '_';
-  return fs::path("results") / name;
+  return fs::path("results") / (scene_name.empty() ? "scene" : file_name(std::string(scene_name)));
 }
 
 fs::path RunFolder::chosen_root(const std::string& output, std::string_view scene_name) {
