@@ -33,7 +33,7 @@ def _number(value: Any, whole: bool) -> bool | int | float:
 class Study:
     """A batch file as a function: what varies in it are parameters, what its table has are results.
 
-    Points are evaluated by the cases of `tack batch`, processes side by side, in one folder: none runs twice, also in a later call. Call it from the main thread.
+    Points are evaluated by the cases of `tack batch`, processes side by side, in one folder: with the same names of parameters none runs twice, also in a later call. Call it from the main thread.
 
     Parameters
     ----------
