@@ -62,8 +62,7 @@ class Drawing:
         s.cycles.seed = 0
         s.cycles.use_denoising = False  # Debian's Blender has no denoiser that takes the processor
         s.render.resolution_x, s.render.resolution_y = self.size()
-        s.view_settings.view_transform = "Filmic" if view["tone"] == "filmic" else "Standard"
-        s.view_settings.exposure = math.log2(view["exposure"])
+        s.view_settings.view_transform = "Standard"  # exposure and tone: compose()
         s.render.film_transparent = True
         s.render.image_settings.file_format = "PNG"
         s.render.image_settings.color_mode = "RGBA"
@@ -71,7 +70,7 @@ class Drawing:
         s.render.dither_intensity = 0  # noise, which makes a PNG several times as large
         s.render.use_persistent_data = True
 
-    def material(self, name, look, colour, transmission=0.0):
+    def material(self, name, look, colour):
         m = self.bpy.data.materials.new(name)
         m.use_nodes = True
         shader = m.node_tree.nodes["Principled BSDF"].inputs
@@ -274,19 +273,37 @@ class Drawing:
         s.render.filepath = path
         bpy.ops.render.render(write_still=True)
 
-    def background(self):
-        """Composes the picture over the background, which tone and exposure leave as it is."""
-        if self.view["background"] == "transparent":
-            return
-        colour = linear(self.view["background"])
-        s = self.scene
+    def compose(self):
+        """Applies exposure and tone to what is drawn and lays it over the background, which keeps its colour."""
+        view, s = self.view, self.scene
         s.use_nodes = True
         tree = s.node_tree
         tree.nodes.clear()
-        layers, over, out = tree.nodes.new("CompositorNodeRLayers"), tree.nodes.new("CompositorNodeAlphaOver"), tree.nodes.new("CompositorNodeComposite")
-        over.inputs[1].default_value = (*(colour / self.view["exposure"]), 1)
-        tree.links.new(layers.outputs["Image"], over.inputs[2])
-        tree.links.new(over.outputs[0], out.inputs["Image"])
+        new, link = tree.nodes.new, tree.links.new
+        drawn = new("CompositorNodeRLayers").outputs["Image"]
+
+        def append(kind, **settings):
+            nonlocal drawn
+            node = new(kind)
+            for key, value in settings.items():
+                setattr(node, key, value)
+            link(drawn, node.inputs["Image"])
+            drawn = node.outputs["Image"]
+            return node
+
+        if view["exposure"] != 1:
+            append("CompositorNodeExposure").inputs["Exposure"].default_value = math.log2(view["exposure"])
+        if view["tone"] == "filmic":  # of colours that are not multiplied by their alpha; the view transform Standard inverts the last step
+            append("CompositorNodePremulKey", mapping="PREMUL_TO_STRAIGHT")
+            append("CompositorNodeConvertColorSpace", from_color_space="Linear", to_color_space="Filmic sRGB")
+            append("CompositorNodeConvertColorSpace", from_color_space="sRGB", to_color_space="Linear")
+            append("CompositorNodePremulKey", mapping="STRAIGHT_TO_PREMUL")
+        if view["background"] != "transparent":
+            over = new("CompositorNodeAlphaOver")
+            over.inputs[1].default_value = (*linear(view["background"]), 1)
+            link(drawn, over.inputs[2])
+            drawn = over.outputs["Image"]
+        link(drawn, new("CompositorNodeComposite").inputs["Image"])
 
 
 def join_side_by_side(parts, path):
@@ -329,7 +346,7 @@ def main():
 
         for k, run in enumerate(runs):  # Blender has one scene at a time
             drawing = Drawing(run, runs, view, labels[k])
-            drawing.background()
+            drawing.compose()
             for i, time in enumerate(times):
                 last = not numbered and view["at"] is None
                 drawing.draw(len(run.times) - 1 if last else int(np.argmin(np.abs(run.times - time))), part(i, k))
