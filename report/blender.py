@@ -18,7 +18,7 @@ import numpy as np
 # Blender does not look for modules beside its script, and an installation is not to be written into.
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
-from blender_runs import COLOURS, Run, camera_of, drawn_thickness, is_closed, linear, set_looks  # noqa: E402
+from blender_runs import COLOURS, Run, camera_of, drawn_thickness, is_closed, linear, numbered_picture, set_looks  # noqa: E402
 
 
 class Drawing:
@@ -341,7 +341,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         def part(i, k):
             if len(runs) == 1:
-                return output % i if numbered else output
+                return numbered_picture(output, i) if numbered else output
             return os.path.join(scratch, f"{i}_{k}.png")
 
         for k, run in enumerate(runs):  # Blender has one scene at a time
@@ -354,7 +354,7 @@ def main():
                     print(f"frame {i + 1} of {len(times)}", flush=True)
         if len(runs) > 1:
             for i in range(len(times)):
-                join_side_by_side([part(i, k) for k in range(len(runs))], output % i if numbered else output)
+                join_side_by_side([part(i, k) for k in range(len(runs))], numbered_picture(output, i) if numbered else output)
 
 
 try:

@@ -25,7 +25,13 @@ def matches(pattern, name):
     return name.startswith(pattern[:-1]) if pattern.endswith("*") else pattern == name
 
 
-SMALLEST_RADIUS = 8e-4  # of a rod or particle, of the size of the run's box: about a pixel
+# Radii of drawn rods and particles, in sizes of the run's box, as in report/src/studio.js: of those that have none in the scene, and the smallest, about a pixel.
+USUAL_RADIUS, SMALLEST_RADIUS = 3e-3, 8e-4
+
+
+def numbered_picture(pattern, number):
+    """Returns the path of a picture of a film: the last %0Nd of the file's name is replaced by the number, as in report/render.mjs. Folders keep their %."""
+    return re.sub(r"%0(\d+)d(?=[^/]*$)(?![^/]*%0\d+d)", lambda found: str(number).zfill(int(found[1])), pattern)
 
 
 class Run:
@@ -54,9 +60,10 @@ class Run:
 
 
 def drawn_thickness(o, size):
-    """Returns how far an object is drawn beyond its vertices [m]: its radius and the look's `offset`."""
+    """Returns how far an object is drawn beyond its vertices [m]: its radius and the look's `offset`. size: of the run's box [m]."""
     offset = o["look"].get("offset", 0)
-    return offset if o["face_sizes"] else max(o["radius"] + offset, SMALLEST_RADIUS * size)
+    radius = o["radius"] or USUAL_RADIUS * size  # 0: the scene gives none
+    return offset if o["face_sizes"] else max(radius + offset, SMALLEST_RADIUS * size)
 
 
 def axis_to_z(up):
