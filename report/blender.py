@@ -33,11 +33,12 @@ class Drawing:
         low, high = run.box(range(len(run.times)))
         size = np.linalg.norm(high - low) or 1
         self.unit = 1 / size  # Blender units per metre
+        self.whole_size = np.linalg.norm(np.subtract(*run.box(range(len(run.times)), hidden=True))) or 1  # m
         self.middle = (low + high) / 2
         self.settings()
         self.shapes = [self.shape(i, o) for i, o in enumerate(run.objects) if not o["look"].get("hide")]
         if view["ground"]:
-            self.ground(run.lowest(range(len(run.times)), size))
+            self.ground(run.lowest(range(len(run.times)), self.whole_size))
         self.light()
         self.camera = self.add("camera", bpy.data.cameras.new("camera"))
         self.scene.camera = self.camera
@@ -110,7 +111,7 @@ class Drawing:
             if look.get("offset"):
                 self.offset(made, look["offset"] * self.unit, is_closed(faces))
         elif o["edges"] or o["points"]:
-            self.thicken(made, drawn_thickness(o, 1 / self.unit) * self.unit, bool(o["edges"]))
+            self.thicken(made, drawn_thickness(o, self.whole_size) * self.unit, bool(o["edges"]))
         if look.get("opacity", 1) <= 0.5:
             made.visible_shadow = False
         return o, made

@@ -372,7 +372,7 @@ const tests = {
   },
   async "rods without a radius are as thick in Blender as in the browser"() {
     if (!blender) return console.log("skipped: there is no Blender: apt-get install blender");
-    done("run", "round.yaml", "-q", "-o", "thread", "--set", "objects.rod.rod=null");
+    done("run", "round.yaml", "-q", "-o", "thread", "--set", "objects.rod.rod=null", "objects.rod.energies=[]", "objects.rod.motion=[fixed]");
     const places = Array.from({ length: 400 }, (_, i) => [0.5, (i + 0.5) / 400]);
     const thickness = async (by) => {
       done("render", "thread", "-o", "thread.png", "--with", by, "--set", "size=[60, 400]", "camera={from: [0, 0, 2], to: [0, 0, -4], angle: 2 deg}", "time=false", "at=0 s", "background='#0000ff'",
