@@ -25,7 +25,7 @@ function(tack_python)
   target_compile_options(tack_extension PRIVATE ${TACK_COLD_OPTIONS})
   set_target_properties(tack_extension PROPERTIES OUTPUT_NAME _tack LIBRARY_OUTPUT_DIRECTORY ${PACKAGE} BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/lib")
 
-  file(GLOB MODULES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/python/tack/*.py ${CMAKE_SOURCE_DIR}/python/tack/*.pyi)
+  file(GLOB MODULES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/python/tack/*.py ${CMAKE_SOURCE_DIR}/python/tack/*.pyi ${CMAKE_SOURCE_DIR}/python/tack/py.typed)
   add_custom_target(tack_python DEPENDS tack_extension tack_meshing tack_msh tack_hdf5 VERBATIM
     COMMAND ${CMAKE_COMMAND} -E make_directory ${PACKAGE}/lib/tack ${PACKAGE}/share
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${MODULES} ${PACKAGE}

@@ -10,7 +10,7 @@ extension=$(ls "$built"/_tack.cpython-*.so)
 minor=$(sed 's/.*_tack\.cpython-3\([0-9]*\)-.*/\1/' <<<"$extension")
 
 rm -rf "$stage" && mkdir -p "$package/bin" "$stage/DEBIAN" "$stage/usr/share/doc/python3-tack"
-cp "$built"/*.py "$built"/*.pyi "$extension" "$package/"
+cp "$built"/*.py "$built"/*.pyi "$built/py.typed" "$extension" "$package/"
 cp "$first/python/tack_program.py" "$package/.."
 ln -s ../../../../../bin/tack "$package/bin/tack"
 cp "$first/copyright" "$stage/usr/share/doc/python3-tack/"

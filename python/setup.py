@@ -23,7 +23,7 @@ setup(
     extras_require={"hessians": ["scipy"]},
     packages=["tack"],
     py_modules=["tack_program"],
-    package_data={"tack": ["*.so", "*.pyi", *data]},
+    package_data={"tack": ["*.so", "*.pyi", "py.typed", *data]},
     entry_points={"console_scripts": ["tack = tack_program:main"]},
     distclass=Compiled,
 )

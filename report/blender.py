@@ -18,7 +18,7 @@ import numpy as np
 # Blender does not look for modules beside its script, and an installation is not to be written into.
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
-from blender_runs import COLOURS, Run, camera_of, drawn_thickness, is_closed, linear, set_looks  # noqa: E402
+from blender_runs import COLOURS, Run, camera_of, drawn_thickness, is_closed, linear, numbered_picture, set_looks  # noqa: E402
 
 
 class Drawing:
@@ -33,11 +33,12 @@ class Drawing:
         low, high = run.box(range(len(run.times)))
         size = np.linalg.norm(high - low) or 1
         self.unit = 1 / size  # Blender units per metre
+        self.whole_size = np.linalg.norm(np.subtract(*run.box(range(len(run.times)), hidden=True))) or 1  # m
         self.middle = (low + high) / 2
         self.settings()
         self.shapes = [self.shape(i, o) for i, o in enumerate(run.objects) if not o["look"].get("hide")]
         if view["ground"]:
-            self.ground(run.lowest(range(len(run.times)), size))
+            self.ground(run.lowest(range(len(run.times)), self.whole_size))
         self.light()
         self.camera = self.add("camera", bpy.data.cameras.new("camera"))
         self.scene.camera = self.camera
@@ -62,8 +63,7 @@ class Drawing:
         s.cycles.seed = 0
         s.cycles.use_denoising = False  # Debian's Blender has no denoiser that takes the processor
         s.render.resolution_x, s.render.resolution_y = self.size()
-        s.view_settings.view_transform = "Filmic" if view["tone"] == "filmic" else "Standard"
-        s.view_settings.exposure = math.log2(view["exposure"])
+        s.view_settings.view_transform = "Standard"  # exposure and tone: compose()
         s.render.film_transparent = True
         s.render.image_settings.file_format = "PNG"
         s.render.image_settings.color_mode = "RGBA"
@@ -71,7 +71,7 @@ class Drawing:
         s.render.dither_intensity = 0  # noise, which makes a PNG several times as large
         s.render.use_persistent_data = True
 
-    def material(self, name, look, colour, transmission=0.0):
+    def material(self, name, look, colour):
         m = self.bpy.data.materials.new(name)
         m.use_nodes = True
         shader = m.node_tree.nodes["Principled BSDF"].inputs
@@ -111,7 +111,7 @@ class Drawing:
             if look.get("offset"):
                 self.offset(made, look["offset"] * self.unit, is_closed(faces))
         elif o["edges"] or o["points"]:
-            self.thicken(made, drawn_thickness(o, 1 / self.unit) * self.unit, bool(o["edges"]))
+            self.thicken(made, drawn_thickness(o, self.whole_size) * self.unit, bool(o["edges"]))
         if look.get("opacity", 1) <= 0.5:
             made.visible_shadow = False
         return o, made
@@ -274,19 +274,37 @@ class Drawing:
         s.render.filepath = path
         bpy.ops.render.render(write_still=True)
 
-    def background(self):
-        """Composes the picture over the background, which tone and exposure leave as it is."""
-        if self.view["background"] == "transparent":
-            return
-        colour = linear(self.view["background"])
-        s = self.scene
+    def compose(self):
+        """Applies exposure and tone to what is drawn and lays it over the background, which keeps its colour."""
+        view, s = self.view, self.scene
         s.use_nodes = True
         tree = s.node_tree
         tree.nodes.clear()
-        layers, over, out = tree.nodes.new("CompositorNodeRLayers"), tree.nodes.new("CompositorNodeAlphaOver"), tree.nodes.new("CompositorNodeComposite")
-        over.inputs[1].default_value = (*(colour / self.view["exposure"]), 1)
-        tree.links.new(layers.outputs["Image"], over.inputs[2])
-        tree.links.new(over.outputs[0], out.inputs["Image"])
+        new, link = tree.nodes.new, tree.links.new
+        drawn = new("CompositorNodeRLayers").outputs["Image"]
+
+        def append(kind, **settings):
+            nonlocal drawn
+            node = new(kind)
+            for key, value in settings.items():
+                setattr(node, key, value)
+            link(drawn, node.inputs["Image"])
+            drawn = node.outputs["Image"]
+            return node
+
+        if view["exposure"] != 1:
+            append("CompositorNodeExposure").inputs["Exposure"].default_value = math.log2(view["exposure"])
+        if view["tone"] == "filmic":  # of colours that are not multiplied by their alpha; the view transform Standard inverts the last step
+            append("CompositorNodePremulKey", mapping="PREMUL_TO_STRAIGHT")
+            append("CompositorNodeConvertColorSpace", from_color_space="Linear", to_color_space="Filmic sRGB")
+            append("CompositorNodeConvertColorSpace", from_color_space="sRGB", to_color_space="Linear")
+            append("CompositorNodePremulKey", mapping="STRAIGHT_TO_PREMUL")
+        if view["background"] != "transparent":
+            over = new("CompositorNodeAlphaOver")
+            over.inputs[1].default_value = (*linear(view["background"]), 1)
+            link(drawn, over.inputs[2])
+            drawn = over.outputs["Image"]
+        link(drawn, new("CompositorNodeComposite").inputs["Image"])
 
 
 def join_side_by_side(parts, path):
@@ -324,12 +342,12 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         def part(i, k):
             if len(runs) == 1:
-                return output % i if numbered else output
+                return numbered_picture(output, i) if numbered else output
             return os.path.join(scratch, f"{i}_{k}.png")
 
         for k, run in enumerate(runs):  # Blender has one scene at a time
             drawing = Drawing(run, runs, view, labels[k])
-            drawing.background()
+            drawing.compose()
             for i, time in enumerate(times):
                 last = not numbered and view["at"] is None
                 drawing.draw(len(run.times) - 1 if last else int(np.argmin(np.abs(run.times - time))), part(i, k))
@@ -337,7 +355,7 @@ def main():
                     print(f"frame {i + 1} of {len(times)}", flush=True)
         if len(runs) > 1:
             for i in range(len(times)):
-                join_side_by_side([part(i, k) for k in range(len(runs))], output % i if numbered else output)
+                join_side_by_side([part(i, k) for k in range(len(runs))], numbered_picture(output, i) if numbered else output)
 
 
 try:

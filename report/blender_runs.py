@@ -25,7 +25,13 @@ def matches(pattern, name):
     return name.startswith(pattern[:-1]) if pattern.endswith("*") else pattern == name
 
 
-SMALLEST_RADIUS = 8e-4  # of a rod or particle, of the size of the run's box: about a pixel
+# Radii of drawn rods and particles, in sizes of the box of all objects in all frames, as in report/src/studio.js: of those that have none in the scene, and the smallest, about a pixel.
+USUAL_RADIUS, SMALLEST_RADIUS = 3e-3, 8e-4
+
+
+def numbered_picture(pattern, number):
+    """Returns the path of a picture of a film: the last %0Nd of the file's name is replaced by the number, as in report/render.mjs. Folders keep their %."""
+    return re.sub(r"%0(\d+)d(?=[^/]*$)(?![^/]*%0\d+d)", lambda found: str(number).zfill(int(found[1])), pattern)
 
 
 class Run:
@@ -42,21 +48,23 @@ class Run:
     def positions(self, o, sample):
         return np.asarray(o["x"][sample]) @ self.turn.T
 
-    def box(self, samples):
-        shown = [o for o in self.objects if not o["look"].get("hide") and o["vertices"]]
-        x = np.concatenate([self.positions(o, s) for s in samples for o in shown])
+    def box(self, samples, hidden=False):
+        """Returns the corners of the bounding box [m] of the objects that are drawn, or of all."""
+        chosen = [o for o in self.objects if (hidden or not o["look"].get("hide")) and o["vertices"]]
+        x = np.concatenate([self.positions(o, s) for s in samples for o in chosen])
         return x.min(0), x.max(0)
 
     def lowest(self, samples, size):
-        """Returns the height of the lowest point that is drawn [m]. size: of the run's box [m]."""
+        """Returns the height of the lowest point that is drawn [m]. size: of the box of all objects [m]."""
         shown = [o for o in self.objects if not o["look"].get("hide") and o["vertices"]]
         return min(self.positions(o, s)[:, 2].min() - drawn_thickness(o, size) for s in samples for o in shown)
 
 
 def drawn_thickness(o, size):
-    """Returns how far an object is drawn beyond its vertices [m]: its radius and the look's `offset`."""
+    """Returns how far an object is drawn beyond its vertices [m]: its radius and the look's `offset`. size: of the box of all objects [m]."""
     offset = o["look"].get("offset", 0)
-    return offset if o["face_sizes"] else max(o["radius"] + offset, SMALLEST_RADIUS * size)
+    radius = o["radius"] or USUAL_RADIUS * size  # 0: the scene gives none
+    return offset if o["face_sizes"] else max(radius + offset, SMALLEST_RADIUS * size)
 
 
 def axis_to_z(up):

@@ -10,7 +10,7 @@ import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const [modules, page, viewFile, output] = process.argv.slice(2);
-const numbered = /%0(\d+)d(?=[^/]*\.png$)/;
+const numbered = /%0(\d+)d(?=[^/]*\.png$)(?![^/]*%0\d+d)/; // the last of the file's name, as in blender_runs.py
 const view = JSON.parse(readFileSync(viewFile, "utf8"));
 
 function fail(message) {

@@ -5,7 +5,7 @@
 # done and have not changed are not repeated. Blender draws each as docs/pictures/NAME.yaml says (camera,
 # looks, ground) into docs/images/gallery/NAME.png. Bases NAME_000, NAME_010, ... are one picture, side by
 # side. All pictures share the samples, and the size unless a view has its own: 128 paths per pixel leave
-# little grain, and pictures of 90 to 300 kB.
+# little grain, and pictures of 90 to 420 kB.
 #
 # Ends with 1 if a scene did not show what it must: the batch says which, and its picture is not to be
 # kept. `SAMPLES=16 docs/pictures/gallery.sh NAME` draws a trial.

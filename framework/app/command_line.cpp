@@ -258,7 +258,7 @@ class CommandLine {
   }
 
   void add_export() {
-    CLI::App* exported = app_.add_subcommand("export", "Write the shapes of a run for Blender, Houdini, ParaView or a browser");
+    CLI::App* exported = app_.add_subcommand("export", "Write the shapes of a run for Blender, Houdini or a browser");
     exported->add_option("folder", export_.folder, "results folder of a run, finished or under way")->required()->type_name("FOLDER");
     exported->add_option("--to", export_.format, "format: tack list format")->required();
     exported->add_option("settings", export_.settings, "keys of the format: fps=25 objects=[cube]");

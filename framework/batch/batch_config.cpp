@@ -43,7 +43,7 @@ void SlurmConfig::fields(Fields& f) {
   f.number("time", time, units::time, "time limit of a case; a case of more than two minutes is asked to end a minute before").positive();
   f.integer("at_once", at_once, "largest number of concurrent cases; 0: no limit").at_least(0);
   f.integer("requeues", requeues,
-            "how often a case that reaches its time limit is queued again, to go on from its newest checkpoint; "
+            "how often a case that reaches its time limit is queued again (batches), to go on from its newest checkpoint; "
             "needs output.checkpoint_interval and a time limit above two minutes").at_least(0);
   f.integer("max_array_size", max_array_size, "most tasks of one job array; 0: the cluster's MaxArraySize").at_least(0);
   f.texts("prologue", prologue, "lines of shell that each task runs first, as `module load openblas`").line();

@@ -1,6 +1,7 @@
 """Runs one case of a batch or a calibration in a process of its own: `python -m tack.case run SCENE -o FOLDER --threads N`, with the exit codes of `tack run`.
 
-SIGTERM, which a case gets at its time limit, ends the run with everything written.
+SIGTERM, which a case gets at its time limit, ends the run with everything written. An exception that is no error of the scene is a failure, as in the program: left to Python, it would end
+with the code of a failed expectation.
 """
 from __future__ import annotations
 
@@ -31,6 +32,8 @@ def main() -> int:
         resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
     try:
         tack.run(options.scene, output=options.output, threads=options.threads, resume=options.resume)
+        status = json.loads((pathlib.Path(options.output) / "summary.json").read_text(encoding="utf-8"))["status"]
+        return {"done": done, "interrupted": interrupted}.get(status, expectation_failed)
     except tack.InputError as error:
         print(f"error: {error}", file=sys.stderr)
         return bad_input
@@ -39,8 +42,12 @@ def main() -> int:
         return failed
     except KeyboardInterrupt:
         return interrupted
-    status = json.loads((pathlib.Path(options.output) / "summary.json").read_text(encoding="utf-8"))["status"]
-    return {"done": done, "interrupted": interrupted}.get(status, expectation_failed)
+    except MemoryError:
+        print("error: not enough memory for this scene; use fewer cells, or let it have more", file=sys.stderr)
+        return failed
+    except Exception as error:
+        print(f"internal error: {type(error).__name__}: {error}", file=sys.stderr)
+        return failed
 
 
 if __name__ == "__main__":

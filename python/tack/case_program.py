@@ -8,8 +8,17 @@ import sys
 import tempfile
 import weakref
 
-# Blocks SIGTERM before NumPy starts threads, which would take it from the thread that waits for it (tack.case).
-_start = "import signal; signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM]); from tack.case import main; raise SystemExit(main())"
+# Blocks SIGTERM before NumPy starts threads, which would take it from the thread that waits for it (tack.case). A failed import ends with the code of a failed run, which tack.case has.
+_start = """
+import signal, sys
+signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGTERM])
+try:
+    from tack.case import main
+except Exception as error:
+    print(f"error: the Python package of tack cannot be imported: {error}", file=sys.stderr)
+    sys.exit(3)
+sys.exit(main())
+"""
 
 
 class CaseProgram:

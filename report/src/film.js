@@ -3,6 +3,7 @@ import { Color, SRGBColorSpace } from "three";
 import { ColourScale, centred, mapOf } from "./colour_scale.js";
 import { format, scaled } from "./format.js";
 import { Frames } from "./frames.js";
+import { looksOf, matches } from "./looks.js";
 import { Studio } from "./studio.js";
 import { surfaceColours } from "./theme.js";
 
@@ -28,7 +29,7 @@ class Film {
       if (!this.runs.some((run) => run.frames.objects.some((object) => matches(name, object.name))))
         throw new Error(`objects: no run has an object '${name}'; there are ${this.runs[0].frames.objects.map((o) => o.name).slice(0, 12).join(", ")}`);
     this.studio = new Studio(...view.size, view);
-    const looks = (name) => Object.assign({}, ...Object.keys(view.objects).filter((pattern) => matches(pattern, name)).map((pattern) => view.objects[pattern]));
+    const looks = looksOf(view.objects);
     for (const run of this.runs) run.set = this.studio.set(run.frames, run.up, looks, surfaceColours, view.ground);
     if (view.field) await this.openField(view.field);
     this.out = document.createElement("canvas");
@@ -127,9 +128,6 @@ class Film {
     ctx.textAlign = "left";
   }
 }
-
-// "chip*" stands for all that begin so.
-const matches = (pattern, name) => (pattern.endsWith("*") ? name.startsWith(pattern.slice(0, -1)) : pattern === name);
 
 window.film = new Film();
 document.documentElement.dataset.ready = "true";

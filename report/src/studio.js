@@ -17,6 +17,8 @@ const shadowPixels = 1024;
 const [groundExtent, groundGap] = [60, 1e-4];
 // Fraction of the drawings that the sun lights, about its fraction of the light on the ground.
 const sunShare = 0.4;
+// Radii of drawn rods and particles, in sizes of the run, as in report/blender_runs.py: of those that have none in the scene, and the smallest, about a pixel.
+const [usualRadius, smallestRadius] = [0.003, 0.0008];
 const groundLights = 96; // whose shade on the ground is added up, if the drawings have fewer
 const up = new Vector3(0, 1, 0);
 
@@ -248,7 +250,7 @@ class Actors {
     }
     part.points = mine(frames.points.length, frames.triangleCount + frames.edgeCount);
     if (part.points.length > 0) part.balls = instances(ball(part.points.length > 3000 ? 2 : 4), part.points);
-    part.radius = object.radius === null || object.radius === undefined ? 0.003 : Math.max(0.0008, object.radius / this.size);
+    part.radius = object.radius === null || object.radius === undefined ? usualRadius : Math.max(smallestRadius, object.radius / this.size);
     return part;
   }
 

@@ -75,8 +75,11 @@ for what in ("pc2", "mdd"):
 
 sheet = played["sheet"].data
 assert [len(p.vertices) for p in sheet.polygons] == [4, 4], "the sheet is not of quads"
-assert [m.name for m in sheet.materials] == ["red", "plain"], [m.name for m in sheet.materials]
-colour = sheet.materials[0].diffuse_color
+lines = [line.split() for line in (source / "tests/blender/quads.mtl").read_text(encoding="utf-8").splitlines()]
+colours = {name[1]: [float(x) for x in colour[1:]] for name, colour in zip(lines[::2], lines[1::2])}  # newmtl, Kd
+assert [m.name for m in sheet.materials] == list(colours) == ["red", "plain"], [m.name for m in sheet.materials]
+for m in sheet.materials:
+    assert np.allclose(m.diffuse_color[:3], colours[m.name], atol=1e-6), f"{m.name}: {tuple(m.diffuse_color)}"
 assert len(sheet.uv_layers) == 1
 for loop, uv in zip(sheet.loops, sheet.uv_layers[0].data):
     rest = [(0, 0), (0.5, 0), (1, 0), (0, 1), (0.5, 1), (1, 1)][loop.vertex_index]

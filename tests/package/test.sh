@@ -26,6 +26,8 @@ for file in bin/tack lib/tack/libtack_meshing.so lib/tack/libtack_msh.so lib/tac
   [[ -s $scratch/root/usr/$file ]] || fail "the package does not have $file"
 done
 
+[[ -e $scratch/root/usr/lib/python3/dist-packages/tack/py.typed ]] || fail "the package does not have py.typed, without which type checkers ignore its types"
+
 # used COMMAND...: what the README shows, a mesh by CGAL, one by Gmsh, a study, and what the results say of the program.
 cat >"$scratch/use.sh" <<'END'
 set -euo pipefail

@@ -27,6 +27,7 @@ fi
 for a in "${architectures[@]}"; do
   [[ -s $scratch/content/tack/lib/$a/libtack.so && -s $scratch/content/tack/bin/$a/tack ]] || fail "the wheel does not have $a"
 done
+[[ -e $scratch/content/tack/py.typed ]] || fail "the wheel does not have py.typed, without which type checkers ignore its types"
 listed=$(ls "$scratch"/content/tack-*.dist-info/licenses/BUNDLED.txt)
 [[ $(find "$scratch/content/tack.libs" -name '*.so*' | wc -l) -gt 40 ]] || fail "few libraries in tack.libs"
 for package in libtbb12 libvtk9.1 libgmsh4.8 libcholmod3 libopenblas0-pthread libcgal-dev; do

@@ -23,6 +23,14 @@ class Rotations(unittest.TestCase):
         np.testing.assert_array_equal(blender_runs.rotation_to_z(np.array([0, 0, 2])), np.eye(3))
 
 
+class Pictures(unittest.TestCase):
+    def test_a_number_replaces_the_last_pattern_of_the_name_alone(self):
+        for pattern, picture in [("film_%04d.png", "film_0007.png"), ("/50% strain/pic_%03d.png", "/50% strain/pic_007.png"), ("/a_%02d/100%/%d_%01d.png", "/a_%02d/100%/%d_7.png"),
+                                 ("/a_%02d_%03d.png", "/a_%02d_007.png")]:
+            self.assertEqual(blender_runs.numbered_picture(pattern, 7), picture)
+        self.assertEqual(blender_runs.numbered_picture("film_%02d.png", 123), "film_123.png")
+
+
 class Thickness(unittest.TestCase):
     def test_rods_particles_and_offset_surfaces_reach_beyond_their_vertices(self):
         run = object.__new__(blender_runs.Run)
@@ -32,7 +40,8 @@ class Thickness(unittest.TestCase):
         grain = {**shape, "radius": 0.5, "x": np.array([[[0, 0, 4.4]], [[0, 0, 4.45]]])}
         dot = {**shape, "x": np.array([[[0, 0, 2.0]], [[0, 0, 2.0]]])}
         for objects, lowest in [([sheet], 4), ([sheet, grain], 3.9), ([{**sheet, "look": {"offset": 0.2}}, grain], 3.8), ([{**grain, "look": {"offset": 0.1}}], 3.8),
-                                ([sheet, {**dot, "look": {"hide": True}}], 4), ([dot], 2 - 10 * blender_runs.SMALLEST_RADIUS)]:
+                                ([sheet, {**dot, "look": {"hide": True}}], 4), ([dot], 2 - 10 * blender_runs.USUAL_RADIUS),
+                                ([{**dot, "radius": 1e-6}], 2 - 10 * blender_runs.SMALLEST_RADIUS)]:
             run.objects = objects
             self.assertAlmostEqual(run.lowest([0, 1], 10), lowest)
 

@@ -42,6 +42,31 @@ class Notebooks(unittest.TestCase):
         self.assertIn('"status":"done"', html.unescape(sim._repr_html_()))
 
 
+class Cases(unittest.TestCase):
+    """The process of a case of a batch (tack.case)."""
+
+    def test_every_exception_ends_a_case_with_an_error_and_a_code_of_its_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for raised, code, message in [("None", 3, "internal error: FileNotFoundError: .*summary.json"), ("MemoryError()", 3, "^error: not enough memory for this scene"),
+                                          ("RuntimeError('none')", 3, "^internal error: RuntimeError: none$"), ("OSError(28, 'no space')", 3, "^internal error: OSError: .*no space"),
+                                          ("tack.InputError('one')", 2, "^error: one$"), ("tack.SimulationError('two')", 3, "^error: two$"), ("KeyboardInterrupt()", 130, "^$")]:
+                ended = run_python(f"""
+import sys, tack, tack.case
+def fail(*_, **__):
+    if ({raised}) is not None: raise {raised}
+tack.run = fail
+sys.argv = ["tack", "run", "scene.yaml", "-o", {folder!r}]
+sys.exit(tack.case.main())""")
+                self.assertEqual(ended.returncode, code, ended.stderr)
+                self.assertRegex(ended.stderr.strip(), message)
+
+    def test_a_package_that_cannot_be_imported_fails_the_case(self):
+        from tack import case_program
+        ended = run_python("import sys\nsys.modules['tack.case'] = None\n" + case_program._start)
+        self.assertEqual(ended.returncode, 3)
+        self.assertRegex(ended.stderr, "^error: the Python package of tack cannot be imported: .*tack.case")
+
+
 class Errors(unittest.TestCase):
     def test_errors_name_the_source_location(self):
         with self.assertRaisesRegex(tack.InputError, "yong.*young"):

@@ -1,5 +1,6 @@
 """Calibrations and batches as functions for optimisers from elsewhere."""
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -9,6 +10,13 @@ from scipy.optimize import least_squares
 import tack
 from tack_test_scenes import source
 
+try:
+    import optuna
+    optuna.logging.set_verbosity(optuna.logging.WARNING)
+except ImportError:
+    optuna = None
+
+needs_optuna = unittest.skipUnless(optuna, "there is no Optuna (Debian: python3-optuna)")
 shipped = source / "experiments/calibration"
 strength, work = "contact.pairs.0.adhesion.peak_traction", "contact.pairs.0.adhesion.work_of_adhesion"
 
@@ -150,6 +158,25 @@ class Calibrations(Scratch):
         self.assertEqual(set(best), {"strength", "work"})
         self.assertEqual(fit.misfit(best), min(value for value, _ in search.trials))
 
+    @needs_optuna
+    def test_optuna_as_the_page_uses_it(self):
+        page = (source / "docs/python.md").read_text(encoding="utf-8")
+        code = re.search(r"```python\n(import optuna\n.*?)```", page, re.DOTALL)[1]
+        for written, here in [('"experiments/calibration/pull_fit.yaml"', repr(str(shipped / "pull_fit.yaml"))), ('"results/fit"', repr(str(self.folder / "fit"))), ("range(40)", "range(4)")]:
+            self.assertIn(written, code)
+            code = code.replace(written, here)
+        names = {"tack": tack}
+        exec(code, names)
+        search = names["search"]
+        self.assertEqual([trial.state for trial in search.trials], [optuna.trial.TrialState.COMPLETE] * 4)
+        with tack.Calibration(shipped / "pull_fit.yaml", output=self.folder / "fit", jobs=2) as fit:
+            self.assertEqual(set(search.best_params), set(fit.names))
+            for trial in search.trials:
+                for parameter in fit.parameters:
+                    self.assertTrue(parameter.low <= trial.params[parameter.name] <= parameter.high)
+                    self.assertTrue(trial.distributions[parameter.name].log)
+            self.assertEqual(fit.misfit(search.best_params), search.best_value)
+
     def test_points_that_fail_and_points_that_are_none(self):
         fit = self.calibration(set={"time_limit": "0.001 s"})
         self.assertEqual(fit.misfit(fit.start), np.inf)
@@ -211,6 +238,22 @@ class Studies(Scratch):
         point = study.suggest(AskAndTell().ask())
         self.assertEqual(study.point(point), point)
         self.assertIsInstance(study.point(point)["iterations"], int)
+
+    @needs_optuna
+    def test_optuna_asks_for_points_of_each_kind(self):
+        study = self.study(f"{{type: sobol, samples: 4, keys: {{solver.max_iterations: {{from: 100, to: 900, whole: true, as: iterations}}, {strength}: "
+                           "{from: 5 kPa, to: 20 kPa, scale: log, as: strength}}}")
+        search = optuna.create_study(direction="maximize", sampler=optuna.samplers.RandomSampler(seed=1))
+        for _ in range(3):
+            trial = search.ask()
+            point = study.suggest(trial)
+            self.assertIsInstance(point["iterations"], int)
+            search.tell(trial, study.evaluate(point)["pull"])
+        best = max(search.trials, key=lambda trial: trial.params["strength"])
+        self.assertEqual(search.best_params, best.params)
+        self.assertEqual(study.evaluate(search.best_params)["pull"], search.best_value)
+        listed = self.study(f"{{type: grid, keys: {{{strength}: {{values: [5 kPa, 10 kPa], as: strength}}}}}}")
+        self.assertIn(listed.suggest(optuna.create_study().ask())["strength"], ("5 kPa", "10 kPa"))
 
     def test_all_points_make_one_table_and_none_runs_twice(self):
         study = self.study(f"{{type: grid, keys: {{{strength}: {{values: [5 kPa, 10 kPa], as: strength}}}}}}")

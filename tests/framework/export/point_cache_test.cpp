@@ -132,7 +132,7 @@ TEST_CASE("an export of what is no results folder says where the results are") {
   CHECK(run_tack(run.path(), {"export", "run/run.pvd", "--to", "pc2"}).exit_code == 0);
 }
 
-TEST_CASE("no format replaces a file that the scene reads or that no export wrote") {
+TEST_CASE("no format replaces a file that the scene reads, and no format of a folder one that no export wrote") {
   const ExportedRun run;
   const std::string before = file_text(run.path() / "quads.obj");
   fs::create_directories(run.path() / "mine");
