@@ -72,7 +72,7 @@ class Film {
         };
       }
       run.set.setFrame(number, colourOf);
-      const box = view.camera.fit === "run" ? { low: run.set.low, high: run.set.high } : this.boxOf(run, view.camera.fit === "frame" ? number : view.camera.fit === "first" ? 0 : run.frames.count - 1);
+      const box = view.camera.fit === "run" ? (run.box ??= run.frames.box(undefined, run.set.shownVertices)) : this.boxOf(run, view.camera.fit === "frame" ? number : view.camera.fit === "first" ? 0 : run.frames.count - 1);
       run.set.focus(box.low, box.high);
       const space = [i * wide, 0, wide, height];
       return { number, set: run.set, camera: run.set.camera(view.camera, box, wide / height), box: space };
@@ -82,7 +82,7 @@ class Film {
     return this.out.toDataURL("image/png").slice("data:image/png;base64,".length);
   }
 
-  // Returns the bounding box of the shown objects in a frame.
+  // Returns the bounding box of the objects that are not hidden in a frame.
   boxOf(run, number) {
     return run.frames.box([number], run.set.shownVertices);
   }
