@@ -28,8 +28,9 @@ class Film {
     for (const name of Object.keys(view.objects))
       if (!this.runs.some((run) => run.frames.objects.some((object) => matches(name, object.name))))
         throw new Error(`objects: no run has an object '${name}'; there are ${this.runs[0].frames.objects.map((o) => o.name).slice(0, 12).join(", ")}`);
-    this.studio = new Studio(...view.size, view);
     const looks = looksOf(view.objects);
+    if (this.runs.some((run) => run.frames.objects.every((object) => looks(object.name).hide))) throw new Error("all objects are hidden");
+    this.studio = new Studio(...view.size, view);
     for (const run of this.runs) run.set = this.studio.set(run.frames, run.up, looks, surfaceColours, view.ground);
     if (view.field) await this.openField(view.field);
     this.out = document.createElement("canvas");

@@ -142,8 +142,6 @@ class Actors {
     this.ambient = new AmbientLight(0xffffff, 0);
     this.scene.add(this.light, this.light.target, this.ambient);
     const { low, high } = frames.box();
-    this.low = low;
-    this.high = high;
     this.size = Math.hypot(...low.map((l, c) => high[c] - l)) || 1;
     this.centre = low.map((l, c) => (l + high[c]) / 2);
     this.placed = new Float32Array(3 * frames.vertices);

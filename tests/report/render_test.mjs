@@ -390,6 +390,7 @@ const tests = {
     refused(/setup\.jpg: names of pictures end in \.png/, "check", "scene.yaml", "--picture", "setup.jpg");
     refused(/picture\.jpg: names of pictures end in \.png, names of films in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
     refused(/no run has an object 'cubo'; there are plate, cube/, "render", "out", "--set", "objects={cubo: {hide: true}}");
+    for (const by of blender ? ["browser", "blender"] : ["browser"]) refused(/all objects are hidden/, "render", "out", "--with", by, "--set", "objects={'*': {hide: true}}");
     // Before a browser is looked for.
     const unknown = spawnSync(tack, ["render", "out", "--set", "field={name: stress}"], { encoding: "utf8", cwd: folder, env: { ...process.env, PATH: "/nowhere" } });
     assert.equal(unknown.status, 2);
