@@ -1,4 +1,4 @@
-// What pictures and exported files need to know of a scene besides the frames of its run.
+// Properties of a scene that pictures and exported files need besides the frames of its run.
 #pragma once
 
 #include <optional>

@@ -111,7 +111,7 @@ output: {frames: false}
   fs::remove(files.path / "b" / "results.csv");
   CHECK(run_tack(files.path, {"batch", "--collect", "b"}).exit_code == 0);
   CHECK(file_text(files.path / "b" / "results.csv") == table);
-  // Of a case that has run already, the table says why there is no number.
+  // The table says why a case that has run already has no number.
   CHECK(run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--set", "statistics.1.stage=unlaod"}).exit_code == 0);
   CHECK(contains(file_text(files.path / "b" / "results.csv"), "statistic 'risen': there are no samples"));
   const ProgramResult unknown = run_tack(files.path, {"batch", "batch.yaml", "-o", "c", "--set", "statistics.1.stage=unlaod"});
