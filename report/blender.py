@@ -18,7 +18,7 @@ import numpy as np
 # Blender does not look for modules beside its script, and an installation is not to be written into.
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
-from blender_runs import COLOURS, Run, camera_of, drawn_thickness, is_closed, linear, numbered_picture, set_looks  # noqa: E402
+from blender_runs import COLOURS, Run, camera_of, drawn_offset, is_closed, linear, numbered_picture, set_looks  # noqa: E402
 
 
 class Drawing:
@@ -31,14 +31,12 @@ class Drawing:
         bpy.ops.wm.read_factory_settings(use_empty=True)
         self.scene = bpy.context.scene
         low, high = run.box(range(len(run.times)))
-        size = np.linalg.norm(high - low) or 1
-        self.unit = 1 / size  # Blender units per metre
-        self.whole_size = np.linalg.norm(np.subtract(*run.box(range(len(run.times)), hidden=True))) or 1  # m
+        self.unit = 1 / (np.linalg.norm(high - low) or 1)  # Blender units per metre
         self.middle = (low + high) / 2
         self.settings()
         self.shapes = [self.shape(i, o) for i, o in enumerate(run.objects) if not o["look"].get("hide")]
         if view["ground"]:
-            self.ground(run.lowest(range(len(run.times)), self.whole_size))
+            self.ground(low[2])
         self.light()
         self.camera = self.add("camera", bpy.data.cameras.new("camera"))
         self.scene.camera = self.camera
@@ -111,7 +109,7 @@ class Drawing:
             if look.get("offset"):
                 self.offset(made, look["offset"] * self.unit, is_closed(faces))
         elif o["edges"] or o["points"]:
-            self.thicken(made, drawn_thickness(o, self.whole_size) * self.unit, bool(o["edges"]))
+            self.thicken(made, drawn_offset(o, self.run.size) * self.unit, bool(o["edges"]))
         if look.get("opacity", 1) <= 0.5:
             made.visible_shadow = False
         return o, made

@@ -2,6 +2,7 @@
 
 Needs no Blender.
 """
+import functools
 import json
 import math
 import os
@@ -26,7 +27,7 @@ def matches(pattern, name):
 
 
 # Radii of drawn rods and particles, in sizes of the box of all objects in all frames, as in report/src/studio.js: of those that have none in the scene, and the smallest, about a pixel.
-USUAL_RADIUS, SMALLEST_RADIUS = 3e-3, 8e-4
+DEFAULT_RADIUS, SMALLEST_RADIUS = 3e-3, 8e-4
 
 
 def numbered_picture(pattern, number):
@@ -48,22 +49,23 @@ class Run:
     def positions(self, o, sample):
         return np.asarray(o["x"][sample]) @ self.turn.T
 
-    def box(self, samples, hidden=False):
-        """Returns the corners of the bounding box [m] of the objects that are drawn, or of all."""
-        chosen = [o for o in self.objects if (hidden or not o["look"].get("hide")) and o["vertices"]]
-        x = np.concatenate([self.positions(o, s) for s in samples for o in chosen])
-        return x.min(0), x.max(0)
+    @functools.cached_property
+    def size(self):
+        """The diagonal of the box of all objects in all samples, also of hidden ones [m]; 1 m if it is a point."""
+        x = [self.positions(o, s) for s in range(len(self.times)) for o in self.objects if o["vertices"]]
+        low, high = np.min([one.min(0) for one in x], axis=0), np.max([one.max(0) for one in x], axis=0)
+        return np.linalg.norm(high - low) or 1
 
-    def lowest(self, samples, size):
-        """Returns the height of the lowest point that is drawn [m]. size: of the box of all objects [m]."""
-        shown = [o for o in self.objects if not o["look"].get("hide") and o["vertices"]]
-        return min(self.positions(o, s)[:, 2].min() - drawn_thickness(o, size) for s in samples for o in shown)
+    def box(self, samples):
+        """Returns the corners of the bounding box of what is drawn [m]."""
+        shown = [(self.positions(o, s), drawn_offset(o, self.size)) for s in samples for o in self.objects if not o["look"].get("hide") and o["vertices"]]
+        return np.min([x.min(0) - offset for x, offset in shown], axis=0), np.max([x.max(0) + offset for x, offset in shown], axis=0)
 
 
-def drawn_thickness(o, size):
+def drawn_offset(o, size):
     """Returns how far an object is drawn beyond its vertices [m]: its radius and the look's `offset`. size: of the box of all objects [m]."""
     offset = o["look"].get("offset", 0)
-    radius = o["radius"] or USUAL_RADIUS * size  # 0: the scene gives none
+    radius = o["radius"] or DEFAULT_RADIUS * size  # 0: the scene gives none
     return offset if o["face_sizes"] else max(radius + offset, SMALLEST_RADIUS * size)
 
 

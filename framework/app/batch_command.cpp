@@ -134,7 +134,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
   SlurmJobs jobs = submit(this_program(), folder, config.slurm, d, tasks, !options.no_wait);
   const std::string later = fmt::format("the table is made by `tack batch --collect {}`", folder.root.string());
   if (interrupt_requested) {
-    fmt::print("interrupted: {}; {}\n", jobs.running_text(), later);
+    fmt::print("interrupted: {}; another call submits the cases that are left; {}\n", jobs.running_text(), later);
     return exit_interrupted;
   }
   if (options.no_wait) {
@@ -147,7 +147,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
     follow(jobs, folder, open, progress);
   }
   if (interrupt_requested) {
-    fmt::print("{}; {}\n", jobs.running_text(), later);
+    fmt::print("interrupted: {}; {}\n", jobs.running_text(), later);
     return exit_interrupted;
   }
   return report(folder, d, options.quiet, options.only);

@@ -61,11 +61,11 @@ class Pictures {
     if (failed) throw InputError(fmt::format("{}: cannot be made ({}); choose another folder with -o", folder_.string(), failed.message()));
   }
 
-  // Leaves out pictures of these names from now on: others take their place.
-  void reserve(std::set<std::string> names) { reserved_ = std::move(names); }
+  // Leaves out later pictures of this name.
+  void keep(const std::string& name) { kept_.insert(name); }
   template <class Picture>
   void draw(const Picture& picture, const std::string& name) {
-    if (!reserved_.contains(name)) report(tack::draw(picture, folder_, name, look_), name);
+    if (!kept_.contains(name)) report(tack::draw(picture, folder_, name, look_), name);
   }
   void report(const std::string& failure, const std::string& name) {
     if (failure.empty()) fmt::print("{}\n", (folder_ / (name + ".svg")).string());
@@ -85,7 +85,7 @@ class Pictures {
  private:
   fs::path folder_;
   FigureStyle look_;
-  std::set<std::string> reserved_;
+  std::set<std::string> kept_;
   bool failed_ = false;
 };
 
@@ -121,11 +121,6 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
     pictures.draw(chosen(table_plot(table, what, batch.plan.units), options), file_name(options.y) + "_by_" + file_name(options.x));
     return pictures.exit_code();
   }
-  FileNames names;
-  std::set<std::string> own;
-  for (const BatchPlot& what : batch.plan.plots) own.insert(names.of(what.name));
-  pictures.reserve(std::move(own));
-  for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what, batch.plan.units), name);
   std::vector<PlottedRun> runs;
   std::map<std::string, PlottedRun> by_case;
   for (const BatchCase& one : batch.plan.cases)
@@ -133,14 +128,16 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
       runs.push_back(run_of(folder.run(one.name), batch.plan.columns.size() == 1 ? one.values.begin()->second : one.name));
       by_case[one.name] = runs.back();
     }
-  pictures.draw_runs(runs);
-  pictures.reserve({});
+  FileNames names;
   for (const BatchPlot& what : batch.plan.plots) try {
       if (what.bars.empty()) pictures.draw(curves_of(what, batch.plan, by_case), names.of(what.name));
       else pictures.draw(bars_of(what, batch.plan, table), names.of(what.name));
+      pictures.keep(names.of(what.name));
     } catch (const InputError& error) {
       pictures.report(error.what(), what.name);
     }
+  for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what, batch.plan.units), name);
+  pictures.draw_runs(runs);
   return pictures.exit_code();
 }
 

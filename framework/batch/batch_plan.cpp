@@ -151,6 +151,7 @@ class Planner {
       one.may_end_early = !experiment.protocols.empty();
       one.checkpoints = experiment.output.checkpoint_interval.has_value();
       if (plan_.cases.empty() || plan_.cases.back().base != base.name) {
+        need_stages(experiment.protocols);
         add_units(column_units(experiment, made.resolved, variant, config_.statistics));
         add_warnings(retired_key_texts(made.loaded.root, fields_of(experiment)));
       }
@@ -160,6 +161,14 @@ class Planner {
       return note(error, one.name);
     }
     plan_.cases.push_back(std::move(one));
+  }
+
+  void need_stages(const std::vector<ProtocolConfig>& protocols) const {
+    for (const BatchStatistic& s : config_.statistics) try {
+        if (!s.stage.empty()) need_stage(protocols, s.stage);
+      } catch (const InputError& error) {
+        throw InputError(fmt::format("statistic '{}': {}", s.column(), error.what()));
+      }
   }
 
   // Adds the units of the first case of a base; columns whose units differ between bases lose
@@ -218,7 +227,6 @@ void check_case(const BatchPlan& plan, const BatchCase& one) {
   std::vector<std::string> columns{"time"};
   columns.insert(columns.end(), probes.columns().begin(), probes.columns().end());
   for (const BatchStatistic& s : plan.statistics) try {
-      if (!s.stage.empty()) need_stage(built.experiment().protocols, s.stage);
       evaluate(s.resolved(), ProbeSeries{columns, {}});
     } catch (const InputError& error) {
       throw InputError(fmt::format("statistic '{}': {}", s.column(), error.what()));

@@ -75,12 +75,17 @@ ChildProcess sbatch(const BatchFolder& folder, const std::vector<std::string>& o
   return {arguments, output};
 }
 
-// Returns MaxArraySize of the cluster; Slurm's default if scontrol does not answer.
+// Returns MaxArraySize of the cluster; Slurm's default if scontrol does not know it, or at an interrupt.
 size_t max_array_size(const BatchFolder& folder) {
   constexpr size_t slurm_default = 1001;
   const auto output = folder.root / "output" / "scontrol.txt";
   replace_file(output, "");
-  if (exit_code_of({{"/usr/bin/env", "scontrol", "show", "config"}, output}) != 0) return slurm_default;
+  ChildProcess process({"/usr/bin/env", "scontrol", "show", "config"}, output);
+  while (!process.ended()) {
+    if (interrupt_requested) return slurm_default;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  if (process.exit_code() != 0) return slurm_default;
   std::ifstream in(output);
   std::string key, equals;
   for (std::string line; std::getline(in, line);) {
@@ -197,7 +202,7 @@ SlurmJobs submit(const std::string& program, const BatchFolder& folder, const Sl
   }
   if (!wait)
     for (ChildProcess& process : jobs.waiting)
-      while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      while (!process.ended() && !interrupt_requested) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   return jobs;
 }
 

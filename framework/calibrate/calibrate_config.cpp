@@ -28,7 +28,7 @@ std::string check_names(const std::vector<MeasuredExperiment>& experiments) {
       const std::string one = name_of(experiments[k]), other = name_of(experiments[i]);
       if (one == other) return fmt::format("two experiments are named '{}'; give each its own `name`", one);
       if (same_files(one, other))
-        return fmt::format("the files of the experiments '{}' and '{}' would have the same names; let the names differ in letters from a to z, digits, -, + or ., and by more than an ending '_run'", one, other);
+        return fmt::format("the files of the experiments '{}' and '{}' would have the same names; let the names differ in letters, digits, - or ., and by more than an ending '_run'", one, other);
     }
   return "";
 }

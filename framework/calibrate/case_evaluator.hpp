@@ -32,7 +32,7 @@ class CaseEvaluator : public Evaluator {
   // Writes batch.json and results.csv of the folder, with all requested cases.
   void write_tables();
   int started() const { return started_count_; }  // number of cases that this program ran
-  // Returns "job 12 goes on (`scancel 12` ends it)" after an interrupt; "" if no job is left.
+  // Returns SlurmJobs::running_text() after an interrupt; "" if no job goes on.
   const std::string& running_jobs() const { return running_jobs_; }
   std::vector<std::filesystem::path> run_folders(const PointEvaluation& of);
 

@@ -20,7 +20,13 @@ class RunAbscissa {
   }
 
   bool reverses_direction() const {
-    return !std::is_sorted(x_.begin(), x_.end()) && !std::is_sorted(x_.rbegin(), x_.rend());
+    for (size_t begin = 0; begin < x_.size();) {
+      const size_t end = end_of_window(begin);
+      const std::span<const double> x = x_.subspan(begin, end - begin);
+      if (!std::is_sorted(x.begin(), x.end()) && !std::is_sorted(x.rbegin(), x.rend())) return true;
+      begin = end;
+    }
+    return false;
   }
 
   // Returns the first passage of `target` from `position` on, and moves `position` there. direction:
@@ -31,8 +37,11 @@ class RunAbscissa {
     if (target < low_ - tolerance || target > high_ + tolerance) return std::nullopt;
     target = std::clamp(target, low_, high_);
     if (x_.size() == 1) return Passage{};
-    for (size_t i = position.sample; i + 1 < x_.size(); ++i) {
-      if (std::binary_search(starts_.begin(), starts_.end(), i + 1)) continue;
+    for (size_t i = position.sample; i < x_.size(); ++i) {
+      if (i + 1 == x_.size() || is_start(i + 1)) {
+        if ((i == 0 || is_start(i)) && x_[i] == target) return position = {i, 0};  // the only sample of its window
+        continue;
+      }
       const double before = x_[i], after = x_[i + 1];
       const bool upward = before <= target && target <= after, downward = before >= target && target >= after;
       if (!(direction > 0 ? upward : direction < 0 ? downward : upward || downward)) continue;
@@ -44,6 +53,12 @@ class RunAbscissa {
   }
 
  private:
+  bool is_start(size_t i) const { return std::binary_search(starts_.begin(), starts_.end(), i); }
+  size_t end_of_window(size_t sample) const {
+    const auto next = std::upper_bound(starts_.begin(), starts_.end(), sample);
+    return next == starts_.end() ? x_.size() : *next;
+  }
+
   std::span<const double> x_;
   std::span<const size_t> starts_;
   double low_ = 0, high_ = 0;

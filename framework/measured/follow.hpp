@@ -1,12 +1,13 @@
 // Values of a run at the points of a measured curve. The samples (x, y) of the run are in the order
 // of time and linearly interpolated.
 //
+// The samples may belong to several windows of time, between which nothing is interpolated.
+//
 // Two cases:
-// - the run's x is monotonic: y is a function of x, and each point takes the first passage of its x
+// - the run's x is monotonic in each window: each point takes the first passage of its x
 // - the run's x turns back (loading and unloading): both curves are followed in time, and a point
 //   takes the first passage in the direction of the data, not before the passage of the previous
 //   point
-// The samples may be parts of a run, between which nothing is interpolated.
 #pragma once
 
 #include <optional>
@@ -27,7 +28,7 @@ struct Passage {
 };
 
 // Returns where the run passes each of `points`, the x of the data; nothing for points that it
-// never reaches. `x`: of the run. starts: the first samples of its parts, ascending; none: one.
+// never reaches. `x`: of the run. starts: first samples of the windows, ascending; none: one.
 std::vector<std::optional<Passage>> passages(std::span<const double> points,
                                              std::span<const double> x,
                                              std::span<const size_t> starts = {});

@@ -1,6 +1,6 @@
 // measured.csv: measured curves that expectations compare the run with, point by point. Columns:
 // probe and along (text, of the run), x, measured and computed [SI; computed is nan where the run
-// never gets].
+// never gets], and the stage of the expectation.
 #pragma once
 
 #include <filesystem>

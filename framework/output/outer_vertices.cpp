@@ -29,8 +29,11 @@ std::vector<std::vector<int>> outer_vertices(const FrameFile& frame, const Surfa
   const std::vector<int> object = objects_of_vertices(frame);
   for (const int o : object) count = std::max(count, o + 1);
   std::vector<std::vector<int>> outer(count);
-  for (const int v : surface.vertices)
-    if (object[v] >= 0) outer[object[v]].push_back(v);
+  std::vector<char> is_outer(object.size(), 0);
+  for (const int v : surface.vertices) is_outer[v] = 1;
+  for (const int v : frame.mesh.points) is_outer[v] = 1;  // also of tetrahedra
+  for (size_t v = 0; v < object.size(); ++v)
+    if (is_outer[v] && object[v] >= 0) outer[object[v]].push_back(static_cast<int>(v));
   return outer;
 }
 

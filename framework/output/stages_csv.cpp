@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/io/replace_file.hpp"
@@ -14,10 +15,15 @@ constexpr const char* stages_header = "protocol,stage,number,begin,end,ended_by,
 }  // namespace
 
 std::vector<TimeWindow> windows_of_stage(const std::vector<StageVisit>& visits, const std::string& stage) {
-  std::vector<TimeWindow> windows;
+  std::vector<TimeWindow> all, united;
   for (const StageVisit& v : visits)
-    if (v.stage == stage) windows.push_back({v.begin, v.end});
-  return windows;
+    if (v.stage == stage && v.begin <= v.end) all.push_back({v.begin, v.end});
+  std::sort(all.begin(), all.end(), [](const TimeWindow& a, const TimeWindow& b) { return a.begin < b.begin; });
+  for (const TimeWindow& w : all) {
+    if (!united.empty() && w.begin < united.back().end) united.back().end = std::max(united.back().end, w.end);
+    else united.push_back(w);
+  }
+  return united;
 }
 
 void write_stages(const std::filesystem::path& path, const std::vector<StageVisit>& visits) {

@@ -21,6 +21,7 @@ struct StageVisit {
 };
 
 // Returns when a run was in a stage: a window for each time that it was run through, in order.
+// Windows of protocols that have the stage at the same time are united.
 std::vector<TimeWindow> windows_of_stage(const std::vector<StageVisit>& visits,
                                          const std::string& stage);
 

@@ -71,6 +71,9 @@ std::string problem_with(const Samples& samples, const StatisticQuery& query) {
   if (query.statistic == Statistic::integral && samples.size() < 2) {
     return "an integral needs two samples, there is one";
   }
+  if (query.statistic == Statistic::integral && samples.size() == samples.starts.size()) {
+    return fmt::format("an integral needs two samples, there is one in each of {} times", samples.starts.size());
+  }
   return "";
 }
 
@@ -120,8 +123,9 @@ StatisticValue no_value(std::string problem) {
 StatisticValue at(const Samples& samples, const StatisticQuery& query) {
   if (const auto value = value_at(samples, query.where)) return {*value, ""};
   const auto [low, high] = std::minmax_element(samples.s.begin(), samples.s.end());
-  return no_value(fmt::format("{} never reaches {}; it stays between {:.6g} and {:.6g}",
-                              query.along, query.where, *low, *high));
+  const bool between = *low < query.where && query.where < *high;  // windows
+  return no_value(fmt::format("{} never reaches {}; it {} {:.6g} and {:.6g}", query.along, query.where,
+                              between ? "only jumps over it from one time of the stage to the next, between" : "stays between", *low, *high));
 }
 
 std::string uncovered_points_text(const MeasuredComparison& f, const Samples& samples, const StatisticQuery& query) {
@@ -131,7 +135,9 @@ std::string uncovered_points_text(const MeasuredComparison& f, const Samples& sa
   const bool beyond = f.curve.x[first] < *low || f.curve.x[first] > *high;
   return fmt::format("the run does not pass {} of {} measured points, the first at {} ({} = {:.6g}): {} goes from {:.6g} to {:.6g}{}", missed, f.run.size(), f.curve.location(first),
                      query.along, f.curve.x[first], query.along, *low, *high,
-                     beyond ? "; simulate more, or exclude them with from and to" : ", and reverses; the data must be in the order in which they were measured");
+                     beyond ? "; simulate more, or exclude them with from and to"
+                     : samples.starts.size() > 1 ? ", over several times of the stage; each point must be passed within one of them"
+                                                 : ", and reverses; the data must be in the order in which they were measured");
 }
 
 MeasuredComparison compare_samples(const StatisticQuery& query, const Samples& samples) {

@@ -90,7 +90,7 @@ void RenderCamera::fields(Fields& f) {
   f.choice("look", look, {{"corner", "corner", "from the front, above a corner"}, {"x", "x", "along x"}, {"y", "y", "along y"}, {"z", "z", "along z"}}, "direction of view");
   f.number("turn", turn, units::angle, "rotation from that direction about the vertical");
   f.number("lift", lift, units::angle, "elevation above that direction");
-  f.number("zoom", zoom, units::none, "magnification relative to the view of all objects").positive();
+  f.number("zoom", zoom, units::none, "magnification relative to the view of all objects that are not hidden").positive();
   f.number("angle", angle, units::angle, "vertical angle of view").above(0).below(3);
   f.choice("fit", fit, {{"run", "run", "all of the run"}, {"first", "first", "the first frame"}, {"last", "last", "the last frame"}, {"frame", "frame", "each frame: the camera follows"}},
            "frames whose objects must be in view");
@@ -123,7 +123,7 @@ void RenderView::fields(Fields& f) {
 namespace {
 
 // Returns the names of the looks so that each replaces keys of those before it: patterns by their length, then whole names.
-std::vector<std::string> from_general_to_special(const std::map<std::string, RenderLook>& looks) {
+std::vector<std::string> from_general_to_specific(const std::map<std::string, RenderLook>& looks) {
   std::vector<std::string> names;
   for (const auto& [name, look] : looks) names.push_back(name);
   const auto rank = [](const std::string& name) { return std::pair(!name.ends_with('*'), name.ends_with('*') ? name.size() : 0); };
@@ -135,7 +135,7 @@ std::vector<std::string> from_general_to_special(const std::map<std::string, Ren
 
 Json json_of(const RenderView& v, const RenderQuality& quality) {
   Json objects = Json::object();
-  for (const std::string& name : from_general_to_special(v.objects)) {
+  for (const std::string& name : from_general_to_specific(v.objects)) {
     const RenderLook& look = v.objects.at(name);
     // Keys that are not given do not replace those of another pattern.
     Json one = Json::object();

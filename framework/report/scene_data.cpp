@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "framework/body/rod_section.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/experiment/drawn_scene.hpp"
 #include "framework/experiment/load_experiment.hpp"

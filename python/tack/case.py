@@ -26,11 +26,11 @@ def main() -> int:
     parser.add_argument("--memory", type=float, help="limit of private memory [GB]")
     parser.add_argument("--resume", action="store_true")
     options = parser.parse_args()
-    _tack.let_termination_interrupt()
-    if options.memory is not None:
-        limit = int(1e9 * options.memory)
-        resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
     try:
+        _tack.let_termination_interrupt()
+        if options.memory is not None:
+            limit = int(1e9 * options.memory)
+            resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
         tack.run(options.scene, output=options.output, threads=options.threads, resume=options.resume)
         status = json.loads((pathlib.Path(options.output) / "summary.json").read_text(encoding="utf-8"))["status"]
         return {"done": done, "interrupted": interrupted}.get(status, expectation_failed)

@@ -220,7 +220,7 @@ class Batch(_Folder):
 
     @functools.cached_property
     def cases(self) -> dict:
-        """{name: Run} of the cases that ended with a summary, in the order of the table. A case that has changed since it ran is left out until it runs again."""
+        """{name: Run} of the cases with a summary, in the order of the table. A case that has changed since it ran is left out until it runs again."""
         listed = json.loads((self.path / "batch.json").read_text(encoding="utf-8"))["cases"]
         return {one["name"]: Run(self.path / one["folder"]) for one in listed if self._has_results(one)}
 

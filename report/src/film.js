@@ -73,7 +73,7 @@ class Film {
         };
       }
       run.set.setFrame(number, colourOf);
-      const box = view.camera.fit === "run" ? (run.box ??= run.frames.box(undefined, run.set.shownVertices)) : this.boxOf(run, view.camera.fit === "frame" ? number : view.camera.fit === "first" ? 0 : run.frames.count - 1);
+      const box = view.camera.fit === "run" ? (run.box ??= run.set.box()) : run.set.box([view.camera.fit === "frame" ? number : view.camera.fit === "first" ? 0 : run.frames.count - 1]);
       run.set.focus(box.low, box.high);
       const space = [i * wide, 0, wide, height];
       return { number, set: run.set, camera: run.set.camera(view.camera, box, wide / height), box: space };
@@ -81,11 +81,6 @@ class Film {
     studio.draw(views);
     this.compose(runs[0].frames.times[views[0].number], wide);
     return this.out.toDataURL("image/png").slice("data:image/png;base64,".length);
-  }
-
-  // Returns the bounding box of the objects that are not hidden in a frame.
-  boxOf(run, number) {
-    return run.frames.box([number], run.set.shownVertices);
   }
 
   // Writes the time of the frame of the first run, labels and the colour scale.

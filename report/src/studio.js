@@ -18,7 +18,7 @@ const [groundExtent, groundGap] = [60, 1e-4];
 // Fraction of the drawings that the sun lights, about its fraction of the light on the ground.
 const sunShare = 0.4;
 // Radii of drawn rods and particles, in sizes of the run, as in report/blender_runs.py: of those that have none in the scene, and the smallest, about a pixel.
-const [usualRadius, smallestRadius] = [0.003, 0.0008];
+const [defaultRadius, smallestRadius] = [0.003, 0.0008];
 const groundLights = 96; // whose shade on the ground is added up, if the drawings have fewer
 const up = new Vector3(0, 1, 0);
 
@@ -153,17 +153,25 @@ class Actors {
     }
   }
 
-  // Returns the vertices of objects that are not hidden.
-  get shownVertices() {
-    const shown = new Set();
-    for (const part of this.parts) if (!part.look.hide) for (const v of [...(part.corners ?? []), ...this.roundedVertices(part)]) shown.add(v);
-    return shown;
-  }
-
   // Returns the vertices of an object's rods and particles, in any order.
   roundedVertices({ edges, points }) {
     const { frames } = this;
     return [...edges.flatMap((e) => [frames.edges[2 * e], frames.edges[2 * e + 1]]), ...points.map((p) => frames.points[p])];
+  }
+
+  // Returns the bounding box of what is drawn in some frames, all by default [m].
+  box(numbers) {
+    const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+    const take = (vertices, radius) => {
+      const box = this.frames.box(numbers, new Set(vertices));
+      box.low.forEach((x, c) => (low[c] = Math.min(low[c], x - radius)));
+      box.high.forEach((x, c) => (high[c] = Math.max(high[c], x + radius)));
+    };
+    for (const part of this.parts.filter(({ look }) => !look.hide)) {
+      take(part.corners, 0);
+      take(this.roundedVertices(part), part.radius * this.size);
+    }
+    return { low, high };
   }
 
   // Returns the height of the lowest point that is drawn in any frame [m].
@@ -248,7 +256,7 @@ class Actors {
     }
     part.points = mine(frames.points.length, frames.triangleCount + frames.edgeCount);
     if (part.points.length > 0) part.balls = instances(ball(part.points.length > 3000 ? 2 : 4), part.points);
-    part.radius = object.radius === null || object.radius === undefined ? usualRadius : Math.max(smallestRadius, object.radius / this.size);
+    part.radius = object.radius === null || object.radius === undefined ? defaultRadius : Math.max(smallestRadius, object.radius / this.size);
     return part;
   }
 

@@ -34,16 +34,16 @@ class Pictures(unittest.TestCase):
 class Thickness(unittest.TestCase):
     def test_rods_particles_and_offset_surfaces_reach_beyond_their_vertices(self):
         run = object.__new__(blender_runs.Run)
-        run.turn = np.eye(3)
+        run.turn, run.size = np.eye(3), 10
         shape = {"vertices": 1, "radius": 0.0, "face_sizes": [], "look": {}}
         sheet = {**shape, "face_sizes": [3], "x": np.array([[[0, 0, 5.0]], [[0, 0, 4.0]]])}
         grain = {**shape, "radius": 0.5, "x": np.array([[[0, 0, 4.4]], [[0, 0, 4.45]]])}
         dot = {**shape, "x": np.array([[[0, 0, 2.0]], [[0, 0, 2.0]]])}
         for objects, lowest in [([sheet], 4), ([sheet, grain], 3.9), ([{**sheet, "look": {"offset": 0.2}}, grain], 3.8), ([{**grain, "look": {"offset": 0.1}}], 3.8),
-                                ([sheet, {**dot, "look": {"hide": True}}], 4), ([dot], 2 - 10 * blender_runs.USUAL_RADIUS),
+                                ([sheet, {**dot, "look": {"hide": True}}], 4), ([dot], 2 - 10 * blender_runs.DEFAULT_RADIUS),
                                 ([{**dot, "radius": 1e-6}], 2 - 10 * blender_runs.SMALLEST_RADIUS)]:
             run.objects = objects
-            self.assertAlmostEqual(run.lowest([0, 1], 10), lowest)
+            self.assertAlmostEqual(run.box([0, 1])[0][2], lowest)
 
 
 if __name__ == "__main__":

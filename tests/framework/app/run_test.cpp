@@ -320,7 +320,7 @@ TEST_CASE("a run is compared with measured data in a file beside its scene") {
   CHECK(place.summary()["expect"][1]["value"].get<double>() == Approx(0.5 / 11).epsilon(0.05));  // the block has 0.16 mm to fall at the first point
   const CsvTexts points = read_csv_texts(place.path("results/tiny/measured.csv"));
   REQUIRE(points.rows.size() == 2);
-  CHECK(points.columns == std::vector<std::string>{"probe", "along", "x", "measured", "computed"});
+  CHECK(points.columns == std::vector<std::string>{"probe", "along", "x", "measured", "computed", "stage"});
   CHECK(points.rows[1][0] == "height");
   CHECK(csv_number(points.rows[1][3]).value() == 0.11);
   CHECK(csv_number(points.rows[1][4]).value() == Approx(0.1).epsilon(0.02));

@@ -89,12 +89,14 @@ TEST_CASE("an interrupt ends the submission, also while sbatch does not answer",
   slurm.max_array_size = 2;
   const auto interrupted = [&](const std::string& script) {
     const Sbatch sbatch(folder.path(), script);
-    std::thread later([&] {
-      while (!std::filesystem::exists(folder.path() / "asked")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      interrupt_requested = true;
-    });
-    SlurmJobs jobs = submit("tack", batch, slurm, description, {0, 1, 2}, false);
-    later.join();
+    SlurmJobs jobs;
+    {
+      const std::jthread later([&](const std::stop_token& done) {
+        while (!done.stop_requested() && !std::filesystem::exists(folder.path() / "asked")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        interrupt_requested = !done.stop_requested();
+      });
+      jobs = submit("tack", batch, slurm, description, {0, 1, 2}, false);
+    }
     interrupt_requested = false;
     std::filesystem::remove(folder.path() / "asked");
     return jobs.running_text();

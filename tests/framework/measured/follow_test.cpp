@@ -1,6 +1,7 @@
 #include "framework/measured/follow.hpp"
 
 #include <catch2/catch.hpp>
+#include <algorithm>
 #include <cmath>
 
 using namespace tack;
@@ -60,6 +61,11 @@ TEST_CASE("nothing is passed between the parts of a run", "[measured]") {
   CHECK(std::isnan(found[1]));
   CHECK(found[2] == 70);
   CHECK(follow(List{4}, x, y)[0] == 31);
+  // Each part is monotonic: data may be in any order, and a part may have a single sample.
+  const std::vector<size_t> twice = {0, 2, 4};
+  const List pressed = {3, 1, 3, 1, 7}, force = {30, 10, 31, 11, 70};
+  for (const List& points : {List{1, 2, 3, 7}, List{7, 3, 2, 1}})
+    for (const double p : points) CHECK(follow(points, pressed, force, twice)[static_cast<size_t>(std::find(points.begin(), points.end(), p) - points.begin())] == 10 * p);
 }
 
 TEST_CASE("small oscillations of the abscissa do not change the result", "[measured]") {

@@ -1,6 +1,7 @@
 #include "framework/output/measured_csv.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "tests/support/program.hpp"
 
@@ -25,6 +26,7 @@ TEST_CASE("measured.csv compares with the samples of the expectation's stage", "
     write_measured(folder.path() / "measured.csv", all, series, stages);
     return csv_number(read_csv_texts(folder.path() / "measured.csv").rows.at(0).at(4)).value();
   };
+  CHECK(windows_of_stage({{"a", "pull", 1, 2, 3, "", 0, 0}, {"a", "other", 2, 0, 9, "", 0, 0}, {"b", "pull", 1, 0, 1, "", 0, 0}, {"b", "pull", 2, 2.5, 4, "", 0, 0}, {"b", "pull", 2, std::nan(""), 9, "", 0, 0}}, "pull").size() == 2);
   CHECK(computed("approach") == Approx(2));
   CHECK(computed("retract") == Approx(8));
   CHECK(computed("") == Approx(2));

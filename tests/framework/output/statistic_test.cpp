@@ -71,6 +71,8 @@ TEST_CASE("nothing is interpolated between the windows of a stage") {
   CHECK(of(Statistic::at, pressed, 3.5).value == Approx(12.5));  // 1 to 4 is no movement
   CHECK(of(Statistic::min, pressed).value == 1);
   CHECK(of(Statistic::final, pressed).value == 20);
+  CHECK(of(Statistic::integral, List{{0, 0}, {3, 3}}).problem == "an integral needs two samples, there is one in each of 2 times");
+  CHECK(of(Statistic::at, List{{0, 0}, {2, 2}}, 5).problem == "gap never reaches 5; it only jumps over it from one time of the stage to the next, between 3 and 8");
   CHECK(of(Statistic::at, pressed, 8).problem == "gap never reaches 8; it stays between 1 and 4");
   CHECK(of(Statistic::mean, List()).problem == "there are no samples");
   CHECK(of(Statistic::mean, std::nullopt).value == of(Statistic::mean, List{{0, 5}}).value);
