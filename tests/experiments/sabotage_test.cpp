@@ -32,6 +32,7 @@ const std::vector<Sabotage>& sabotages() {
       {"spider_web/octopus", "no tangential adhesion", {"contact.pairs.0.tangential_adhesion.mu=0"}, {"and tangential adhesion holds it where it hangs"}},
       {"chips_bag/chips_bag", "a third of the adhesion", {"contact.pairs.0.adhesion.peak_traction=0.3 kPa"}, {"and its pressure"}},
       {"sticky_toys/throw", "half the adhesion", {"contact.pairs.1.adhesion.peak_traction=1.5 kPa"}, {"most stick"}},
+      {"twist/twisted_cloth", "half the adhesion", {"contact.pairs.0.adhesion.peak_traction=250 Pa"}, {"much of it sticks when it is wound up", "some still sticks"}},
       {"wax_seal/seal", "no adhesion", {"contact.pairs=[]"}, {"the wax lies on the letter", "with all of its foot"}},
   };
   return table;
@@ -75,6 +76,7 @@ TEST_CASE("sabotage: wall_cube/stuck_rough", "[nightly]") { check_sabotage("wall
 TEST_CASE("sabotage: spider_web/octopus", "[nightly]") { check_sabotage("spider_web/octopus"); }
 TEST_CASE("sabotage: chips_bag/chips_bag", "[nightly]") { check_sabotage("chips_bag/chips_bag"); }
 TEST_CASE("sabotage: sticky_toys/throw", "[nightly]") { check_sabotage("sticky_toys/throw"); }
+TEST_CASE("sabotage: twist/twisted_cloth", "[nightly]") { check_sabotage("twist/twisted_cloth"); }
 TEST_CASE("sabotage: wax_seal/seal", "[nightly]") { check_sabotage("wax_seal/seal"); }
 
 }  // namespace
