@@ -6,8 +6,8 @@
 //   phase_shares     fraction of the time in each phase (figure 17)
 //   smallest_gap, contacts
 //   energies         of a single run: stored energy by term
-//   measured_PROBE   a probe over the x of its measured data (measured.csv), with the data as marks;
-//                    measured_PROBE_over_X, if there are data over several columns
+//   measured_PROBE   a probe over the x of its measured data (measured.csv), with the data as
+//                    marks; measured_PROBE_over_X, if there are data over several columns
 //   laws             of a single run: traction over gap of adhesive pairs, closed form (laws.csv)
 // and plots of any probe over any other. Of a single run with a protocol (stages.csv), probes over
 // time have its stages as bands, and a probe over another one has a curve for each stage.
