@@ -66,6 +66,15 @@ int exit_code_of(ChildProcess process) {
   return process.exit_code();
 }
 
+// Waits until the process ends; returns false if an interrupt request comes first.
+bool ends_before_interrupt(ChildProcess& process) {
+  while (!process.ended()) {
+    if (interrupt_requested) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return true;
+}
+
 ChildProcess sbatch(const BatchFolder& folder, const std::vector<std::string>& options, size_t offset, const std::filesystem::path& output) {
   replace_file(output, "");
   std::vector<std::string> arguments{"/usr/bin/env", "sbatch", "--parsable"};
@@ -81,11 +90,7 @@ size_t max_array_size(const BatchFolder& folder) {
   const auto output = folder.root / "output" / "scontrol.txt";
   replace_file(output, "");
   ChildProcess process({"/usr/bin/env", "scontrol", "show", "config"}, output);
-  while (!process.ended()) {
-    if (interrupt_requested) return slurm_default;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  if (process.exit_code() != 0) return slurm_default;
+  if (!ends_before_interrupt(process) || process.exit_code() != 0) return slurm_default;
   std::ifstream in(output);
   std::string key, equals;
   for (std::string line; std::getline(in, line);) {
@@ -202,7 +207,7 @@ SlurmJobs submit(const std::string& program, const BatchFolder& folder, const Sl
   }
   if (!wait)
     for (ChildProcess& process : jobs.waiting)
-      while (!process.ended() && !interrupt_requested) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      if (!ends_before_interrupt(process)) break;
   return jobs;
 }
 
